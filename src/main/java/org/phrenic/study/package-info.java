@@ -1,0 +1,2 @@
+/** Floor 4: what is asked of many runs: benchmarks and comparisons. */
+package org.phrenic.study;
