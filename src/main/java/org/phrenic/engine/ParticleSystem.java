@@ -1,0 +1,272 @@
+package org.phrenic.engine;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Nodes with mass, the force fields that pull on them, the constraints they obey, and the nodes whose motion is given.
+ *
+ * <p>State is flat: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The arrays are handed out for speed; only integrators,
+ * constraints and whoever restores a state write to them.
+ */
+public final class ParticleSystem {
+    private final NodeLayout layout;
+    private final Workers workers;
+    private final double[] x;
+    private final double[] v;
+    private final double[] mass;
+    private final double[] inverseMass;
+    private final double[] viscosity;
+    private final List<ForceField> allFields = new ArrayList<>();
+    private final List<Constraint> allConstraints = new ArrayList<>();
+    private ForceField[] fields = {};
+    private Constraint[] constraints = {};
+    private boolean velocityDependent;
+
+    private int[] prescribedNode = {};
+    private PrescribedMotion prescribed = PrescribedMotion.still(new double[0]);
+    private double[] prescribedPosition = {};
+    private double[] prescribedVelocity = {};
+
+    private double[] taskX;
+    private double[] taskV;
+    private double[] taskForce;
+    private final Workers.Task forceTask = this::blockForces;
+
+    /**
+     * @param layout order and blocks of the nodes
+     * @param positions in the caller's order, mm
+     * @param mass one a node in the caller's order, kg; all positive
+     * @param workers who shares the work
+     * @throws IllegalArgumentException if lengths differ, a mass is not positive and finite, or a position is not finite
+     */
+    public ParticleSystem(NodeLayout layout, double[] positions, double[] mass, Workers workers) {
+        int n = layout.nodeCount();
+        if (positions.length != 3 * n || mass.length != n) {
+            throw new IllegalArgumentException("found " + positions.length + " coordinates and " + mass.length
+                    + " masses, expected " + 3 * n + " and " + n);
+        }
+        this.layout = layout;
+        this.workers = workers;
+        this.x = layout.toInternal(positions);
+        this.v = new double[3 * n];
+        this.mass = new double[n];
+        this.inverseMass = new double[n];
+        this.viscosity = new double[n];
+        for (int i = 0; i < n; i++) {
+            double m = mass[layout.caller(i)];
+            if (!(m > 0) || Double.isInfinite(m)) {
+                throw new IllegalArgumentException(
+                        "mass of node " + layout.caller(i) + ": found " + m + " kg, expected more than 0");
+            }
+            this.mass[i] = m;
+            this.inverseMass[i] = 1 / m;
+            for (int axis = 0; axis < 3; axis++) {
+                if (!Double.isFinite(x[3 * i + axis])) {
+                    throw new IllegalArgumentException("position of node " + layout.caller(i) + ": found "
+                            + x[3 * i + axis] + ", expected a finite number of mm");
+                }
+            }
+        }
+    }
+
+    public NodeLayout layout() {
+        return layout;
+    }
+
+    public Workers workers() {
+        return workers;
+    }
+
+    public int nodeCount() {
+        return layout.nodeCount();
+    }
+
+    /** Positions in internal order, mm. */
+    public double[] positions() {
+        return x;
+    }
+
+    /** Velocities in internal order, mm/s. */
+    public double[] velocities() {
+        return v;
+    }
+
+    /** Mass of each node in internal order, kg. */
+    public double[] masses() {
+        return mass;
+    }
+
+    /** 1/mass of each node, 0 where the motion is given; internal order, 1/kg. */
+    public double[] inverseMasses() {
+        return inverseMass;
+    }
+
+    /** Viscous damping γ of each node (force -γ v), internal order, N s/m. */
+    public double[] viscosities() {
+        return viscosity;
+    }
+
+    /** Sets the viscous damping of all nodes to one value, N s/m. */
+    public void setViscosity(double gamma) {
+        Arrays.fill(viscosity, gamma);
+    }
+
+    /** Sets the viscous damping of each node to rate times its mass: γ = rate m, rate in 1/s. */
+    public void setViscosityPerMass(double rate) {
+        for (int i = 0; i < viscosity.length; i++) {
+            viscosity[i] = rate * mass[i];
+        }
+    }
+
+    /** Adds a field, switched on. */
+    public void add(ForceField field) {
+        allFields.add(field);
+        setEnabled(field, true);
+    }
+
+    /** Adds a constraint, switched on; constraints are put right in the order they were added. */
+    public void add(Constraint constraint) {
+        allConstraints.add(constraint);
+        setEnabled(constraint, true);
+    }
+
+    /** Switches a field on or off; off, it costs nothing. */
+    public void setEnabled(ForceField field, boolean on) {
+        List<ForceField> active = new ArrayList<>(Arrays.asList(fields));
+        active.remove(field);
+        if (on) {
+            active.add(field);
+        }
+        fields = allFields.stream().filter(active::contains).toArray(ForceField[]::new);
+        velocityDependent = Arrays.stream(fields).anyMatch(ForceField::dependsOnVelocity);
+    }
+
+    /** Switches a constraint on or off; off, it costs nothing. */
+    public void setEnabled(Constraint constraint, boolean on) {
+        List<Constraint> active = new ArrayList<>(Arrays.asList(constraints));
+        active.remove(constraint);
+        if (on) {
+            active.add(constraint);
+        }
+        constraints = allConstraints.stream().filter(active::contains).toArray(Constraint[]::new);
+    }
+
+    /** The fields switched on, in the order they were added. */
+    public List<ForceField> fields() {
+        return List.of(fields);
+    }
+
+    /** Whether any field switched on depends on velocity. */
+    public boolean velocityDependent() {
+        return velocityDependent;
+    }
+
+    /**
+     * Nodes that follow a given motion instead of forces; replaces what was given before.
+     *
+     * @param callerNodes in the caller's numbering, each once
+     * @param motion their positions and velocities in the same order
+     */
+    public void prescribe(int[] callerNodes, PrescribedMotion motion) {
+        if (callerNodes.length != motion.pointCount()) {
+            throw new IllegalArgumentException("found " + callerNodes.length + " nodes and " + motion.pointCount()
+                    + " prescribed points, expected as many");
+        }
+        for (int node : prescribedNode) {
+            inverseMass[node] = 1 / mass[node];
+        }
+        prescribed = motion;
+        prescribedNode = new int[callerNodes.length];
+        prescribedPosition = new double[3 * callerNodes.length];
+        prescribedVelocity = new double[3 * callerNodes.length];
+        for (int i = 0; i < callerNodes.length; i++) {
+            prescribedNode[i] = layout.internal(callerNodes[i]);
+            inverseMass[prescribedNode[i]] = 0;
+        }
+    }
+
+    /** Holds nodes (caller's numbering) where they are now. */
+    public void fix(int... callerNodes) {
+        double[] here = new double[3 * callerNodes.length];
+        for (int i = 0; i < callerNodes.length; i++) {
+            System.arraycopy(x, 3 * layout.internal(callerNodes[i]), here, 3 * i, 3);
+        }
+        prescribe(callerNodes, PrescribedMotion.still(here));
+    }
+
+    /** Puts the nodes of given motion where they are at a time, in the arrays given. */
+    public void applyPrescribed(double time, double[] position, double[] velocity) {
+        if (prescribedNode.length == 0) {
+            return;
+        }
+        prescribed.at(time, prescribedPosition, prescribedVelocity);
+        for (int i = 0; i < prescribedNode.length; i++) {
+            int at = 3 * prescribedNode[i];
+            for (int axis = 0; axis < 3; axis++) {
+                position[at + axis] = prescribedPosition[3 * i + axis];
+                velocity[at + axis] = prescribedVelocity[3 * i + axis];
+            }
+        }
+    }
+
+    /**
+     * The force on each node at a state and time, without the nodes' own viscous damping.
+     *
+     * @param time s
+     * @param position mm; nodes of given motion are expected where they belong
+     * @param velocity mm/s
+     * @param force result, mN
+     */
+    public void forces(double time, double[] position, double[] velocity, double[] force) {
+        for (ForceField field : fields) {
+            field.prepare(time);
+        }
+        taskX = position;
+        taskV = velocity;
+        taskForce = force;
+        workers.run(layout.blockCount(), forceTask);
+    }
+
+    private void blockForces(int block) {
+        Arrays.fill(taskForce, 3 * layout.start(block), 3 * layout.end(block), 0);
+        for (ForceField field : fields) {
+            field.addForces(taskX, taskV, taskForce, block);
+        }
+    }
+
+    /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
+    public void project(double time, double h) {
+        for (Constraint constraint : constraints) {
+            constraint.prepare(time);
+            constraint.project(this, h);
+        }
+    }
+
+    /** Energy of motion, µJ. */
+    public double kineticEnergy() {
+        double sum = 0;
+        for (int i = 0; i < mass.length; i++) {
+            double vx = v[3 * i];
+            double vy = v[3 * i + 1];
+            double vz = v[3 * i + 2];
+            sum += 0.5 * mass[i] * (vx * vx + vy * vy + vz * vz);
+        }
+        return sum;
+    }
+
+    /** Energy stored by the fields switched on, µJ. */
+    public double potentialEnergy() {
+        double sum = 0;
+        for (ForceField field : fields) {
+            sum += field.potentialEnergy(x);
+        }
+        return sum;
+    }
+
+    /** Position of one of the caller's nodes, written to {@code out}. */
+    public void position(int callerNode, double[] out) {
+        System.arraycopy(x, 3 * layout.internal(callerNode), out, 0, 3);
+    }
+}

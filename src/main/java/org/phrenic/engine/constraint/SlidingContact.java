@@ -1,0 +1,123 @@
+package org.phrenic.engine.constraint;
+
+import org.phrenic.engine.Constraint;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Workers;
+
+/**
+ * One-sided contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
+ * the wall's own. Sliding along the wall, and leaving it, are free.
+ *
+ * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
+ * millimetre, so the plane is as good as the wall and costs a tenth.
+ */
+public final class SlidingContact implements Constraint {
+    private static final int PLANE = 5;
+    private static final int NODES_A_PIECE = 512;
+
+    private final int[] node;
+    private final ContactSurface surface;
+    private final double refreshInterval;
+    private final double[] plane;
+    private final boolean[] touching;
+    private double planeTime = Double.NaN;
+    private double now;
+    private ParticleSystem system;
+    private boolean refresh;
+    private final Workers.Task task = this::piece;
+
+    /**
+     * @param layout of the system it is for
+     * @param callerNodes the nodes that the wall holds back, caller's numbering
+     * @param surface the wall
+     * @param refreshInterval simulated time after which tangent planes are taken anew, s
+     */
+    public SlidingContact(NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        node = new int[callerNodes.length];
+        for (int i = 0; i < node.length; i++) {
+            node[i] = 3 * layout.internal(callerNodes[i]);
+        }
+        this.surface = surface;
+        this.refreshInterval = refreshInterval;
+        plane = new double[PLANE * node.length];
+        touching = new boolean[node.length];
+    }
+
+    public int count() {
+        return node.length;
+    }
+
+    /** How many nodes the wall held back in the last step. */
+    public int touchingCount() {
+        int sum = 0;
+        for (boolean t : touching) {
+            sum += t ? 1 : 0;
+        }
+        return sum;
+    }
+
+    @Override
+    public void prepare(double time) {
+        now = time;
+        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step; going
+        // back in time refreshes too.
+        refresh = !(Math.abs(time - planeTime) < refreshInterval * (1 - 1e-9));
+        if (refresh) {
+            planeTime = time;
+            surface.prepare(time);
+        }
+    }
+
+    @Override
+    public void project(ParticleSystem particles, double h) {
+        system = particles;
+        particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, task);
+    }
+
+    private void piece(int piece) {
+        double[] x = system.positions();
+        double[] v = system.velocities();
+        double[] w = system.inverseMasses();
+        double elapsed = now - planeTime;
+        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
+        for (int i = piece * NODES_A_PIECE; i < to; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            if (refresh) {
+                surface.planeNear(i, x[n], x[n + 1], x[n + 2], plane, p);
+            }
+            double nx = plane[p];
+            double ny = plane[p + 1];
+            double nz = plane[p + 2];
+            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - plane[p + 3] - plane[p + 4] * elapsed;
+            touching[i] = gap < 0 && w[n / 3] > 0;
+            if (touching[i]) {
+                x[n] -= gap * nx;
+                x[n + 1] -= gap * ny;
+                x[n + 2] -= gap * nz;
+                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - plane[p + 4];
+                if (into < 0) {
+                    v[n] -= into * nx;
+                    v[n + 1] -= into * ny;
+                    v[n + 2] -= into * nz;
+                }
+            }
+        }
+    }
+
+    /** Deepest node beyond its tangent plane, mm. */
+    @Override
+    public double error(ParticleSystem particles) {
+        double[] x = particles.positions();
+        double worst = 0;
+        double elapsed = now - planeTime;
+        for (int i = 0; i < node.length; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            worst = Math.max(worst, plane[p + 4] * elapsed - gap);
+        }
+        return worst;
+    }
+}

@@ -1,0 +1,107 @@
+package org.phrenic.engine.force;
+
+import org.phrenic.engine.ForceField;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.PrescribedMotion;
+
+/**
+ * Springs of zero rest length from nodes to moving anchors: F = -k (x - anchor(t)) - c (v - anchor velocity). This is the attachment by a mass-spring system of low
+ * elasticity of Villard, Bourne and Bello 2009; the fall-off that keeps the deformation smooth is in the stiffness of each node ({@link FallOff}).
+ */
+public final class Attachments implements ForceField {
+    private final BlockedNodes nodes;
+    private final double[] stiffness;
+    private final double dampingRatio;
+    private final PrescribedMotion anchors;
+    private final double[] anchor;
+    private final double[] anchorVelocity;
+    private double factor = 1;
+
+    /**
+     * @param layout of the system it is for
+     * @param callerNodes the attached nodes, caller's numbering
+     * @param stiffness of each, N/m
+     * @param damping dashpot of each as a multiple of its stiffness, s; 0 for none
+     * @param anchors where each is attached, in the same order
+     */
+    public Attachments(
+            NodeLayout layout, int[] callerNodes, double[] stiffness, double damping, PrescribedMotion anchors) {
+        if (stiffness.length != callerNodes.length || anchors.pointCount() != callerNodes.length) {
+            throw new IllegalArgumentException("attachments: found " + callerNodes.length + " nodes, "
+                    + stiffness.length + " stiffnesses and " + anchors.pointCount() + " anchors, expected as many");
+        }
+        this.nodes = new BlockedNodes(layout, callerNodes);
+        this.stiffness = stiffness.clone();
+        this.dampingRatio = damping;
+        this.anchors = anchors;
+        this.anchor = new double[3 * callerNodes.length];
+        this.anchorVelocity = new double[3 * callerNodes.length];
+        anchors.at(0, anchor, anchorVelocity);
+    }
+
+    /** Multiplies every stiffness from now on. */
+    public void setFactor(double value) {
+        factor = value;
+    }
+
+    public int count() {
+        return stiffness.length;
+    }
+
+    @Override
+    public void prepare(double time) {
+        anchors.at(time, anchor, anchorVelocity);
+    }
+
+    @Override
+    public void addForces(double[] x, double[] v, double[] force, int block) {
+        for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
+            int n = nodes.node[i];
+            int p = 3 * nodes.item[i];
+            double k = factor * stiffness[nodes.item[i]];
+            double c = k * dampingRatio;
+            for (int axis = 0; axis < 3; axis++) {
+                force[n + axis] += k * (anchor[p + axis] - x[n + axis]) + c * (anchorVelocity[p + axis] - v[n + axis]);
+            }
+        }
+    }
+
+    @Override
+    public double potentialEnergy(double[] x) {
+        double sum = 0;
+        for (int i = 0; i < nodes.count(); i++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = x[nodes.node[i] + axis] - anchor[3 * nodes.item[i] + axis];
+                squared += d * d;
+            }
+            sum += 0.5 * factor * stiffness[nodes.item[i]] * squared;
+        }
+        return sum;
+    }
+
+    @Override
+    public void addStiffness(double[] x, double[] u, double[] out, int block) {
+        for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
+            int n = nodes.node[i];
+            double k = factor * stiffness[nodes.item[i]];
+            for (int axis = 0; axis < 3; axis++) {
+                out[n + axis] += k * u[n + axis];
+            }
+        }
+    }
+
+    @Override
+    public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
+        for (int i = 0; i < nodes.count(); i++) {
+            double k = factor * stiffness[nodes.item[i]];
+            stiffnessSum[nodes.node[i] / 3] += k;
+            dampingSum[nodes.node[i] / 3] += dampingRatio * k;
+        }
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return dampingRatio != 0;
+    }
+}

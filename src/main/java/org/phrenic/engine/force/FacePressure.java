@@ -1,0 +1,114 @@
+package org.phrenic.engine.force;
+
+import java.util.Arrays;
+import org.phrenic.engine.ForceField;
+import org.phrenic.engine.NodeLayout;
+
+/**
+ * Pressure on chosen triangles: each corner carries a third of p w A n, where n is the triangle's current outward normal turned
+ * inward, that is, pressure pushes against the face. w is a weight a triangle (1, or a hydrostatic profile).
+ */
+public final class FacePressure implements ForceField {
+    private final int[] start;
+    private final int[] corner;
+    private final int[] owned;
+    private final double[] weight;
+    private final int[] item;
+    private double pressure;
+
+    /**
+     * @param layout of the system it is for
+     * @param triangles three nodes a triangle, caller's numbering, anticlockwise seen from the side that is pressed on
+     * @param weight one a triangle
+     */
+    public FacePressure(NodeLayout layout, int[] triangles, double[] weight) {
+        int count = triangles.length / 3;
+        this.weight = weight.clone();
+        int[] internal = new int[triangles.length];
+        long[] key = new long[3 * count];
+        int entries = 0;
+        for (int t = 0; t < count; t++) {
+            for (int c = 0; c < 3; c++) {
+                internal[3 * t + c] = layout.internal(triangles[3 * t + c]);
+            }
+            int a = layout.blockOf(internal[3 * t]);
+            int b = layout.blockOf(internal[3 * t + 1]);
+            int c = layout.blockOf(internal[3 * t + 2]);
+            key[entries++] = (long) a << 32 | t;
+            if (b != a) {
+                key[entries++] = (long) b << 32 | t;
+            }
+            if (c != a && c != b) {
+                key[entries++] = (long) c << 32 | t;
+            }
+        }
+        key = Arrays.copyOf(key, entries);
+        Arrays.sort(key);
+        start = new int[layout.blockCount() + 1];
+        corner = new int[3 * entries];
+        owned = new int[entries];
+        item = new int[entries];
+        for (int i = 0; i < entries; i++) {
+            int block = (int) (key[i] >>> 32);
+            item[i] = (int) key[i];
+            start[block + 1]++;
+            for (int c = 0; c < 3; c++) {
+                int node = internal[3 * item[i] + c];
+                corner[3 * i + c] = 3 * node;
+                if (layout.blockOf(node) == block) {
+                    owned[i] |= 1 << c;
+                }
+            }
+        }
+        for (int b = 0; b < layout.blockCount(); b++) {
+            start[b + 1] += start[b];
+        }
+    }
+
+    /** Sets the pressure, kPa (mN/mm²). */
+    public void setPressure(double value) {
+        pressure = value;
+    }
+
+    public double pressure() {
+        return pressure;
+    }
+
+    @Override
+    public void addForces(double[] x, double[] v, double[] force, int block) {
+        if (pressure == 0) {
+            return;
+        }
+        for (int i = start[block]; i < start[block + 1]; i++) {
+            int a = corner[3 * i];
+            int b = corner[3 * i + 1];
+            int c = corner[3 * i + 2];
+            double e1x = x[b] - x[a];
+            double e1y = x[b + 1] - x[a + 1];
+            double e1z = x[b + 2] - x[a + 2];
+            double e2x = x[c] - x[a];
+            double e2y = x[c + 1] - x[a + 1];
+            double e2z = x[c + 2] - x[a + 2];
+            double s = -pressure * weight[item[i]] / 6;
+            double fx = s * (e1y * e2z - e1z * e2y);
+            double fy = s * (e1z * e2x - e1x * e2z);
+            double fz = s * (e1x * e2y - e1y * e2x);
+            int mine = owned[i];
+            if ((mine & 1) != 0) {
+                force[a] += fx;
+                force[a + 1] += fy;
+                force[a + 2] += fz;
+            }
+            if ((mine & 2) != 0) {
+                force[b] += fx;
+                force[b + 1] += fy;
+                force[b + 2] += fz;
+            }
+            if ((mine & 4) != 0) {
+                force[c] += fx;
+                force[c + 1] += fy;
+                force[c + 2] += fz;
+            }
+        }
+    }
+}

@@ -1,0 +1,351 @@
+package org.phrenic.engine.force;
+
+import java.util.Arrays;
+import org.phrenic.engine.ForceField;
+import org.phrenic.engine.NodeLayout;
+
+/**
+ * Linear springs, F = -k (l - l0) along the edge (Villard, Bourne and Bello 2009, eq. 3), optionally with a dashpot along it, F = -c l̇, and optionally contractile: the
+ * rest length becomes l0 (1 - a s), where a is the activation of the whole field and s the share of an edge in it (cos² of its angle to the muscle fibre for fibre
+ * muscle, 0 for passive tissue).
+ */
+public final class Springs implements ForceField {
+    private final BlockedEdges edges;
+    private final double[] stiffness;
+    private final double[] rest;
+    private final double[] share;
+    private final double[] damping;
+    private final double[] entryStiffness;
+    private final double[] entryRest;
+    private final double[] entryShareRest;
+    private final double[] entryDamping;
+    private double activation;
+
+    private Springs(Builder b) {
+        edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
+        stiffness = b.stiffness;
+        rest = b.rest;
+        share = b.share;
+        damping = b.damping;
+        entryStiffness = edges.spread(stiffness);
+        entryRest = edges.spread(rest);
+        entryDamping = damping == null ? null : edges.spread(damping);
+        if (share == null) {
+            entryShareRest = null;
+        } else {
+            entryShareRest = edges.spread(share);
+            for (int i = 0; i < entryShareRest.length; i++) {
+                entryShareRest[i] *= entryRest[i];
+            }
+        }
+    }
+
+    /**
+     * Springs between pairs of nodes.
+     *
+     * @param layout of the system they are for
+     * @param nodeA one end of each, caller's numbering
+     * @param nodeB the other end
+     */
+    public static Builder between(NodeLayout layout, int[] nodeA, int[] nodeB) {
+        return new Builder(layout, nodeA, nodeB);
+    }
+
+    /** Sets the activation a; 0 is passive. */
+    public void setActivation(double value) {
+        activation = value;
+    }
+
+    public double activation() {
+        return activation;
+    }
+
+    public int count() {
+        return edges.count();
+    }
+
+    /** Rest length of each spring when passive, mm; a copy. */
+    public double[] restLengths() {
+        return rest.clone();
+    }
+
+    /** Multiplies every stiffness by a factor (a material made softer or harder while it runs). */
+    public void scaleStiffness(double factor) {
+        for (int e = 0; e < stiffness.length; e++) {
+            stiffness[e] *= factor;
+        }
+        for (int i = 0; i < entryStiffness.length; i++) {
+            entryStiffness[i] *= factor;
+        }
+    }
+
+    @Override
+    public void addForces(double[] x, double[] v, double[] force, int block) {
+        if (entryDamping != null) {
+            addDamped(x, v, force, block);
+        } else if (entryShareRest != null && activation != 0) {
+            addContractile(x, force, block);
+        } else {
+            addPassive(x, force, block);
+        }
+    }
+
+    private void addPassive(double[] x, double[] force, int block) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] k = entryStiffness;
+        double[] l0 = entryRest;
+        int outer = edges.outerStart[block];
+        for (int i = edges.innerStart[block]; i < outer; i++) {
+            int a = own[i];
+            int b = other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double t = k[i] * (1 - l0[i] / Math.sqrt(dx * dx + dy * dy + dz * dz));
+            force[a] += t * dx;
+            force[a + 1] += t * dy;
+            force[a + 2] += t * dz;
+            force[b] -= t * dx;
+            force[b + 1] -= t * dy;
+            force[b + 2] -= t * dz;
+        }
+        int end = edges.innerStart[block + 1];
+        for (int i = outer; i < end; i++) {
+            int a = own[i];
+            int b = other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double t = k[i] * (1 - l0[i] / Math.sqrt(dx * dx + dy * dy + dz * dz));
+            force[a] += t * dx;
+            force[a + 1] += t * dy;
+            force[a + 2] += t * dz;
+        }
+    }
+
+    private void addContractile(double[] x, double[] force, int block) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] k = entryStiffness;
+        double[] l0 = entryRest;
+        double[] s = entryShareRest;
+        double act = activation;
+        int outer = edges.outerStart[block];
+        for (int i = edges.innerStart[block]; i < outer; i++) {
+            int a = own[i];
+            int b = other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double t = k[i] * (1 - (l0[i] - act * s[i]) / Math.sqrt(dx * dx + dy * dy + dz * dz));
+            force[a] += t * dx;
+            force[a + 1] += t * dy;
+            force[a + 2] += t * dz;
+            force[b] -= t * dx;
+            force[b + 1] -= t * dy;
+            force[b + 2] -= t * dz;
+        }
+        int end = edges.innerStart[block + 1];
+        for (int i = outer; i < end; i++) {
+            int a = own[i];
+            int b = other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double t = k[i] * (1 - (l0[i] - act * s[i]) / Math.sqrt(dx * dx + dy * dy + dz * dz));
+            force[a] += t * dx;
+            force[a + 1] += t * dy;
+            force[a + 2] += t * dz;
+        }
+    }
+
+    private void addDamped(double[] x, double[] v, double[] force, int block) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] k = entryStiffness;
+        double[] c = entryDamping;
+        double[] l0 = entryRest;
+        double act = entryShareRest == null ? 0 : activation;
+        int outer = edges.outerStart[block];
+        int end = edges.innerStart[block + 1];
+        for (int i = edges.innerStart[block]; i < end; i++) {
+            int a = own[i];
+            int b = other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double inverse = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
+            double slope = (v[b] - v[a]) * dx + (v[b + 1] - v[a + 1]) * dy + (v[b + 2] - v[a + 2]) * dz;
+            double l = act == 0 ? l0[i] : l0[i] - act * entryShareRest[i];
+            double t = k[i] * (1 - l * inverse) + c[i] * slope * (inverse * inverse);
+            force[a] += t * dx;
+            force[a + 1] += t * dy;
+            force[a + 2] += t * dz;
+            if (i < outer) {
+                force[b] -= t * dx;
+                force[b + 1] -= t * dy;
+                force[b + 2] -= t * dz;
+            }
+        }
+    }
+
+    @Override
+    public double potentialEnergy(double[] x) {
+        double sum = 0;
+        for (int e = 0; e < edges.count(); e++) {
+            double stretch = length(x, e) - rest[e] * (1 - (share == null ? 0 : activation * share[e]));
+            sum += 0.5 * stiffness[e] * stretch * stretch;
+        }
+        return sum;
+    }
+
+    private double length(double[] x, int e) {
+        int a = 3 * edges.nodeA[e];
+        int b = 3 * edges.nodeB[e];
+        double dx = x[b] - x[a];
+        double dy = x[b + 1] - x[a + 1];
+        double dz = x[b + 2] - x[a + 2];
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** Exact along the edge; across it the tension's share is kept only where it pulls, so that K stays positive semidefinite. */
+    @Override
+    public void addStiffness(double[] x, double[] u, double[] out, int block) {
+        int outer = edges.outerStart[block];
+        int end = edges.innerStart[block + 1];
+        for (int i = edges.innerStart[block]; i < end; i++) {
+            int a = edges.own[i];
+            int b = edges.other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double squared = dx * dx + dy * dy + dz * dz;
+            double ux = u[b] - u[a];
+            double uy = u[b + 1] - u[a + 1];
+            double uz = u[b + 2] - u[a + 2];
+            double l = entryRest[i] - (entryShareRest == null ? 0 : activation * entryShareRest[i]);
+            double across = Math.max(0, entryStiffness[i] * (1 - l / Math.sqrt(squared)));
+            double along = (entryStiffness[i] - across) * (ux * dx + uy * dy + uz * dz) / squared;
+            double fx = along * dx + across * ux;
+            double fy = along * dy + across * uy;
+            double fz = along * dz + across * uz;
+            out[a] -= fx;
+            out[a + 1] -= fy;
+            out[a + 2] -= fz;
+            if (i < outer) {
+                out[b] += fx;
+                out[b + 1] += fy;
+                out[b + 2] += fz;
+            }
+        }
+    }
+
+    @Override
+    public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
+        for (int e = 0; e < edges.count(); e++) {
+            stiffnessSum[edges.nodeA[e]] += 2 * stiffness[e];
+            stiffnessSum[edges.nodeB[e]] += 2 * stiffness[e];
+            if (damping != null) {
+                dampingSum[edges.nodeA[e]] += 2 * damping[e];
+                dampingSum[edges.nodeB[e]] += 2 * damping[e];
+            }
+        }
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return damping != null;
+    }
+
+    /** What springs are made of. */
+    public static final class Builder {
+        private final NodeLayout layout;
+        private final int[] nodeA;
+        private final int[] nodeB;
+        private double[] stiffness;
+        private double[] rest;
+        private double[] share;
+        private double[] damping;
+
+        private Builder(NodeLayout layout, int[] nodeA, int[] nodeB) {
+            this.layout = layout;
+            this.nodeA = nodeA;
+            this.nodeB = nodeB;
+        }
+
+        /** One stiffness for all, N/m. */
+        public Builder stiffness(double k) {
+            stiffness = new double[nodeA.length];
+            Arrays.fill(stiffness, k);
+            return this;
+        }
+
+        /** A stiffness each, N/m. */
+        public Builder stiffness(double[] k) {
+            stiffness = k.clone();
+            return this;
+        }
+
+        /** One dashpot for all, N s/m; 0 for none. */
+        public Builder damping(double c) {
+            damping = null;
+            if (c != 0) {
+                damping = new double[nodeA.length];
+                Arrays.fill(damping, c);
+            }
+            return this;
+        }
+
+        /** The length at these positions (caller's order, mm) as rest length. */
+        public Builder restAt(double[] positions) {
+            rest = new double[nodeA.length];
+            for (int e = 0; e < rest.length; e++) {
+                double squared = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double d = positions[3 * nodeB[e] + axis] - positions[3 * nodeA[e] + axis];
+                    squared += d * d;
+                }
+                rest[e] = Math.sqrt(squared);
+            }
+            return this;
+        }
+
+        /** A rest length each, mm. */
+        public Builder rest(double[] lengths) {
+            rest = lengths.clone();
+            return this;
+        }
+
+        /** How much of the activation shortens each edge, 0 to 1. */
+        public Builder contractile(double[] shares) {
+            share = shares.clone();
+            return this;
+        }
+
+        /**
+         * @throws IllegalArgumentException if a stiffness, damping or rest length is missing, negative or not finite, or an edge joins a node to itself
+         */
+        public Springs build() {
+            check("stiffness", stiffness, "N/m");
+            check("rest length", rest, "mm");
+            if (damping != null) {
+                check("damping", damping, "N s/m");
+            }
+            return new Springs(this);
+        }
+
+        private void check(String what, double[] values, String unit) {
+            if (values == null || values.length != nodeA.length) {
+                throw new IllegalArgumentException(what + " of springs: found "
+                        + (values == null ? "none" : String.valueOf(values.length)) + ", expected " + nodeA.length);
+            }
+            for (int e = 0; e < values.length; e++) {
+                if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
+                    throw new IllegalArgumentException(
+                            what + " of spring " + e + ": found " + values[e] + " " + unit + ", expected 0 or more");
+                }
+            }
+        }
+    }
+}

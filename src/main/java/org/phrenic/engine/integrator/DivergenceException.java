@@ -1,0 +1,17 @@
+package org.phrenic.engine.integrator;
+
+import java.util.Locale;
+
+/** A state left all bounds and the last good one was restored; the message is one sentence that names the cause. */
+public final class DivergenceException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    DivergenceException(double failedTime, double restoredTime, String cause) {
+        super(String.format(
+                Locale.ROOT,
+                "the simulation diverged at %.4f s (%s); the state at %.4f s was restored",
+                failedTime,
+                cause,
+                restoredTime));
+    }
+}

@@ -1,0 +1,93 @@
+package org.phrenic.engine.integrator;
+
+import java.util.Locale;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Workers;
+
+/**
+ * Notices a state that cannot be right (not a number, or a node faster than anything in a body) in the step it appears, and keeps a good one to go back to.
+ */
+final class DivergenceGuard {
+    /** A cough moves tissue at some 1,000 mm/s; ten times that is a fault of the numbers. */
+    private static final double MAX_SPEED = 10_000;
+
+    private static final long STEPS_BETWEEN_SNAPSHOTS = 256;
+
+    private final ParticleSystem system;
+    private final double[] goodX;
+    private final double[] goodV;
+    private final double[] worst;
+    private long goodStep;
+    private final Workers.Task scan = this::scan;
+
+    DivergenceGuard(ParticleSystem system) {
+        this.system = system;
+        goodX = system.positions().clone();
+        goodV = system.velocities().clone();
+        worst = new double[system.layout().blockCount()];
+    }
+
+    /** The cause if the state is out of bounds after a step, null if it is good. */
+    String check(long step) {
+        system.workers().run(worst.length, scan);
+        double fastest = 0;
+        for (double value : worst) {
+            fastest = Math.max(fastest, value);
+        }
+        if (!(fastest <= MAX_SPEED * MAX_SPEED)) {
+            return describe();
+        }
+        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
+            System.arraycopy(system.positions(), 0, goodX, 0, goodX.length);
+            System.arraycopy(system.velocities(), 0, goodV, 0, goodV.length);
+            goodStep = step;
+        }
+        return null;
+    }
+
+    private void scan(int block) {
+        double[] v = system.velocities();
+        double[] x = system.positions();
+        double fastest = 0;
+        for (int n = system.layout().start(block); n < system.layout().end(block); n++) {
+            int i = 3 * n;
+            // 0 x is 0 unless x is not finite: so a lost position shows as well.
+            double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
+            // Math.max keeps a NaN.
+            fastest = Math.max(fastest, speed);
+        }
+        worst[block] = fastest;
+    }
+
+    private String describe() {
+        double[] v = system.velocities();
+        double[] x = system.positions();
+        for (int n = 0; n < system.nodeCount(); n++) {
+            double speed = 0;
+            boolean finite = true;
+            for (int i = 3 * n; i < 3 * n + 3; i++) {
+                speed += v[i] * v[i];
+                finite &= Double.isFinite(x[i]) && Double.isFinite(v[i]);
+            }
+            if (!finite) {
+                return "position or velocity of node " + system.layout().caller(n) + " is not a finite number";
+            }
+            if (speed > MAX_SPEED * MAX_SPEED) {
+                return String.format(
+                        Locale.ROOT,
+                        "node %d moves at %.3g mm/s, the bound is %.3g mm/s",
+                        system.layout().caller(n),
+                        Math.sqrt(speed),
+                        MAX_SPEED);
+            }
+        }
+        return "speed beyond all bounds";
+    }
+
+    /** Puts the last good state back and returns its step. */
+    long restore() {
+        System.arraycopy(goodX, 0, system.positions(), 0, goodX.length);
+        System.arraycopy(goodV, 0, system.velocities(), 0, goodV.length);
+        return goodStep;
+    }
+}

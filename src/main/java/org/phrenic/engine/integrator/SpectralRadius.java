@@ -1,0 +1,50 @@
+package org.phrenic.engine.integrator;
+
+/** Largest absolute eigenvalue of a 2x2 or 3x3 matrix, from its characteristic polynomial. */
+final class SpectralRadius {
+    private SpectralRadius() {}
+
+    static double of(double[][] m) {
+        if (m.length == 2) {
+            return quadratic(m[0][0] + m[1][1], m[0][0] * m[1][1] - m[0][1] * m[1][0]);
+        }
+        double trace = m[0][0] + m[1][1] + m[2][2];
+        double minors = m[0][0] * m[1][1]
+                - m[0][1] * m[1][0]
+                + m[0][0] * m[2][2]
+                - m[0][2] * m[2][0]
+                + m[1][1] * m[2][2]
+                - m[1][2] * m[2][1];
+        double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
+                - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+                + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+        double real = realRoot(trace, minors, determinant);
+        // Division by (λ - real) leaves λ² - (trace - real) λ + (minors - real (trace - real)).
+        double t = trace - real;
+        return Math.max(Math.abs(real), quadratic(t, minors - real * t));
+    }
+
+    /** Larger |root| of λ² - t λ + d. */
+    private static double quadratic(double t, double d) {
+        double discriminant = t * t - 4 * d;
+        if (discriminant < 0) {
+            return Math.sqrt(d);
+        }
+        return 0.5 * (Math.abs(t) + Math.sqrt(discriminant));
+    }
+
+    /** A real root of λ³ - t λ² + m λ - d, bracketed by Cauchy's bound and bisected. */
+    private static double realRoot(double t, double m, double d) {
+        double high = 1 + Math.max(Math.abs(t), Math.max(Math.abs(m), Math.abs(d)));
+        double low = -high;
+        for (int i = 0; i < 120; i++) {
+            double middle = 0.5 * (low + high);
+            if (((middle - t) * middle + m) * middle - d > 0) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        return 0.5 * (low + high);
+    }
+}
