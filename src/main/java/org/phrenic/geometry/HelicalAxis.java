@@ -6,8 +6,8 @@ package org.phrenic.geometry;
  * <p>{@code x' = p + Rot(d, angle) (x - p) + slide d}. From a motion {@code x' = R x + v}, with {@code theta} and {@code d} from
  * the quaternion of {@code R} (exact for small angles and for angles near pi alike): {@code slide = d . v}, {@code p = 1/2 [v -
  * slide d + cot(theta/2) d x v]}, the point of the axis nearest to the origin (C. W. Spoor, F. E. Veldpaus 1980, doi
- * 10.1016/0021-9290(80)90020-2). Errors of direction and place grow as {@code 1 / (2 sin(theta/2))} (H. J. Woltring et al. 1985,
- * doi 10.1016/0021-9290(85)90276-3): fit axes from full breaths, not from tidal ones.
+ * 10.1016/0021-9290(80)90020-2). Errors of direction and place grow as {@code 1 / (2 sin(theta/2))} (H. J. Woltring et al. 1985, J.
+ * Biomech. 18:379): fit axes from full breaths, not from tidal ones.
  *
  * @param directionX unit direction, right-hand rule
  * @param directionY unit direction
