@@ -11,10 +11,14 @@ final class EdgeCollapser {
     /** By how much one end's triangles must spread more than the other's for it to stay where it is. */
     private static final double SHARPER = 0.1;
 
+    /** Edges shorter than this part of the longest go even across creases. */
+    private static final double TINY = 0.3;
+
     private final HalfEdgeMesh mesh;
     private long[] queue = new long[1024];
     private int[] ringA = new int[64];
     private double shapeBefore;
+    private double shapeAfter;
 
     EdgeCollapser(HalfEdgeMesh mesh) {
         this.mesh = mesh;
@@ -56,15 +60,9 @@ final class EdgeCollapser {
         }
         int a = mesh.start[h];
         int b = mesh.end(h);
-        boolean boundaryA = mesh.isBoundaryVertex(a);
-        boolean boundaryB = mesh.isBoundaryVertex(b);
-        double share = 0.5;
-        if (boundaryA != boundaryB) {
-            share = boundaryB ? 1 : 0;
-        } else if (!boundaryA) {
-            double spreadA = spread(a);
-            double spreadB = spread(b);
-            share = spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
+        double share = placeOnEdge(h, a, b, longest);
+        if (Double.isNaN(share)) {
+            return false;
         }
         double[] p = mesh.position;
         double x = p[3 * a] + share * (p[3 * b] - p[3 * a]);
@@ -75,6 +73,34 @@ final class EdgeCollapser {
         }
         mesh.collapse(h, x, y, z);
         return true;
+    }
+
+    /** Where on its edge the vertex left over goes, 0 at a to 1 at b; NaN if the edge must stay. */
+    private double placeOnEdge(int h, int a, int b, double longest) {
+        boolean boundaryA = mesh.isBoundaryVertex(a);
+        boolean boundaryB = mesh.isBoundaryVertex(b);
+        if (boundaryA || boundaryB) {
+            return boundaryA && boundaryB ? 0.5 : boundaryB ? 1 : 0;
+        }
+        int creasesA = mesh.creasesAt(a);
+        int creasesB = mesh.creasesAt(b);
+        if (creasesA == 0 && creasesB == 0) {
+            double spreadA = spread(a);
+            double spreadB = spread(b);
+            return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
+        }
+        if (creasesA == 0 || creasesB == 0) {
+            return creasesB == 0 ? 0 : 1;
+        }
+        if (mesh.squareLength(h) < TINY * TINY * longest * longest) {
+            return 0.5;
+        }
+        boolean cornerA = creasesA != 2;
+        boolean cornerB = creasesB != 2;
+        if (!mesh.isCrease(h) || (cornerA && cornerB)) {
+            return Double.NaN;
+        }
+        return cornerA ? 0 : cornerB ? 1 : 0.5;
     }
 
     /** The least cosine between the normal of a triangle at {@code v} and their common normal: 1 on a plane, less on a rim. */
@@ -138,15 +164,12 @@ final class EdgeCollapser {
                 return false;
             }
             double cosine = cosineOfTurn(v, b, c, x, y, z);
-            double shapeAfter = shape;
             if (cosine < LEAST_COSINE || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
                 return false;
             }
         }
         return true;
     }
-
-    private double shape;
 
     /** Cosine between the normals of (v, b, c) with v where it is and at (x, y, z); notes the shape before and after. */
     private double cosineOfTurn(int v, int b, int c, double x, double y, double z) {
@@ -173,7 +196,7 @@ final class EdgeCollapser {
         double after = Math.sqrt(mx * mx + my * my + mz * mz);
         double base = ex * ex + ey * ey + ez * ez;
         shapeBefore = before / longestSquare(base, ux, uy, uz, ex, ey, ez);
-        shape = after / longestSquare(base, wx, wy, wz, ex, ey, ez);
+        shapeAfter = after / longestSquare(base, wx, wy, wz, ex, ey, ez);
         // A triangle without area has no side to keep.
         return shapeBefore < 1e-6 ? 1 : (nx * mx + ny * my + nz * mz) / (before * after);
     }

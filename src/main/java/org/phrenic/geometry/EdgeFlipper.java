@@ -40,6 +40,9 @@ final class EdgeFlipper {
     }
 
     private boolean tryFlip(int h) {
+        if (mesh.isCrease(h)) {
+            return false;
+        }
         int o = mesh.twin[h];
         int a = mesh.start[h];
         int b = mesh.start[o];

@@ -20,6 +20,10 @@ final class HalfEdgeMesh {
     int[] twin;
     int[] out;
     double[] position;
+    /** Edges that keep their place and direction, marked on both half-edges. */
+    private boolean[] crease;
+
+    private boolean hasCreases;
     /** Triangles and vertices below these numbers are in use or were. */
     int triangleEnd;
 
@@ -44,6 +48,7 @@ final class HalfEdgeMesh {
         vertexEnd = mesh.vertexCount();
         out = new int[vertexEnd];
         twin = new int[t.length];
+        crease = new boolean[t.length];
         Arrays.fill(out, NONE);
         Arrays.fill(twin, NONE);
         pair(topology);
@@ -152,6 +157,34 @@ final class HalfEdgeMesh {
         return dx * dx + dy * dy + dz * dz;
     }
 
+    void markCrease(int h) {
+        hasCreases = true;
+        crease[h] = true;
+        crease[twin[h]] = true;
+    }
+
+    boolean isCrease(int h) {
+        return crease[h];
+    }
+
+    boolean hasCreases() {
+        return hasCreases;
+    }
+
+    /** Number of crease edges at an inner vertex: 0 on a smooth part, 2 along a crease, else a corner. */
+    int creasesAt(int v) {
+        if (!hasCreases) {
+            return 0;
+        }
+        int count = 0;
+        int h = out[v];
+        do {
+            count += crease[h] ? 1 : 0;
+            h = twin[previous(h)];
+        } while (h != NONE && h != out[v]);
+        return count;
+    }
+
     /** Turns clockwise about the start of {@code h} to the boundary, or once round to {@code h} itself. */
     private int fanStart(int h) {
         int g = h;
@@ -222,6 +255,9 @@ final class HalfEdgeMesh {
         int t = newTriangle(m, b, c);
         link(t + 1, twin[hn]);
         link(t + 2, hn);
+        crease[t] = crease[h];
+        crease[t + 1] = crease[hn];
+        crease[hn] = false;
         start[hn] = m;
         out[m] = t;
         twin[t] = NONE;
@@ -234,6 +270,9 @@ final class HalfEdgeMesh {
             int u = newTriangle(m, a, d);
             link(u + 1, twin[on]);
             link(u + 2, on);
+            crease[u] = crease[h];
+            crease[u + 1] = crease[on];
+            crease[on] = false;
             start[on] = m;
             if (out[a] == on) {
                 out[a] = u + 1;
@@ -244,7 +283,8 @@ final class HalfEdgeMesh {
         return m;
     }
 
-    /** Turns the inner edge of {@code h} in its quadrilateral; the caller has seen to it that the new edge does not exist yet. */
+    /** Turns the inner edge of {@code h} in its quadrilateral; the caller has seen to it that it is no crease and the new edge does
+     * not exist yet. */
     void flip(int h) {
         int o = twin[h];
         int hn = next(h);
@@ -281,6 +321,11 @@ final class HalfEdgeMesh {
         link(hp, beyondAd);
         link(on, beyondDb);
         link(op, beyondBc);
+        boolean creaseBc = crease[hn];
+        crease[hn] = crease[hp];
+        crease[hp] = crease[on];
+        crease[on] = crease[op];
+        crease[op] = creaseBc;
     }
 
     /** Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link condition). */
@@ -359,11 +404,14 @@ final class HalfEdgeMesh {
         int c = start[hp];
         int x = twin[hn];
         int y = twin[hp];
+        boolean joined = crease[hn] || crease[hp];
         if (x != NONE) {
             twin[x] = y;
+            crease[x] = joined;
         }
         if (y != NONE) {
             twin[y] = x;
+            crease[y] = joined;
         }
         int t = h - h % 3;
         Arrays.fill(start, t, t + 3, NONE);
@@ -401,8 +449,10 @@ final class HalfEdgeMesh {
             if (t + 3 > start.length) {
                 start = Arrays.copyOf(start, start.length + start.length / 2 + 48);
                 twin = Arrays.copyOf(twin, start.length);
+                crease = Arrays.copyOf(crease, start.length);
             }
         }
+        Arrays.fill(crease, t, t + 3, false);
         start[t] = a;
         start[t + 1] = b;
         start[t + 2] = c;

@@ -8,12 +8,18 @@ import java.util.Arrays;
  * rest flipped to Delaunay, vertices evened out on the original surface; the target follows the count. The last vertices are
  * added at the longest edges or taken at the shortest, so the count is met exactly where the topology allows.
  *
+ * <p>Where the surface becomes finer, edges bent by more than 60 degrees are creases: they keep their place and are only divided
+ * otherwise. Where it becomes coarser, what looks like a crease is a detail below the new length.
+ *
  * <p>Closedness, genus and boundary loops are kept. On a closed surface the vertices are at last shifted along their normals by
  * the one distance that restores the volume, since chords of a convex surface lie inside it.
  */
 public final class Remesher {
     private static final double LONG = 4.0 / 3;
     private static final double SHORT = 4.0 / 5;
+    /** Below this cosine between its triangles (a bend of 60 degrees) an edge is a crease. */
+    private static final double CREASE = 0.5;
+
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
@@ -26,6 +32,7 @@ public final class Remesher {
     private final EdgeCollapser collapser;
     private final EdgeFlipper flipper;
     private final VertexRelaxer relaxer;
+    private double length;
     private long[] queue = new long[1024];
 
     private Remesher(TriangleMesh original, int vertices) {
@@ -34,7 +41,11 @@ public final class Remesher {
         mesh = new HalfEdgeMesh(original);
         collapser = new EdgeCollapser(mesh);
         flipper = new EdgeFlipper(mesh);
-        relaxer = new VertexRelaxer(mesh, new TriangleTree(original), new TriangleTree(boundaryOf(mesh)));
+        length = targetLength();
+        if (length < meanEdge()) {
+            markCreases();
+        }
+        relaxer = new VertexRelaxer(mesh, new TriangleTree(original), new TriangleTree(linesOf(mesh)));
     }
 
     /**
@@ -56,17 +67,16 @@ public final class Remesher {
     }
 
     private TriangleMesh run() {
-        double length = targetLength();
         flipper.flipAll();
         for (int round = 0; round < ROUNDS; round++) {
             splitLong(LONG * length);
-            collapseShort(length);
+            collapseShort();
             flipper.flipAll();
             relaxer.relax(REACH * length);
             double excess = Math.sqrt((double) mesh.vertexCount() / vertices);
             length *= Math.max(0.8, Math.min(1.25, excess));
         }
-        meetCount(length);
+        meetCount();
         for (int round = 0; round < FINAL_ROUNDS; round++) {
             flipper.flipAll();
             relaxer.relax(REACH * length);
@@ -87,19 +97,47 @@ public final class Remesher {
             edges += mesh.standsForEdge(h) ? 1 : 0;
         }
         int euler = mesh.vertexCount() - edges + mesh.triangleEnd;
-        double length = Math.sqrt(area / (Math.sqrt(3) / 4 * Math.max(2, 2.0 * (vertices - euler))));
+        double guess = Math.sqrt(area / (Math.sqrt(3) / 4 * Math.max(2, 2.0 * (vertices - euler))));
         for (int i = 0; i < 20; i++) {
-            double faces = Math.max(2, 2.0 * (vertices - euler) - boundary / length);
-            length = 0.5 * (length + Math.sqrt(area / (Math.sqrt(3) / 4 * faces)));
+            double faces = Math.max(2, 2.0 * (vertices - euler) - boundary / guess);
+            guess = 0.5 * (guess + Math.sqrt(area / (Math.sqrt(3) / 4 * faces)));
         }
-        return length;
+        return guess;
     }
 
-    private static TriangleMesh boundaryOf(HalfEdgeMesh mesh) {
+    private double meanEdge() {
+        double sum = 0;
+        int edges = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.standsForEdge(h)) {
+                sum += Math.sqrt(mesh.squareLength(h));
+                edges++;
+            }
+        }
+        return sum / edges;
+    }
+
+    private void markCreases() {
+        double[] normals = MeshMeasure.triangleNormals(mesh.toMesh());
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            int o = mesh.twin[h];
+            if (o < h && o != HalfEdgeMesh.NONE) {
+                int s = h - h % 3;
+                int t = o - o % 3;
+                double cosine =
+                        normals[s] * normals[t] + normals[s + 1] * normals[t + 1] + normals[s + 2] * normals[t + 2];
+                if (cosine < CREASE) {
+                    mesh.markCrease(h);
+                }
+            }
+        }
+    }
+
+    private static TriangleMesh linesOf(HalfEdgeMesh mesh) {
         int[] t = new int[3 * 16];
         int length = 0;
         for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
-            if (mesh.twin[h] == HalfEdgeMesh.NONE) {
+            if (mesh.twin[h] == HalfEdgeMesh.NONE || (mesh.isCrease(h) && mesh.standsForEdge(h))) {
                 if (length == t.length) {
                     t = Arrays.copyOf(t, 2 * length);
                 }
@@ -153,7 +191,7 @@ public final class Remesher {
         mesh.split(h, (p[a] + p[b]) / 2, (p[a + 1] + p[b + 1]) / 2, (p[a + 2] + p[b + 2]) / 2);
     }
 
-    private void collapseShort(double length) {
+    private void collapseShort() {
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             int before = mesh.vertexCount();
             collapser.collapse(SHORT * length, LONG * length, 4);
@@ -164,7 +202,7 @@ public final class Remesher {
         }
     }
 
-    private void meetCount(double length) {
+    private void meetCount() {
         for (int sweep = 0; sweep < MOST_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
             if (mesh.vertexCount() < vertices) {
                 // A few at a time: what is split stays out of the running until its neighbours have been.

@@ -3,7 +3,7 @@ package org.phrenic.geometry;
 /**
  * Evens out the vertices of a surface that is being remeshed: each moves in its tangent plane to the area-weighted centroid of
  * the triangles about it and back onto the original surface, among those of the original's triangles that face its way. On a
- * boundary it slides along the original boundary. A move that would turn or flatten a triangle is not made.
+ * boundary or a crease it slides along the original's; the corners of creases stay. A move that would turn or flatten a triangle is not made.
  */
 final class VertexRelaxer {
     /** Original triangles that face away from the vertex by more than 100 degrees are on the far side of a thin sheet. */
@@ -13,41 +13,58 @@ final class VertexRelaxer {
 
     private final HalfEdgeMesh mesh;
     private final TriangleTree surface;
-    private final TriangleTree boundary;
+    private final TriangleTree lines;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     /**
      * @param surface the original surface
-     * @param boundary the original's boundary edges as triangles (a, b, b); of no triangles if it is closed
+     * @param lines the original's boundary edges and creases as triangles (a, b, b)
      */
-    VertexRelaxer(HalfEdgeMesh mesh, TriangleTree surface, TriangleTree boundary) {
+    VertexRelaxer(HalfEdgeMesh mesh, TriangleTree surface, TriangleTree lines) {
         this.mesh = mesh;
         this.surface = surface;
-        this.boundary = boundary;
+        this.lines = lines;
     }
 
     /** One pass over all vertices, each seeing those before it where they have moved to. */
     void relax(double reach) {
         for (int v = 0; v < mesh.vertexEnd; v++) {
             if (mesh.out[v] != HalfEdgeMesh.NONE) {
+                int creases = mesh.creasesAt(v);
                 if (mesh.isBoundaryVertex(v)) {
-                    slide(v, reach);
-                } else {
+                    mesh.gatherRing(v);
+                    slide(v, mesh.ring[0], mesh.ring[mesh.ringSize - 1], mesh.ringSize - 1, reach);
+                } else if (creases == 2) {
+                    slideAlongCrease(v, reach);
+                } else if (creases == 0) {
                     move(v, reach);
                 }
             }
         }
     }
 
-    private void slide(int v, double reach) {
+    private void slideAlongCrease(int v, double reach) {
+        int first = HalfEdgeMesh.NONE;
+        int second = HalfEdgeMesh.NONE;
+        int h = mesh.out[v];
+        do {
+            if (mesh.isCrease(h)) {
+                second = first;
+                first = mesh.end(h);
+            }
+            h = mesh.twin[HalfEdgeMesh.previous(h)];
+        } while (h != mesh.out[v]);
         mesh.gatherRing(v);
+        slide(v, first, second, mesh.ringSize, reach);
+    }
+
+    /** Moves v halfway between its two neighbours on a line of the surface. */
+    private void slide(int v, int a, int b, int triangles, double reach) {
         double[] p = mesh.position;
-        int a = 3 * mesh.ring[0];
-        int b = 3 * mesh.ring[mesh.ringSize - 1];
-        double x = (p[a] + p[b]) / 2;
-        double y = (p[a + 1] + p[b + 1]) / 2;
-        double z = (p[a + 2] + p[b + 2]) / 2;
-        if (boundary.closest(x, y, z, reach, hit) && keepsSides(v, mesh.ringSize - 1, hit.x, hit.y, hit.z)) {
+        double x = (p[3 * a] + p[3 * b]) / 2;
+        double y = (p[3 * a + 1] + p[3 * b + 1]) / 2;
+        double z = (p[3 * a + 2] + p[3 * b + 2]) / 2;
+        if (lines.closest(x, y, z, reach, hit) && keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
             put(v, hit.x, hit.y, hit.z);
         }
     }
