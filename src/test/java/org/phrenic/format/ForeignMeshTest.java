@@ -3,6 +3,7 @@ package org.phrenic.format;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,7 +52,13 @@ class ForeignMeshTest {
                 "sphere_appended_raw_zlib.vtp",
                 "sphere_appended_base64.vtp",
                 "sphere_appended_base64_zlib.vtp",
-                "strips_appended_raw.vtp"
+                "strips_appended_raw.vtp",
+                "metadata_v42_ascii.vtk",
+                "metadata_v42_binary.vtk",
+                "metadata_v51_ascii.vtk",
+                "metadata_v51_binary.vtk",
+                "metadata_ascii.vtp",
+                "metadata_base64.vtp"
             })
     void theSphereHasThePointsTrianglesBoundsAndAreaItWasWrittenWith(String name) {
         TriangleMesh mesh = MeshSamples.read(folder, name);
@@ -85,6 +92,25 @@ class ForeignMeshTest {
         assertThat(mesh.vertexCount()).isEqualTo(8);
         assertThat(mesh.triangleCount()).isEqualTo(12);
         assertThat(MeshSamples.area(mesh)).isCloseTo(CONE_AREA_MM2, within(0.001));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "sphere_ascii.stl",
+                "sphere_trimesh.obj",
+                "sphere_vtk_ascii.ply",
+                "strips_v51_ascii.vtk",
+                "metadata_v42_ascii.vtk",
+                "sphere_ascii.vtp"
+            })
+    void textFilesWithTheLineEndsOfWindowsAreReadAlike(String name) {
+        TriangleMesh mesh = MeshSamples.read(folder, name);
+        String text = new String(MeshSamples.bytes(name), StandardCharsets.ISO_8859_1);
+        TriangleMesh windows = MeshFiles.read(MeshSamples.write(folder, "crlf_" + name, text.replace("\n", "\r\n")));
+
+        assertThat(windows.positions()).containsExactly(mesh.positions());
+        assertThat(windows.triangles()).containsExactly(mesh.triangles());
     }
 
     @Test

@@ -297,6 +297,37 @@ class MeshFilesTest {
     }
 
     @Test
+    void manyVerticesAreWeldedInTheOrderTheyAreSeen() {
+        int side = 60;
+        double[] positions = new double[3 * side * side];
+        int[] triangles = new int[6 * (side - 1) * (side - 1)];
+        int filled = 0;
+        for (int v = 0; v < side * side; v++) {
+            positions[3 * v] = v % side;
+            positions[3 * v + 1] = v / side;
+            if (v % side > 0 && v >= side) {
+                for (int corner : new int[] {v - side - 1, v - side, v, v - side - 1, v, v - 1}) {
+                    triangles[filled++] = corner;
+                }
+            }
+        }
+        TriangleMesh grid = new TriangleMesh(positions, triangles);
+        Path file = folder.resolve("grid.stl");
+        MeshFiles.write(file, grid);
+        TriangleMesh back = MeshFiles.read(file);
+
+        assertThat(back.vertexCount()).isEqualTo(side * side);
+        int seen = -1;
+        for (int i = 0; i < filled; i++) {
+            int corner = back.triangles()[i];
+            assertThat(corner).isLessThanOrEqualTo(seen + 1);
+            seen = Math.max(seen, corner);
+            assertThat(back.x(corner)).isEqualTo(grid.x(triangles[i]));
+            assertThat(back.y(corner)).isEqualTo(grid.y(triangles[i]));
+        }
+    }
+
+    @Test
     void valuesAtVerticesMustBeAsManyAsVertices() {
         TriangleMesh mesh = MeshSamples.tetrahedron();
         Map<String, double[]> three = Map.of("u", new double[3]);
