@@ -46,7 +46,9 @@ public final class AtomicFile {
                 }
                 return;
             }
-            Files.createDirectories(folder(real));
+            if (!Files.isDirectory(folder(real))) {
+                Files.createDirectories(folder(real));
+            }
             writeBeside(real, content);
         } catch (IOException failure) {
             throw new OutputException(

@@ -147,10 +147,23 @@ public final class CsvTable {
      * @throws BadInputException if there is no such column or a cell is no number
      */
     public double[] numbers(String column) {
+        return numbers(column, false);
+    }
+
+    /** Like {@link #numbers(String)}, with NaN where a cell is empty. */
+    public double[] numbersOrNaN(String column) {
+        return numbers(column, true);
+    }
+
+    private double[] numbers(String column, boolean gaps) {
         int at = index(column);
         double[] numbers = new double[rows.size()];
         for (int row = 0; row < numbers.length; row++) {
             String cell = rows.get(row)[at].strip();
+            if (gaps && cell.isEmpty()) {
+                numbers[row] = Double.NaN;
+                continue;
+            }
             OptionalDouble value = Numbers.parse(decimalComma ? cell.replace(',', '.') : cell);
             if (value.isEmpty()) {
                 throw bad(row, column, "found " + Numbers.quote(cell) + ", expected a number");

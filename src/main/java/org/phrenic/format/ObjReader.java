@@ -1,5 +1,6 @@
 package org.phrenic.format;
 
+import java.util.StringTokenizer;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
@@ -28,11 +29,8 @@ final class ObjReader {
                 statement = statement.substring(0, statement.length() - 1) + " "
                         + cursor.line("the rest of a line that ends with a backslash");
             }
-            int comment = statement.indexOf('#');
-            String[] words = (comment < 0 ? statement : statement.substring(0, comment))
-                    .trim()
-                    .split("\\s+", -1);
-            switch (words[0]) {
+            String[] words = words(statement);
+            switch (words.length == 0 ? "" : words[0]) {
                 case "v" -> readVertex(words);
                 case "f", "fo" -> readFace(words);
                 default -> {
@@ -40,6 +38,16 @@ final class ObjReader {
                 }
             }
         }
+    }
+
+    private static String[] words(String statement) {
+        int comment = statement.indexOf('#');
+        StringTokenizer tokens = new StringTokenizer(comment < 0 ? statement : statement.substring(0, comment));
+        String[] words = new String[tokens.countTokens()];
+        for (int i = 0; i < words.length; i++) {
+            words[i] = tokens.nextToken();
+        }
+        return words;
     }
 
     private void readVertex(String[] words) {

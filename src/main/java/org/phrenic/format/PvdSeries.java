@@ -44,8 +44,12 @@ public final class PvdSeries {
 
     /** Writes the index with all entries so far; may be called again after more were added. */
     public void write() {
-        StringBuilder xml = new StringBuilder("<?xml version=\"1.0\"?>\n"
-                + "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n");
+        StringBuilder xml = new StringBuilder(
+                """
+                <?xml version="1.0"?>
+                <VTKFile type="Collection" version="0.1" byte_order="LittleEndian">
+                <Collection>
+                """);
         for (String entry : entries) {
             xml.append(entry).append('\n');
         }

@@ -65,8 +65,8 @@ final class VtkReader {
                 case "POLYGONS" -> cells.readPolygons();
                 case "TRIANGLE_STRIPS" -> cells.readStrips();
                 case "VERTICES", "LINES" -> cells.skip();
-                case "FIELD" -> skipField();
-                case "METADATA" -> skipMetadata();
+                case "FIELD" -> VtkField.skip(cursor);
+                case "METADATA" -> VtkField.skipMetadata(cursor);
                 case "POINT_DATA", "CELL_DATA" -> {
                     return;
                 }
@@ -94,41 +94,6 @@ final class VtkReader {
             double y = cursor.real(type, "a coordinate");
             double z = cursor.real(type, "a coordinate");
             soup.vertex(cursor, x, y, z);
-        }
-    }
-
-    private void skipField() {
-        cursor.word("the name of the field");
-        int arrays = cursor.count("the number of arrays in the field");
-        for (int a = 0; a < arrays; a++) {
-            String name = cursor.word("the name of an array");
-            if (name.equals("METADATA")) {
-                skipMetadata();
-                name = cursor.word("the name of an array");
-            }
-            long values = (long) cursor.count("the number of components")
-                    * cursor.count("the number of tuples of " + Numbers.quote(name));
-            String typeName = cursor.word("the type of " + Numbers.quote(name));
-            boolean bits = typeName.equals("bit");
-            ScalarType type = bits ? ScalarType.UINT8 : type(cursor, typeName);
-            cursor.lineOrNull();
-            cursor.needValues(bits && cursor.isBinary() ? (values + 7) / 8 : values, type, Numbers.quote(name));
-            if (cursor.isBinary()) {
-                cursor.skip(bits ? (values + 7) / 8 : values * type.size(), Numbers.quote(name));
-            } else {
-                for (long v = 0; v < values; v++) {
-                    cursor.word("a value of " + Numbers.quote(name));
-                }
-            }
-        }
-    }
-
-    /** Metadata ends with an empty line. */
-    private void skipMetadata() {
-        cursor.lineOrNull();
-        String line = cursor.lineOrNull();
-        while (line != null && !line.isBlank()) {
-            line = cursor.lineOrNull();
         }
     }
 

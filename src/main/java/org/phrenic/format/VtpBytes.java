@@ -16,7 +16,7 @@ interface VtpBytes {
 
             @Override
             public long remaining() {
-                return content.length - at;
+                return (long) content.length - at;
             }
 
             @Override

@@ -1,6 +1,7 @@
 package org.phrenic.format;
 
 import java.io.ByteArrayInputStream;
+import java.io.InputStreamReader;
 import java.io.SequenceInputStream;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -40,9 +41,12 @@ final class VtpXml {
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         int length = appendedTagEnd < 0 ? bytes.length : appendedTagEnd;
         String tail = appendedTagEnd < 0 ? "" : TAIL;
-        this.xml = factory.createXMLStreamReader(new SequenceInputStream(
-                new ByteArrayInputStream(bytes, 0, length),
-                new ByteArrayInputStream(tail.getBytes(StandardCharsets.US_ASCII))));
+        // Bytes that are no UTF-8 become replacement characters: the parser would print about them.
+        this.xml = factory.createXMLStreamReader(new InputStreamReader(
+                new SequenceInputStream(
+                        new ByteArrayInputStream(bytes, 0, length),
+                        new ByteArrayInputStream(tail.getBytes(StandardCharsets.US_ASCII))),
+                StandardCharsets.UTF_8));
     }
 
     static VtpDocument read(String file, byte[] bytes) {
