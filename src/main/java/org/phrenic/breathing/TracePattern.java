@@ -12,11 +12,8 @@ import java.util.Arrays;
 public final class TracePattern implements BreathingPattern {
     private static final double FADE_S = 0.5;
 
-    /** A sample below this share of a breath is near end-expiration. */
-    private static final double NEAR_REST = 0.15;
-
-    /** A breath begins at the lowest point before the signal rises above this, having been near rest. */
-    private static final double CLEARLY_IN = 0.4;
+    /** A breath rises and falls by more than this share of a usual one; less is noise or the beat of the heart. */
+    private static final double PROMINENCE = 0.4;
 
     private final String name;
     private final boolean loops;
@@ -38,14 +35,9 @@ public final class TracePattern implements BreathingPattern {
         name = trace.name();
         drive = new Drive(parameters);
         double[] amplitude = trace.normalised().amplitude();
-        int first = 0;
-        int last = amplitude.length - 1;
-        while (first < last && amplitude[first] > NEAR_REST) {
-            first++;
-        }
-        while (last > first && amplitude[last] > NEAR_REST) {
-            last--;
-        }
+        int[] restful = endExpirations(amplitude);
+        int first = restful[0];
+        int last = restful[restful.length - 1];
         double startS = trace.timeS()[first];
         durationS = trace.timeS()[last] - startS;
         if (!(durationS > 2 * FADE_S)) {
@@ -60,7 +52,10 @@ public final class TracePattern implements BreathingPattern {
             depth[i] = Math.max(0, Math.min(deepest, amplitude[first + i]));
         }
         curve = new MonotoneCubic(timeS, depth);
-        onsetsS = onsets(timeS, depth);
+        onsetsS = new double[restful.length];
+        for (int i = 0; i < restful.length; i++) {
+            onsetsS[i] = timeS[restful[i] - first];
+        }
     }
 
     @Override
@@ -109,29 +104,29 @@ public final class TracePattern implements BreathingPattern {
         state.phase = Math.min((t - onsetsS[breath]) / (onsetsS[breath + 1] - onsetsS[breath]), Math.nextDown(1.0));
     }
 
-    /** Where each breath begins, and the end of the last. */
-    private static double[] onsets(double[] timeS, double[] depth) {
-        double[] found = new double[timeS.length + 1];
+    /**
+     * The lowest sample before each breath and after the last; first and last sample where there are no breaths. Found by the
+     * rise and fall around them and not by their level, which drifts.
+     */
+    private static int[] endExpirations(double[] depth) {
+        int[] found = new int[depth.length + 2];
         int count = 0;
-        int lowest = 0;
-        boolean armed = true;
+        boolean rising = false;
+        int extreme = 0;
         for (int i = 0; i < depth.length; i++) {
-            if (armed && depth[i] > CLEARLY_IN) {
-                // The first breath has everything before it.
-                found[count] = count == 0 ? 0 : timeS[lowest];
-                count++;
-                armed = false;
-            } else if (!armed && depth[i] < NEAR_REST) {
-                armed = true;
-                lowest = i;
-            } else if (armed && depth[i] <= depth[lowest]) {
-                lowest = i;
+            if (rising ? depth[i] > depth[extreme] : depth[i] <= depth[extreme]) {
+                extreme = i;
+            } else if (Math.abs(depth[i] - depth[extreme]) > PROMINENCE) {
+                if (!rising) {
+                    found[count++] = extreme;
+                }
+                rising = !rising;
+                extreme = i;
             }
         }
-        if (count == 0) {
-            count = 1;
+        if (!rising && count > 0) {
+            found[count++] = extreme;
         }
-        found[count] = timeS[timeS.length - 1];
-        return Arrays.copyOf(found, count + 1);
+        return count < 2 ? new int[] {0, depth.length - 1} : Arrays.copyOf(found, count);
     }
 }

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.ThreadMXBean;
 import java.io.IOException;
 import java.io.StringReader;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -38,6 +40,20 @@ class BreathingPresetTest {
         BreathingPattern pattern = BreathingPreset.named(name).pattern();
         assertThat(pattern.name()).isEqualTo(name);
         BreathingPatternContract.check(pattern, Math.min(2.1 * pattern.periodS(), 65));
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void noPresetAllocatesInAStep(String name) throws IOException {
+        BreathingPattern pattern = BreathingPreset.named(name).pattern();
+        BreathState state = new BreathState();
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        for (int n = 0; n < 10_000; n++) {
+            pattern.at(0.01 * n, state);
+        }
+        // one object a step would be 160 kB at least
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
     }
 
     @ParameterizedTest

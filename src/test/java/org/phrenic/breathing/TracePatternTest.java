@@ -8,8 +8,6 @@ import static org.phrenic.breathing.BreathingPatternContract.at;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -106,26 +104,31 @@ class TracePatternTest {
                 .hasMessage(binary + ": not text in UTF-8, expected a CSV file of recorded breathing");
     }
 
-    /** 13 to 60 breaths in 72 to 320 s: every recording of people breathing normally must give 6 to 20 breaths a minute. */
+    /**
+     * The breaths counted in the recordings of people must last what the strongest period of the spectrum says, which was
+     * found by other means; a deep or missed breath here and there leaves a tenth between them.
+     */
     @Test
     void recordingsOfPeopleAreBreathed() throws IOException {
         Path recordings = Path.of("..", "shared", "breathing", "skin-markers");
         Assumptions.assumeTrue(Files.isDirectory(recordings), "no " + recordings + " beside the project");
-        List<Path> files;
-        try (Stream<Path> listed = Files.list(recordings)) {
-            files = listed.filter(f -> f.getFileName().toString().matches("\\d+-.*\\.csv"))
-                    .sorted()
-                    .toList();
-        }
-        assertThat(files).isNotEmpty();
-        for (Path file : files) {
+        int found = 0;
+        for (String line : Files.readAllLines(recordings.resolve("stats.csv"))) {
+            Path file = recordings.resolve(line.substring(0, line.indexOf(',')));
+            if (!Files.exists(file)) {
+                continue;
+            }
+            found++;
+            double dominantS = Double.parseDouble(line.split(",")[8]);
             Trace trace = TraceFile.read(file);
             TracePattern pattern = new TracePattern(trace.detrended(), DEPTH, true);
-            double perMinute = 60 * pattern.breaths() / pattern.periodS();
             assertThat(trace.dropped()).as(file.toString()).isLessThanOrEqualTo(3);
-            assertThat(perMinute).as(file.toString()).isBetween(6.0, 20.0);
+            assertThat(pattern.periodS() / pattern.breaths())
+                    .as(file.toString())
+                    .isCloseTo(dominantS, within(0.1 * dominantS));
             BreathingPatternContract.check(pattern, 20);
         }
+        assertThat(found).isGreaterThan(10);
     }
 
     private Path write(String text) throws IOException {
