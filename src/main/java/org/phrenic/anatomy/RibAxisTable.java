@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Reader;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -112,6 +113,9 @@ public final class RibAxisTable {
                 }
                 found[row.level()] = row;
             }
+        } catch (UncheckedIOException e) {
+            // how the parser passes on what its reader throws
+            throw new IOException(name + ": " + e.getCause().getMessage() + ", expected a CSV file in UTF-8", e);
         }
         List<Row> rows = new ArrayList<>();
         for (int level = 1; level <= LEVELS; level++) {

@@ -84,7 +84,7 @@ public record HelicalAxis(
         double[] v = {motion.translation(0), motion.translation(1), motion.translation(2)};
         double[] q = quaternion(motion);
         double sine = norm(q[1], q[2], q[3]);
-        double angle = 2 * Math.atan2(sine, q[0]);
+        double angle = 2 * StrictMath.atan2(sine, q[0]);
         if (angle < SMALLEST_ANGLE) {
             double shift = norm(v[0], v[1], v[2]);
             return through(shift > 0 ? v : new double[] {0, 0, 1}, reference, 0, shift);

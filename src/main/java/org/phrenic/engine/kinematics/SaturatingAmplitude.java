@@ -28,6 +28,20 @@ public record SaturatingAmplitude(double constant) {
         return volume < 0 ? volume / (constant * scale) : -StrictMath.expm1(-volume / constant) / scale;
     }
 
+    /**
+     * Share of the inspiratory capacity at which the ribs have turned by a share: the inverse of {@link #at}.
+     *
+     * @param turn share of the full turn, at most 1
+     * @throws IllegalArgumentException if it is above 1 or not a number
+     */
+    public double volume(double turn) {
+        if (!(turn <= 1)) {
+            throw new IllegalArgumentException("saturating amplitude: turn " + turn + ", expected at most 1");
+        }
+        double scale = -StrictMath.expm1(-1 / constant);
+        return turn < 0 ? turn * constant * scale : -constant * StrictMath.log1p(-turn * scale);
+    }
+
     /** {@code ds/dV}. */
     public double slope(double volume) {
         double atRest = 1 / (-StrictMath.expm1(-1 / constant) * constant);

@@ -25,6 +25,15 @@ class SaturatingAmplitudeTest {
     }
 
     @Test
+    void volumeIsTheInverse() {
+        for (double turn : new double[] {-0.2, 0, 1.0 / 6, 0.5, 1}) {
+            assertThat(amplitude.at(amplitude.volume(turn))).isCloseTo(turn, ROUNDING);
+        }
+        assertThatThrownBy(() -> amplitude.volume(1.1))
+                .hasMessage("saturating amplitude: turn 1.1, expected at most 1");
+    }
+
+    @Test
     void slopeIsTheDerivativeAndContinuousAtRest() {
         double h = 1e-6;
         for (double v : new double[] {-0.3, -h, 0, h, 0.2, 1, 1.1}) {
