@@ -1,0 +1,315 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.phrenic.format.KeySuggestion;
+
+/**
+ * The numbers that can be tuned: the one table from which scenario files, {@code --set}, validation, sliders and {@code docs/parameters.md} are made. A parameter that a material does not use has no
+ * default there and is refused in its scenarios.
+ */
+public enum Parameter {
+    MUSCLE_STIFFNESS(
+            "muscle_stiffness_n_per_m",
+            "Muscle stiffness",
+            "N/m",
+            30,
+            3000,
+            300,
+            Double.NaN,
+            "Membrane stiffness E h of the whole sheet in muscle."),
+    TENDON_RATIO(
+            "tendon_stiffness_ratio",
+            "Tendon to muscle",
+            "1",
+            1,
+            50,
+            10,
+            1,
+            "Stiffness of the central tendon as a multiple of the muscle's; 5 to 10 make it all but inextensible in a breath."),
+    SPRING_STIFFNESS(
+            "spring_stiffness_n_per_m",
+            "Spring stiffness",
+            "N/m",
+            1,
+            500,
+            Double.NaN,
+            15,
+            "One stiffness k for every spring (Villard, Bourne and Bello 2009)."),
+    NODE_MASS(
+            "node_mass_kg",
+            "Node mass",
+            "kg",
+            0.001,
+            10,
+            Double.NaN,
+            0.1,
+            "One mass for every node (Villard, Bourne and Bello 2009)."),
+    AREA_DENSITY(
+            "area_density_kg_per_m2",
+            "Mass per area",
+            "kg/m^2",
+            3,
+            1000,
+            60,
+            Double.NaN,
+            "Mass per area of a face; scaled up from the 3.15 of muscle alone, for a breath is quasi-static and the abdomen's contents move along."),
+    DAMPING(
+            "damping_ns_per_m",
+            "Damping",
+            "N s/m",
+            0,
+            100,
+            Double.NaN,
+            0.02,
+            "Viscous damping of a node (Villard, Bourne and Bello 2009, eq. 4)."),
+    DAMPING_RATE(
+            "damping_rate_per_s", "Damping over mass", "1/s", 0, 200, 10, Double.NaN, "Viscous damping over mass."),
+    MUSCLE_ACTIVATION(
+            "muscle_activation",
+            "Muscle activation",
+            "1",
+            0,
+            0.8,
+            0.62,
+            Double.NaN,
+            "Shortening of the muscle's rest length at full drive, as a share of it."),
+    MUSCLE_FORCE(
+            "muscle_force_mn",
+            "Muscle force",
+            "mN",
+            0,
+            500,
+            Double.NaN,
+            20,
+            "Force on a node on an action line at full drive (Villard, Bourne and Bello 2009)."),
+    ACTION_RADIUS(
+            "action_line_radius_mm",
+            "Action line radius",
+            "mm",
+            5,
+            200,
+            Double.NaN,
+            60,
+            "Distance from an action line at which its force has fallen to nothing."),
+    REST_PRESSURE(
+            "rest_pressure_kpa",
+            "Pressure at rest",
+            "kPa",
+            0,
+            2,
+            0.3,
+            Double.NaN,
+            "Transdiaphragmatic pressure at end-expiration; 3 cmH2O."),
+    GREATEST_PRESSURE(
+            "greatest_pressure_kpa",
+            "Pressure of effort",
+            "kPa",
+            0,
+            20,
+            2.4,
+            Double.NaN,
+            "Transdiaphragmatic pressure added at the greatest effort, scaled to the model's soft muscle."),
+    RIB_ROTATION("rib_rotation", "Rib rotation", "1", 0, 1.5, 1, 1, "Multiplies the turn of every rib."),
+    STERNUM_COUPLING(
+            "sternum_coupling",
+            "Sternum coupling",
+            "1",
+            0,
+            10,
+            1,
+            1,
+            "Multiplies the springs that hold sternum and costal cartilages to the ribs."),
+    LUNG_STIFFNESS(
+            "lung_stiffness_n_per_m",
+            "Lung stiffness",
+            "N/m",
+            0.1,
+            100,
+            5,
+            Double.NaN,
+            "Membrane stiffness of the lungs' surface."),
+    RATE("rate_per_min", "Rate", "1/min", 2, 150, "Breaths a minute."),
+    DEPTH("depth", "Depth", "1", 0, 2, 1, 1, "Multiplies all drives of the breathing preset, each at most to full."),
+    INSPIRATORY_FRACTION("inspiratory_fraction", "Inspiratory fraction", "1", 0.1, 0.8, "Ti / Ttot."),
+    CHEST_SHARE(
+            "chest_share",
+            "Chest share",
+            "1",
+            0,
+            1,
+            "Balance of chest and abdomen: 0 breathes with the diaphragm alone, 1 with the ribs alone, 0.5 leaves both as they stand.");
+
+    private final String key;
+    private final String label;
+    private final String unit;
+    private final double minimum;
+    private final double maximum;
+    private final double physicalDefault;
+    private final double paperDefault;
+    private final boolean fromPreset;
+    private final String meaning;
+
+    Parameter(
+            String key,
+            String label,
+            String unit,
+            double minimum,
+            double maximum,
+            double physicalDefault,
+            double paperDefault,
+            String meaning) {
+        this.key = key;
+        this.label = label;
+        this.unit = unit;
+        this.minimum = minimum;
+        this.maximum = maximum;
+        this.physicalDefault = physicalDefault;
+        this.paperDefault = paperDefault;
+        this.fromPreset = false;
+        this.meaning = meaning;
+    }
+
+    /** A parameter whose default the breathing preset gives. */
+    Parameter(String key, String label, String unit, double minimum, double maximum, String meaning) {
+        this.key = key;
+        this.label = label;
+        this.unit = unit;
+        this.minimum = minimum;
+        this.maximum = maximum;
+        this.physicalDefault = Double.NaN;
+        this.paperDefault = Double.NaN;
+        this.fromPreset = true;
+        this.meaning = meaning;
+    }
+
+    /** Name in scenario files and on the command line, with its unit. */
+    public String key() {
+        return key;
+    }
+
+    /** Name for people. */
+    public String label() {
+        return label;
+    }
+
+    /** Unit; {@code 1} for a plain number. */
+    public String unit() {
+        return unit;
+    }
+
+    public double minimum() {
+        return minimum;
+    }
+
+    public double maximum() {
+        return maximum;
+    }
+
+    /** Value where a scenario gives none; NaN if the breathing preset gives it or the material does not use it. */
+    public double defaultFor(Material material) {
+        return material == Material.PHYSICAL ? physicalDefault : paperDefault;
+    }
+
+    /** Whether the breathing preset gives the default. */
+    public boolean isFromPreset() {
+        return fromPreset;
+    }
+
+    /** Whether scenarios of this material may give it. */
+    public boolean isUsedBy(Material material) {
+        return fromPreset || !Double.isNaN(defaultFor(material));
+    }
+
+    /** What it is and where its default comes from, in one sentence. */
+    public String meaning() {
+        return meaning;
+    }
+
+    /** All keys, in the order of the table. */
+    public static List<String> keys() {
+        return Arrays.stream(values()).map(Parameter::key).toList();
+    }
+
+    /**
+     * The parameter of this key.
+     *
+     * @throws IllegalArgumentException if there is none; the sentence has the nearest key
+     */
+    public static Parameter of(String key) {
+        for (Parameter parameter : values()) {
+            if (parameter.key.equals(key)) {
+                return parameter;
+            }
+        }
+        String hint = KeySuggestion.nearest(key, keys())
+                .map(near -> "did you mean '" + near + "'?")
+                .orElse("expected one of " + String.join(", ", keys()));
+        throw new IllegalArgumentException("found an unknown parameter '" + key + "', " + hint);
+    }
+
+    /** What is wrong with {@code value}, as "found 9, expected 0 to 2"; empty if it is within the range. */
+    public Optional<String> problem(double value) {
+        return value >= minimum && value <= maximum
+                ? Optional.empty()
+                : Optional.of("found " + plain(value) + ", expected " + range());
+    }
+
+    /**
+     * Refuses a value that is not a number or out of range.
+     *
+     * @return the value
+     * @throws IllegalArgumentException with one sentence
+     */
+    public double check(double value) {
+        problem(value).ifPresent(problem -> {
+            throw new IllegalArgumentException(key + ": " + problem);
+        });
+        return value;
+    }
+
+    /** The table as Markdown: what {@code docs/parameters.md} holds. */
+    public static String markdown() {
+        return Arrays.stream(values())
+                .map(p -> String.join(
+                        " | ",
+                        "| `" + p.key + "`",
+                        p.unit,
+                        plain(p.minimum) + " to " + plain(p.maximum),
+                        p.cell(Material.PHYSICAL),
+                        p.cell(Material.PAPER),
+                        p.meaning + " |\n"))
+                .collect(Collectors.joining(
+                        "",
+                        """
+                        # Parameters
+
+                        The numbers that can be tuned, as keys of a scenario file or with `--set key=value`. "preset": the breathing preset gives it;
+                        "-": the material does not use it. This table is made from `org.phrenic.simulation.Parameter`.
+
+                        | key | unit | range | `physical` | `paper` | what it is |
+                        |---|---|---|---|---|---|
+                        """,
+                        ""));
+    }
+
+    private String cell(Material material) {
+        if (fromPreset) {
+            return "preset";
+        }
+        return isUsedBy(material) ? plain(defaultFor(material)) : "-";
+    }
+
+    private String range() {
+        return plain(minimum) + " to " + plain(maximum) + (unit.equals("1") ? "" : " " + unit);
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9
+                ? String.format(Locale.ROOT, "%.0f", value)
+                : Double.toString(value);
+    }
+}

@@ -1,0 +1,259 @@
+package org.phrenic.simulation;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.breathing.BreathingPreset;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StepPolicy;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.YamlDocument;
+import org.phrenic.format.YamlMap;
+
+/**
+ * What is to be simulated: a body, a way to breathe, a material and how to compute it. Read from YAML; every key has a default, so that an empty scenario is a quiet breath of the virtual adult
+ * male. Two scenarios are equal if they resolve to the same {@link #toMap}.
+ *
+ * @param givenName name, null for that of the preset
+ * @param preset breathing preset
+ * @param trace recorded breathing whose curve replaces that of the preset
+ * @param material what the springs stand for
+ * @param anatomy {@code virtual/adult-male}, {@code virtual/adult-female} or the path of a thorax folder
+ * @param resolution how finely to mesh
+ * @param givenDurationS simulated time, s; NaN for two breaths
+ * @param givenTimeStepS step, s; NaN for that of the material
+ * @param integrator scheme
+ * @param stepPolicy what to do with a step beyond the stability limit
+ * @param threads threads to compute on; results do not depend on it
+ * @param recordEveryS time between samples of the observables, s
+ * @param meshesEveryS time between meshes that are written, s; 0 for none
+ * @param muscle whether the diaphragm's muscle is driven
+ * @param pressure whether transdiaphragmatic pressure acts
+ * @param ribs whether the ribs turn
+ * @param tensegrity whether rigid links hold the two faces of the sheet apart
+ * @param contact whether the diaphragm slides on the chest wall
+ * @param sternum what moves the sternum
+ * @param lungs what moves the lungs
+ * @param liver whether the liver moves along
+ * @param linksPerNode rigid links a node of the sheet, 1 to 3
+ * @param tendon which part of the sheet is tendon
+ * @param given tunable numbers that the scenario states
+ */
+public record Scenario(
+        String givenName,
+        String preset,
+        Optional<Path> trace,
+        Material material,
+        String anatomy,
+        Resolution resolution,
+        double givenDurationS,
+        double givenTimeStepS,
+        IntegratorKind integrator,
+        StepPolicy stepPolicy,
+        int threads,
+        double recordEveryS,
+        double meshesEveryS,
+        boolean muscle,
+        boolean pressure,
+        boolean ribs,
+        boolean tensegrity,
+        boolean contact,
+        SternumModel sternum,
+        LungModel lungs,
+        boolean liver,
+        int linksPerNode,
+        TendonRule tendon,
+        Map<Parameter, Double> given) {
+
+    /** Bodies that come with the program. */
+    public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
+
+    /** Breaths that are simulated where no duration is given. */
+    private static final int BREATHS = 2;
+
+    private static final int MOST_DEFAULT_THREADS = 2;
+    private static final double RECORD_EVERY_S = 0.02;
+
+    public Scenario {
+        Map<Parameter, Double> copy = new EnumMap<>(Parameter.class);
+        copy.putAll(given);
+        given = Collections.unmodifiableMap(copy);
+    }
+
+    /** A quiet breath of the virtual adult male. */
+    public static Scenario defaults() {
+        return new Scenario(
+                null,
+                "quiet",
+                Optional.empty(),
+                Material.PHYSICAL,
+                VIRTUAL_BODIES.get(0),
+                Resolution.MEDIUM,
+                Double.NaN,
+                Double.NaN,
+                IntegratorKind.VERLET,
+                StepPolicy.SUBSTEP,
+                Math.min(MOST_DEFAULT_THREADS, Runtime.getRuntime().availableProcessors()),
+                RECORD_EVERY_S,
+                0,
+                true,
+                true,
+                true,
+                true,
+                true,
+                SternumModel.SPRINGS,
+                LungModel.SPRINGS,
+                true,
+                1,
+                TendonRule.TREFOIL,
+                Map.of());
+    }
+
+    /** The keys of a scenario file: those of this class, then those of {@link Parameter}. */
+    public static List<String> keys() {
+        return ScenarioReader.KEYS;
+    }
+
+    /**
+     * Reads a scenario. Paths in it are taken from its folder.
+     *
+     * @throws BadInputException with one sentence that names file, line and key
+     */
+    public static Scenario read(Path file) {
+        YamlMap yaml = YamlDocument.read(file);
+        if (yaml.keys().isEmpty()) {
+            throw new BadInputException(file + ": found no keys, expected 'key: value' lines such as 'preset: quiet'");
+        }
+        Path folder = file.toAbsolutePath().getParent();
+        String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        return ScenarioReader.read(defaults(), yaml, folder, stem);
+    }
+
+    /**
+     * This scenario with other values of some keys; of two values for a key the later counts. Paths are taken from the working folder.
+     *
+     * @throws BadInputException with one sentence that names where the value was given and the key
+     */
+    public Scenario with(List<Assignment> assignments) {
+        YamlMap changes = YamlDocument.parse("", "");
+        for (Assignment assignment : assignments) {
+            changes = changes.overlaidWith(assignment.toYaml());
+        }
+        return ScenarioReader.read(this, changes, Path.of(""), givenName);
+    }
+
+    /** This scenario with other values, each as {@code key=value}. */
+    public Scenario with(String... assignments) {
+        return with(Arrays.stream(assignments).map(Assignment::parse).toList());
+    }
+
+    /** What to call it. */
+    public String name() {
+        return givenName == null ? preset : givenName;
+    }
+
+    /** Time step, s: that of the file or of the material. */
+    public double timeStepS() {
+        if (!Double.isNaN(givenTimeStepS)) {
+            return givenTimeStepS;
+        }
+        return material == Material.PHYSICAL ? 0.001 : 0.01;
+    }
+
+    /** Simulated time, s; NaN where none is given. */
+    public double durationS() {
+        return givenDurationS;
+    }
+
+    /**
+     * Simulated time, s: that of the file or two breaths.
+     *
+     * @param periodS of a breath
+     */
+    public double durationS(double periodS) {
+        return Double.isNaN(givenDurationS) ? BREATHS * periodS : givenDurationS;
+    }
+
+    /** Whether the body comes with the program; else {@link #anatomy} is a folder. */
+    public boolean isVirtual() {
+        return VIRTUAL_BODIES.contains(anatomy);
+    }
+
+    /** Value of a parameter: that of the file or the material's default; NaN where the breathing preset gives it or the material does not use it. */
+    public double value(Parameter parameter) {
+        return given.getOrDefault(parameter, parameter.defaultFor(material));
+    }
+
+    /** Whether the scenario states the parameter. */
+    public boolean isSet(Parameter parameter) {
+        return given.containsKey(parameter);
+    }
+
+    /** The breathing preset as it comes with the program, before this scenario's rate, depth and the rest. */
+    public BreathingPreset breathing() {
+        try {
+            return BreathingPreset.named(preset);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Every key with its value, in the order of the documentation: reading it back gives an equal scenario. Keys whose value the preset gives are left out. */
+    public Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("name", name());
+        map.put("preset", preset);
+        trace.ifPresent(
+                file -> map.put("trace", file.toAbsolutePath().normalize().toString()));
+        map.put("material", material.label());
+        map.put(
+                "anatomy",
+                isVirtual()
+                        ? anatomy
+                        : Path.of(anatomy).toAbsolutePath().normalize().toString());
+        map.put("resolution", ScenarioReader.label(resolution));
+        if (!Double.isNaN(givenDurationS)) {
+            map.put("duration_s", givenDurationS);
+        }
+        map.put("time_step_s", timeStepS());
+        map.put("integrator", integrator.label());
+        map.put("step_policy", ScenarioReader.label(stepPolicy));
+        map.put("threads", threads);
+        map.put("record_every_s", recordEveryS);
+        map.put("meshes_every_s", meshesEveryS);
+        map.put("muscle", muscle);
+        map.put("pressure", pressure);
+        map.put("ribs", ribs);
+        map.put("tensegrity", tensegrity);
+        map.put("contact", contact);
+        map.put("sternum", sternum.label());
+        map.put("lungs", lungs.label());
+        map.put("liver", liver);
+        map.put("links_per_node", linksPerNode);
+        map.put("tendon", tendon.label());
+        for (Parameter parameter : Parameter.values()) {
+            if (!Double.isNaN(value(parameter))) {
+                map.put(parameter.key(), value(parameter));
+            }
+        }
+        return map;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Scenario scenario && toMap().equals(scenario.toMap());
+    }
+
+    @Override
+    public int hashCode() {
+        return toMap().hashCode();
+    }
+}

@@ -1,0 +1,242 @@
+package org.phrenic.simulation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.breathing.BreathingPreset;
+import org.phrenic.breathing.TraceFile;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StepPolicy;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.KeySuggestion;
+import org.phrenic.format.YamlMap;
+
+/** Lays the keys of a YAML mapping over a scenario. */
+final class ScenarioReader {
+    static final List<String> KEYS = keys();
+
+    private static final double LONGEST_S = 86_400;
+    private static final double LONGEST_STEP_S = 0.1;
+    private static final int MOST_THREADS = 256;
+    private static final int MOST_LINKS = 3;
+
+    private final YamlMap yaml;
+    private final Path folder;
+
+    private ScenarioReader(YamlMap yaml, Path folder) {
+        this.yaml = yaml;
+        this.folder = folder;
+    }
+
+    static Scenario read(Scenario base, YamlMap yaml, Path folder, String name) {
+        yaml.requireOnly(KEYS);
+        return new ScenarioReader(yaml, folder).over(base, name);
+    }
+
+    private static List<String> keys() {
+        List<String> keys = new ArrayList<>(List.of(
+                "name",
+                "preset",
+                "trace",
+                "material",
+                "anatomy",
+                "resolution",
+                "duration_s",
+                "time_step_s",
+                "integrator",
+                "step_policy",
+                "threads",
+                "record_every_s",
+                "meshes_every_s",
+                "muscle",
+                "pressure",
+                "ribs",
+                "tensegrity",
+                "contact",
+                "sternum",
+                "lungs",
+                "liver",
+                "links_per_node",
+                "tendon"));
+        keys.addAll(Parameter.keys());
+        return List.copyOf(keys);
+    }
+
+    private Scenario over(Scenario base, String name) {
+        Material material = choice("material", Material.values(), ScenarioReader::label, base.material());
+        Scenario scenario = new Scenario(
+                yaml.text("name", name),
+                preset(base.preset()),
+                yaml.has("trace") ? Optional.of(trace()) : base.trace(),
+                material,
+                yaml.has("anatomy") ? anatomy() : base.anatomy(),
+                choice("resolution", Resolution.values(), ScenarioReader::label, base.resolution()),
+                time("duration_s", base.givenDurationS(), LONGEST_S),
+                time("time_step_s", base.givenTimeStepS(), LONGEST_STEP_S),
+                choice("integrator", IntegratorKind.values(), IntegratorKind::label, base.integrator()),
+                choice("step_policy", StepPolicy.values(), ScenarioReader::label, base.stepPolicy()),
+                whole("threads", base.threads(), MOST_THREADS),
+                time("record_every_s", base.recordEveryS(), LONGEST_S),
+                meshesEveryS(base.meshesEveryS()),
+                yaml.flag("muscle", base.muscle()),
+                yaml.flag("pressure", base.pressure()),
+                yaml.flag("ribs", base.ribs()),
+                yaml.flag("tensegrity", base.tensegrity()),
+                yaml.flag("contact", base.contact()),
+                choice("sternum", SternumModel.values(), ScenarioReader::label, base.sternum()),
+                choice("lungs", LungModel.values(), ScenarioReader::label, base.lungs()),
+                yaml.flag("liver", base.liver()),
+                whole("links_per_node", base.linksPerNode(), MOST_LINKS),
+                choice("tendon", TendonRule.values(), ScenarioReader::label, base.tendon()),
+                parameters(base.given(), material));
+        requireStepWithinDuration(scenario);
+        return scenario;
+    }
+
+    private Map<Parameter, Double> parameters(Map<Parameter, Double> below, Material material) {
+        Map<Parameter, Double> values = new EnumMap<>(Parameter.class);
+        values.putAll(below);
+        for (Parameter parameter : Parameter.values()) {
+            if (yaml.has(parameter.key())) {
+                double value = yaml.number(parameter.key());
+                parameter.problem(value).ifPresent(problem -> {
+                    throw yaml.bad(parameter.key(), problem);
+                });
+                values.put(parameter, value);
+            }
+            if (values.containsKey(parameter) && !parameter.isUsedBy(material)) {
+                String problem = "found it with material " + material.label() + ", which does not use it";
+                throw yaml.has(parameter.key())
+                        ? yaml.bad(
+                                parameter.key(), problem + "; expected it with material " + other(material) + " alone")
+                        : yaml.bad(
+                                "material",
+                                "found " + material.label() + ", expected " + other(material) + " beside the key '"
+                                        + parameter.key() + "' of the scenario");
+            }
+        }
+        return values;
+    }
+
+    private static String other(Material material) {
+        return (material == Material.PHYSICAL ? Material.PAPER : Material.PHYSICAL).label();
+    }
+
+    private String preset(String absent) {
+        if (!yaml.has("preset")) {
+            return absent;
+        }
+        String found = yaml.text("preset");
+        if (!BreathingPreset.names().contains(found)) {
+            throw unknown("preset", found, BreathingPreset.names());
+        }
+        return found;
+    }
+
+    private String anatomy() {
+        String found = yaml.text("anatomy");
+        if (Scenario.VIRTUAL_BODIES.contains(found)) {
+            return found;
+        }
+        Path path = path("anatomy", found);
+        if (!Files.isDirectory(path)) {
+            throw yaml.bad(
+                    "anatomy",
+                    "found no folder '" + found + "', expected " + String.join(", ", Scenario.VIRTUAL_BODIES)
+                            + " or a folder of meshes");
+        }
+        return path.toString();
+    }
+
+    private Path trace() {
+        Path path = path("trace", yaml.text("trace"));
+        if (!Files.isRegularFile(path)) {
+            throw yaml.bad(
+                    "trace", "found no file '" + yaml.text("trace") + "', expected a CSV file of recorded breathing");
+        }
+        try {
+            TraceFile.read(path);
+        } catch (IOException e) {
+            throw new BadInputException(e.getMessage(), e);
+        }
+        return path;
+    }
+
+    private Path path(String key, String text) {
+        try {
+            return folder.resolve(text);
+        } catch (InvalidPathException e) {
+            throw new BadInputException(
+                    yaml.bad(key, "found '" + text + "', expected a path").getMessage(), e);
+        }
+    }
+
+    private <E> E choice(String key, E[] values, Function<E, String> label, E absent) {
+        if (!yaml.has(key)) {
+            return absent;
+        }
+        String found = yaml.text(key);
+        List<String> labels = Arrays.stream(values).map(label).toList();
+        int index = labels.indexOf(found);
+        if (index < 0) {
+            throw unknown(key, found, labels);
+        }
+        return values[index];
+    }
+
+    private BadInputException unknown(String key, String found, List<String> known) {
+        String hint = KeySuggestion.nearest(found, known)
+                .map(near -> " (did you mean '" + near + "'?)")
+                .orElse("");
+        return yaml.bad(key, "found '" + found + "', expected one of " + String.join(", ", known) + hint);
+    }
+
+    private double time(String key, double absent, double most) {
+        if (!yaml.has(key)) {
+            return absent;
+        }
+        double value = yaml.number(key);
+        if (!(value > 0) || !(value <= most)) {
+            throw yaml.bad(key, "found " + value + ", expected more than 0, at most " + most + " s");
+        }
+        return value;
+    }
+
+    private double meshesEveryS(double absent) {
+        return yaml.isNumber("meshes_every_s") && yaml.number("meshes_every_s") == 0
+                ? 0
+                : time("meshes_every_s", absent, LONGEST_S);
+    }
+
+    private int whole(String key, int absent, int most) {
+        long value = yaml.integer(key, absent);
+        if (value < 1 || value > most) {
+            throw yaml.bad(key, "found " + value + ", expected 1 to " + most);
+        }
+        return (int) value;
+    }
+
+    private void requireStepWithinDuration(Scenario scenario) {
+        if (scenario.givenDurationS() < scenario.timeStepS()) {
+            throw yaml.bad(
+                    yaml.has("duration_s") ? "duration_s" : "time_step_s",
+                    "found a duration of " + scenario.givenDurationS() + " s with a step of " + scenario.timeStepS()
+                            + " s, expected at least one step");
+        }
+    }
+
+    /** Name of an enum constant in scenario files. */
+    static String label(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
+    }
+}
