@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * Distances along the edges of a mesh (Dijkstra 1959, doi 10.1007/BF01386390). A path along edges is never shorter than the
- * geodesic on the surface; on evenly remeshed triangles it is longer by a few percent, at most 2 / sqrt(3) - 1 = 15 %.
+ * geodesic on the surface; on equilateral triangles it is longer by at most 2 / sqrt(3) - 1 = 15 %.
  */
 public final class Geodesics {
     private Geodesics() {}

@@ -29,9 +29,10 @@ class GeodesicsTest {
             double cosine =
                     (sphere.x(0) * sphere.x(v) + sphere.y(0) * sphere.y(v) + sphere.z(0) * sphere.z(v)) / (r * r);
             double arc = r * Math.acos(Math.max(-1, Math.min(1, cosine)));
-            // Chords are shorter than arcs by 1e-3 here; edge paths longer by at most 2 / sqrt(3), on triangles that
-            // vary a little.
-            assertThat(distance[v]).isBetween(arc * 0.998, arc * 1.2);
+            // Chords are shorter than arcs by 1e-3 here. At the twelve corners of the icosahedron five edges meet at 72
+            // degrees:
+            // between two of them a path along edges is longer by up to 1 / cos 36 = 1.236.
+            assertThat(distance[v]).isBetween(arc * 0.998, arc * 1.24);
         }
     }
 

@@ -19,7 +19,7 @@ class RemesherTest {
         holdsTheSame(sphere, remeshed, vertices, 0.002);
         for (int v = 0; v < remeshed.vertexCount(); v++) {
             double r = Math.sqrt(Math.pow(remeshed.x(v), 2) + Math.pow(remeshed.y(v), 2) + Math.pow(remeshed.z(v), 2));
-            // A polyhedron of 50 vertices with the sphere's volume stands out by (4 pi / F sqrt 3 ...) about 5 % at its
+            // A polyhedron of 50 vertices with the sphere's volume stands out by about 5 % at its
             // corners.
             assertThat(r).isBetween(9.7, 10.6);
         }
@@ -49,7 +49,8 @@ class RemesherTest {
         int[] t = remeshed.triangles();
         for (int i = 0; i < remeshed.triangleCount(); i++) {
             double z = (remeshed.z(t[3 * i]) + remeshed.z(t[3 * i + 1]) + remeshed.z(t[3 * i + 2])) / 3;
-            if (Math.abs(normals[3 * i + 2]) > 0.9) {
+            // A triangle across the rim, 2 mm high and 5 mm wide, leans to 0.93; what is flatter lies in a face.
+            if (Math.abs(normals[3 * i + 2]) > 0.97) {
                 assertThat(normals[3 * i + 2] > 0).isEqualTo(z > 1);
             }
         }
