@@ -183,7 +183,8 @@ public final class RigidLinks implements Constraint {
             double dz = x[b + 2] - x[a + 2];
             double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
             worst = Math.max(worst, Math.abs(l - length[i]) / length[i]);
-            if (wa + wb == 0) {
+            if (wa + wb == 0 || l == 0) {
+                // Both ends given, or on one spot, where the line has no direction.
                 continue;
             }
             double s = (l - length[i]) / (l * (wa + wb));
