@@ -91,6 +91,13 @@ final class BackwardEuler extends AbstractIntegrator {
         double goal = TOLERANCE * TOLERANCE * dot(right, right, true);
         double rho = dot(residual, residual, true);
         iterationsLast = 0;
+        if (!Double.isFinite(rho)) {
+            // A force that is no number must show in the velocity of its node, not be passed over.
+            for (int i = 0; i < x.length; i++) {
+                v[i] += residual[i];
+            }
+            return;
+        }
         while (iterationsLast < MAX_ITERATIONS && rho > goal) {
             multiply(direction);
             double alpha = rho / dot(direction, image, false);
