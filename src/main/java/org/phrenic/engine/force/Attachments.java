@@ -28,6 +28,7 @@ public final class Attachments implements ForceField {
      * @param anchors where each is attached, in the same order
      * @param refreshInterval simulated time after which anchors are asked for anew, s; in between they go on at their velocity. 0 asks at every
      *     evaluation
+     * @throws IllegalArgumentException if numbers differ, or a stiffness or the damping is negative or not finite
      */
     public Attachments(
             NodeLayout layout,
@@ -39,6 +40,15 @@ public final class Attachments implements ForceField {
         if (stiffness.length != callerNodes.length || anchors.pointCount() != callerNodes.length) {
             throw new IllegalArgumentException("attachments: found " + callerNodes.length + " nodes, "
                     + stiffness.length + " stiffnesses and " + anchors.pointCount() + " anchors, expected as many");
+        }
+        for (int i = 0; i < stiffness.length; i++) {
+            if (!(stiffness[i] >= 0) || Double.isInfinite(stiffness[i])) {
+                throw new IllegalArgumentException(
+                        "stiffness of attachment " + i + ": found " + stiffness[i] + " N/m, expected 0 or more");
+            }
+        }
+        if (!(damping >= 0) || Double.isInfinite(damping)) {
+            throw new IllegalArgumentException("damping of attachments: found " + damping + " s, expected 0 or more");
         }
         this.nodes = new BlockedNodes(layout, callerNodes);
         this.stiffness = stiffness.clone();

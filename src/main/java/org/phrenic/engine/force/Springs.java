@@ -69,8 +69,15 @@ public final class Springs implements ForceField {
         return rest.clone();
     }
 
-    /** Multiplies every stiffness by a factor (a material made softer or harder while it runs). */
+    /**
+     * Multiplies every stiffness by a factor (a material made softer or harder while it runs).
+     *
+     * @throws IllegalArgumentException if the factor is negative or not finite
+     */
     public void scaleStiffness(double factor) {
+        if (!(factor >= 0) || Double.isInfinite(factor)) {
+            throw new IllegalArgumentException("factor of stiffness: found " + factor + ", expected 0 or more");
+        }
         for (int e = 0; e < stiffness.length; e++) {
             stiffness[e] *= factor;
         }
@@ -297,7 +304,11 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** The length at these positions (caller's order, mm) as rest length. */
+        /**
+         * The length at these positions (caller's order, mm) as rest length.
+         *
+         * @throws IllegalArgumentException if both ends of a spring lie on one spot, where its force has no direction
+         */
         public Builder restAt(double[] positions) {
             rest = new double[nodeA.length];
             for (int e = 0; e < rest.length; e++) {
@@ -307,6 +318,10 @@ public final class Springs implements ForceField {
                     squared += d * d;
                 }
                 rest[e] = Math.sqrt(squared);
+                if (!(rest[e] > 0)) {
+                    throw new IllegalArgumentException("spring " + e + " between nodes " + nodeA[e] + " and " + nodeB[e]
+                            + ": found length " + rest[e] + " mm, expected more than 0");
+                }
             }
             return this;
         }
@@ -332,6 +347,9 @@ public final class Springs implements ForceField {
             if (damping != null) {
                 check("damping", damping, "N s/m");
             }
+            if (share != null) {
+                check("contractile share", share, "");
+            }
             return new Springs(this);
         }
 
@@ -342,8 +360,8 @@ public final class Springs implements ForceField {
             }
             for (int e = 0; e < values.length; e++) {
                 if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
-                    throw new IllegalArgumentException(
-                            what + " of spring " + e + ": found " + values[e] + " " + unit + ", expected 0 or more");
+                    throw new IllegalArgumentException(what + " of spring " + e + ": found "
+                            + (values[e] + " " + unit).strip() + ", expected 0 or more");
                 }
             }
         }

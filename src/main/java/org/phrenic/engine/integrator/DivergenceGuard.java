@@ -27,22 +27,33 @@ final class DivergenceGuard {
         worst = new double[system.layout().blockCount()];
     }
 
+    /** Keeps the state at hand, unless it is itself out of bounds. */
+    void keep(long step) {
+        if (isGood()) {
+            System.arraycopy(system.positions(), 0, goodX, 0, goodX.length);
+            System.arraycopy(system.velocities(), 0, goodV, 0, goodV.length);
+            goodStep = step;
+        }
+    }
+
     /** The cause if the state is out of bounds after a step, null if it is good. */
     String check(long step) {
+        if (!isGood()) {
+            return describe();
+        }
+        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
+            keep(step);
+        }
+        return null;
+    }
+
+    private boolean isGood() {
         system.workers().run(worst.length, scan);
         double fastest = 0;
         for (double value : worst) {
             fastest = Math.max(fastest, value);
         }
-        if (!(fastest <= MAX_SPEED * MAX_SPEED)) {
-            return describe();
-        }
-        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
-            System.arraycopy(system.positions(), 0, goodX, 0, goodX.length);
-            System.arraycopy(system.velocities(), 0, goodV, 0, goodV.length);
-            goodStep = step;
-        }
-        return null;
+        return fastest <= MAX_SPEED * MAX_SPEED;
     }
 
     private void scan(int block) {
