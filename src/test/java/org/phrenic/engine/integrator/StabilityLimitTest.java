@@ -176,6 +176,8 @@ class StabilityLimitTest {
         // Viscosity of other nodes is no help.
         StabilityLimit mixed = new StabilityLimit(omega, omega, 0, 2 * rate, rate);
         assertThat(mixed.largestStep(IntegratorKind.VERLET)).isLessThanOrEqualTo(h * (1 + NEAR));
+        double implicit = limit.largestStep(IntegratorKind.BACKWARD_EULER);
+        assertThat(mixed.largestStep(IntegratorKind.BACKWARD_EULER)).isCloseTo(implicit, within(NEAR * implicit));
         for (IntegratorKind kind : IntegratorKind.values()) {
             double step = limit.largestStep(kind);
             assertThat(dashedEnergy(kind, omega, rate, 0.98 * step))
