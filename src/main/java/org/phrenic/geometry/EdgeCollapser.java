@@ -8,6 +8,8 @@ final class EdgeCollapser {
     static final double CAREFUL = 0.26;
     /** A turn of up to 110 degrees, for edges so short that they are worse than what their loss does. */
     static final double BOLD = -0.34;
+    /** No heed of sides and shapes, for folds of the original so fine that their sides mean nothing; topology is still kept. */
+    static final double RECKLESS = Double.NEGATIVE_INFINITY;
 
     /** Twice the area over the squared longest side, which a collapse may not undercut; an equilateral triangle has 0.87. */
     private static final double LEAST_SHAPE = 0.15;
@@ -164,7 +166,8 @@ final class EdgeCollapser {
                 return false;
             }
             double cosine = cosineOfTurn(v, b, c, x, y, z);
-            if (cosine < leastCosine || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
+            if (cosine < leastCosine
+                    || (leastCosine > RECKLESS && shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
                 return false;
             }
         }

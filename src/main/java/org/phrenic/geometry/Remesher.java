@@ -23,6 +23,9 @@ public final class Remesher {
     /** Edges below this part of the target length are taken out at the end, more boldly than the rest. */
     private static final double SPLINTER = 0.4;
 
+    /** Edges below this part of it are taken out whatever side their triangles then show. */
+    private static final double CRUMB = 0.25;
+
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
@@ -83,6 +86,7 @@ public final class Remesher {
         for (int round = 0; round < FINAL_ROUNDS; round++) {
             flipper.flipAll();
             relaxer.relax(REACH * length);
+            collapser.collapse(CRUMB * length, 2 * length, 4, EdgeCollapser.RECKLESS);
             collapser.collapse(SPLINTER * length, 2 * length, 4, EdgeCollapser.BOLD);
             meetCount();
         }

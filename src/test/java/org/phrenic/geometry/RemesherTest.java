@@ -115,7 +115,7 @@ class RemesherTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"01_L", "04_R", "07_L", "10_R"})
+    @ValueSource(strings = {"01_L", "04_R", "06_L", "06_R", "07_L", "10_R"})
     void aRealCartilageBecomesACoarseClosedTube(String name) {
         TriangleMesh cartilage = MeshRepair.repair(TestPly.thorax("costal_cartilage_" + name), 1e-3)
                 .mesh();
