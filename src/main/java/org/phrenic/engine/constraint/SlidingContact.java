@@ -6,8 +6,10 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
 /**
- * One-sided contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
+ * Contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
  * the wall's own. Sliding along the wall, and leaving it, are free.
+ *
+ * <p>An adhering contact holds from both sides: the node slides along the wall but cannot leave it, as the lung's surface does on the pleura.
  *
  * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
  * millimetre, so the plane is as good as the wall and costs a tenth.
@@ -19,6 +21,7 @@ public final class SlidingContact implements Constraint {
     private final int[] node;
     private final ContactSurface surface;
     private final double refreshInterval;
+    private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
     private double planeTime = Double.NaN;
@@ -34,6 +37,18 @@ public final class SlidingContact implements Constraint {
      * @param refreshInterval simulated time after which tangent planes are taken anew, s
      */
     public SlidingContact(NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        this(layout, callerNodes, surface, refreshInterval, false);
+    }
+
+    /** A contact that nodes cannot leave; parameters as for the one-sided one. */
+    public static SlidingContact adhering(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        return new SlidingContact(layout, callerNodes, surface, refreshInterval, true);
+    }
+
+    private SlidingContact(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
+        this.adhering = adhering;
         node = new int[callerNodes.length];
         for (int i = 0; i < node.length; i++) {
             node[i] = 3 * layout.internal(callerNodes[i]);
@@ -92,13 +107,13 @@ public final class SlidingContact implements Constraint {
             double ny = plane[p + 1];
             double nz = plane[p + 2];
             double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - plane[p + 3] - plane[p + 4] * elapsed;
-            touching[i] = gap < 0 && w[n / 3] > 0;
+            touching[i] = (adhering || gap < 0) && w[n / 3] > 0;
             if (touching[i]) {
                 x[n] -= gap * nx;
                 x[n + 1] -= gap * ny;
                 x[n + 2] -= gap * nz;
                 double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - plane[p + 4];
-                if (into < 0) {
+                if (adhering || into < 0) {
                     v[n] -= into * nx;
                     v[n + 1] -= into * ny;
                     v[n + 2] -= into * nz;
