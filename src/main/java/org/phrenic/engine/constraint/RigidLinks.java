@@ -19,7 +19,7 @@ import org.phrenic.engine.Workers;
  * </ul>
  */
 public final class RigidLinks implements Constraint {
-    private static final int LINKS_A_PIECE = 1024;
+    private static final int LINKS_A_PIECE = 256;
 
     private final int[] nodeA;
     private final int[] nodeB;
