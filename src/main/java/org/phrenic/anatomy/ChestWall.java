@@ -1,0 +1,211 @@
+package org.phrenic.anatomy;
+
+import org.phrenic.engine.constraint.ContactSurface;
+
+/**
+ * The inner surface of the chest wall (the parietal pleura), as a radius over angle and height about a vertical line in the middle of the chest: the outer envelope, at rest, of what lies against
+ * it, lungs and the apposed part of the diaphragm. It is carried by the ribs: each cell of the grid moves with the bones near it, so what is pressed against the wall is pressed against moving ribs.
+ *
+ * <p>A point of the current state is taken back to rest by the displacement of the wall near it; there the signed distance to the radius surface is formed, G = r_wall(φ, z) - r, and its gradient gives the plane.
+ */
+public final class ChestWall implements ContactSurface {
+    private static final int SECTORS = 96;
+    private static final double LAYER_MM = 5;
+    private static final int SMOOTHINGS = 2;
+
+    private final double centreX;
+    private final double centreY;
+    private final double bottom;
+    private final int layers;
+    private final double[] radius;
+    private final double[] allowance;
+    private final BlendedMotion motion;
+    private final double[] restPoint;
+    private final double[] displaced;
+    private final double[] velocity;
+
+    /**
+     * @param contents points at rest (three numbers each, mm) whose envelope is the wall: lungs and thoracic face of the diaphragm
+     * @param centreX of the vertical line, mm
+     * @param centreY of the vertical line, mm
+     * @param bones what carries the wall
+     * @param pose of the rib cage
+     * @param contactNodes points at rest of the nodes that will touch it: a node that lies beyond the smoothed envelope at rest keeps that much allowance
+     */
+    public ChestWall(
+            double[] contents,
+            double centreX,
+            double centreY,
+            BoneWeights bones,
+            RibCagePose pose,
+            double[] contactNodes) {
+        this.centreX = centreX;
+        this.centreY = centreY;
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int i = 2; i < contents.length; i += 3) {
+            low = Math.min(low, contents[i]);
+            high = Math.max(high, contents[i]);
+        }
+        bottom = low - 2 * LAYER_MM;
+        layers = (int) Math.ceil((high - bottom) / LAYER_MM) + 3;
+        radius = envelope(contents);
+        restPoint = new double[3 * SECTORS * layers];
+        for (int layer = 0; layer < layers; layer++) {
+            for (int sector = 0; sector < SECTORS; sector++) {
+                int cell = layer * SECTORS + sector;
+                double angle = 2 * Math.PI * sector / SECTORS;
+                restPoint[3 * cell] = centreX + radius[cell] * StrictMath.cos(angle);
+                restPoint[3 * cell + 1] = centreY + radius[cell] * StrictMath.sin(angle);
+                restPoint[3 * cell + 2] = bottom + layer * LAYER_MM;
+            }
+        }
+        motion = new BlendedMotion(pose, restPoint, bones.at(restPoint));
+        displaced = new double[restPoint.length];
+        velocity = new double[restPoint.length];
+        allowance = new double[contactNodes.length / 3];
+        for (int i = 0; i < allowance.length; i++) {
+            double x = contactNodes[3 * i] - centreX;
+            double y = contactNodes[3 * i + 1] - centreY;
+            double beyond =
+                    Math.sqrt(x * x + y * y) - radiusAt(sectorOf(x, y), (contactNodes[3 * i + 2] - bottom) / LAYER_MM);
+            allowance[i] = Math.max(0, beyond);
+        }
+    }
+
+    private static double sectorOf(double x, double y) {
+        double turn = StrictMath.atan2(y, x) / (2 * Math.PI);
+        return (turn < 0 ? turn + 1 : turn) * SECTORS;
+    }
+
+    private double[] envelope(double[] contents) {
+        double[] r = new double[SECTORS * layers];
+        for (int i = 0; i < contents.length; i += 3) {
+            double x = contents[i] - centreX;
+            double y = contents[i + 1] - centreY;
+            int sector = (int) Math.round(sectorOf(x, y)) % SECTORS;
+            int layer = (int) Math.round((contents[i + 2] - bottom) / LAYER_MM);
+            int cell = layer * SECTORS + sector;
+            r[cell] = Math.max(r[cell], Math.sqrt(x * x + y * y));
+        }
+        fill(r);
+        for (int i = 0; i < SMOOTHINGS; i++) {
+            smooth(r);
+        }
+        return r;
+    }
+
+    /** Cells that nothing lies in take the mean of their filled neighbours, ring by ring. */
+    private void fill(double[] r) {
+        boolean empty = true;
+        while (empty) {
+            empty = false;
+            double[] before = r.clone();
+            for (int cell = 0; cell < r.length; cell++) {
+                if (before[cell] > 0) {
+                    continue;
+                }
+                double sum = 0;
+                int count = 0;
+                for (int near : neighbours(cell)) {
+                    if (before[near] > 0) {
+                        sum += before[near];
+                        count++;
+                    }
+                }
+                if (count > 0) {
+                    r[cell] = sum / count;
+                } else {
+                    empty = true;
+                }
+            }
+        }
+    }
+
+    private void smooth(double[] r) {
+        double[] before = r.clone();
+        for (int cell = 0; cell < r.length; cell++) {
+            double sum = 0;
+            int[] near = neighbours(cell);
+            for (int n : near) {
+                sum += before[n];
+            }
+            r[cell] = 0.5 * before[cell] + 0.5 * sum / near.length;
+        }
+    }
+
+    private int[] neighbours(int cell) {
+        int layer = cell / SECTORS;
+        int sector = cell % SECTORS;
+        int below = Math.max(0, layer - 1);
+        int above = Math.min(layers - 1, layer + 1);
+        return new int[] {
+            layer * SECTORS + (sector + 1) % SECTORS,
+            layer * SECTORS + (sector + SECTORS - 1) % SECTORS,
+            below * SECTORS + sector,
+            above * SECTORS + sector
+        };
+    }
+
+    /** Bilinear radius at fractional sector and layer. */
+    private double radiusAt(double sector, double layer) {
+        double l = Math.max(0, Math.min(layers - 1.001, layer));
+        int l0 = (int) l;
+        int s0 = (int) sector % SECTORS;
+        int s1 = (s0 + 1) % SECTORS;
+        double fs = sector - Math.floor(sector);
+        double fl = l - l0;
+        double lower = (1 - fs) * radius[l0 * SECTORS + s0] + fs * radius[l0 * SECTORS + s1];
+        double upper = (1 - fs) * radius[(l0 + 1) * SECTORS + s0] + fs * radius[(l0 + 1) * SECTORS + s1];
+        return (1 - fl) * lower + fl * upper;
+    }
+
+    @Override
+    public void prepare(double time) {
+        motion.at(time, displaced, velocity);
+        for (int i = 0; i < displaced.length; i++) {
+            displaced[i] -= restPoint[i];
+        }
+    }
+
+    @Override
+    public void planeNear(int node, double px, double py, double pz, double[] plane, int at) {
+        double x = px - centreX;
+        double y = py - centreY;
+        int cell = nearestCell(sectorOf(x, y), (pz - bottom) / LAYER_MM);
+        // The wall near the point has come from here; what the ribs do within a cell or two is the same.
+        double ux = displaced[3 * cell];
+        double uy = displaced[3 * cell + 1];
+        double uz = displaced[3 * cell + 2];
+        x -= ux;
+        y -= uy;
+        double r = Math.max(1, Math.sqrt(x * x + y * y));
+        double sector = sectorOf(x, y);
+        double layer = (pz - uz - bottom) / LAYER_MM;
+        double wall = radiusAt(sector, layer);
+        double slopeAngle =
+                (radiusAt((sector + 0.5) % SECTORS, layer) - radiusAt((sector + SECTORS - 0.5) % SECTORS, layer))
+                        * SECTORS
+                        / (2 * Math.PI);
+        double slopeHeight = (radiusAt(sector, layer + 0.5) - radiusAt(sector, layer - 0.5)) / LAYER_MM;
+        // Gradient of G = r_wall - r: the angle grows along (-y, x) / r².
+        double gx = -slopeAngle * y / (r * r) - x / r;
+        double gy = slopeAngle * x / (r * r) - y / r;
+        double gz = slopeHeight;
+        double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
+        double gap = (wall + allowance[node] - r) / length;
+        gx /= length;
+        gy /= length;
+        gz /= length;
+        plane[at] = gx;
+        plane[at + 1] = gy;
+        plane[at + 2] = gz;
+        plane[at + 3] = gx * px + gy * py + gz * pz - gap;
+        plane[at + 4] = gx * velocity[3 * cell] + gy * velocity[3 * cell + 1] + gz * velocity[3 * cell + 2];
+    }
+
+    private int nearestCell(double sector, double layer) {
+        int l = (int) Math.round(Math.max(0, Math.min(layers - 1, layer)));
+        return l * SECTORS + (int) Math.round(sector) % SECTORS;
+    }
+}

@@ -1,0 +1,182 @@
+package org.phrenic.anatomy;
+
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshTopology;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * The diaphragm as tissue: its two faces, where it is inserted, which part is central tendon and which muscle, and how the muscle's fibres run.
+ *
+ * <ul>
+ *   <li>Insertion: the whole outer border of the sheet (xiphoid, costal margin, ribs 11 and 12, arcuate ligaments, crura); the borders of the openings for vessels and oesophagus are free.
+ *   <li>Tendon: by the trefoil rule, three leaflets on the roof with a share of the area ({@link #TENDON_SHARE}); or, as the paper does, what lies above a plane.
+ *   <li>Fibres: along the gradient of a harmonic field that is 0 at the insertion and 1 at the tendon.
+ * </ul>
+ */
+public final class Diaphragm {
+    /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
+    public static final double TENDON_SHARE = 0.16;
+
+    private final TriangleMesh sheet;
+    private final MeshTopology topology;
+    private final SheetFaces faces;
+    private final boolean[] inserted;
+    private final boolean[] tendon;
+    private final double[] distance;
+    private final double[] fibre;
+
+    private Diaphragm(
+            TriangleMesh sheet,
+            MeshTopology topology,
+            SheetFaces faces,
+            boolean[] inserted,
+            double[] distance,
+            boolean[] tendon) {
+        this.sheet = sheet;
+        this.topology = topology;
+        this.faces = faces;
+        this.inserted = inserted;
+        this.distance = distance;
+        this.tendon = tendon;
+        this.fibre = fibres();
+    }
+
+    /** A sheet whose tendon is found by the trefoil rule. */
+    public static Diaphragm trefoil(TriangleMesh sheet) {
+        MeshTopology topology = new MeshTopology(sheet);
+        SheetFaces faces = new SheetFaces(sheet, topology);
+        boolean[] inserted = outerBorder(topology, faces);
+        double[] distance = SheetPaths.distances(sheet, topology, inserted);
+        boolean[] tendon = Trefoil.of(sheet, TENDON_SHARE);
+        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon);
+    }
+
+    /** A sheet whose tendon is what lies above a horizontal plane, as the paper tells tissue apart. */
+    public static Diaphragm abovePlane(TriangleMesh sheet, double height) {
+        MeshTopology topology = new MeshTopology(sheet);
+        SheetFaces faces = new SheetFaces(sheet, topology);
+        boolean[] inserted = outerBorder(topology, faces);
+        boolean[] tendon = new boolean[sheet.vertexCount()];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = sheet.z(i) > height;
+        }
+        return new Diaphragm(sheet, topology, faces, inserted, SheetPaths.distances(sheet, topology, inserted), tendon);
+    }
+
+    /** The largest connected run of border vertices; openings have their own. */
+    private static boolean[] outerBorder(MeshTopology topology, SheetFaces faces) {
+        int n = faces.vertexCount();
+        int[] label = new int[n];
+        int[] size = new int[n + 1];
+        int[] stack = new int[n];
+        int labels = 0;
+        int[] start = topology.vertexEdgeStart();
+        for (int seed = 0; seed < n; seed++) {
+            if (!faces.isBorder(seed) || label[seed] != 0) {
+                continue;
+            }
+            int top = 0;
+            stack[top++] = seed;
+            label[seed] = ++labels;
+            while (top > 0) {
+                int v = stack[--top];
+                size[labels]++;
+                for (int k = start[v]; k < start[v + 1]; k++) {
+                    int w = topology.otherVertex(topology.vertexEdges()[k], v);
+                    if (faces.isBorder(w) && label[w] == 0) {
+                        label[w] = labels;
+                        stack[top++] = w;
+                    }
+                }
+            }
+        }
+        int largest = 1;
+        for (int i = 2; i <= labels; i++) {
+            largest = size[i] > size[largest] ? i : largest;
+        }
+        boolean[] out = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            out[i] = labels > 0 && label[i] == largest;
+        }
+        return out;
+    }
+
+    /** Unit fibre direction of each triangle; zero in the tendon. */
+    private double[] fibres() {
+        double[] field = SheetPaths.harmonic(sheet, topology, inserted, tendon);
+        double[] normals = MeshMeasure.triangleNormals(sheet);
+        int[] t = sheet.triangles();
+        double[] p = sheet.positions();
+        double[] out = new double[t.length];
+        for (int i = 0; i < t.length; i += 3) {
+            if (tendon[t[i]] && tendon[t[i + 1]] && tendon[t[i + 2]]) {
+                continue;
+            }
+            double length = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                int u = (axis + 1) % 3;
+                int v = (axis + 2) % 3;
+                // Σ field × (normal × opposite edge): the gradient but for a factor.
+                for (int c = 0; c < 3; c++) {
+                    int from = 3 * t[i + (c + 1) % 3];
+                    int to = 3 * t[i + (c + 2) % 3];
+                    out[i + axis] += field[t[i + c]]
+                            * (normals[i + u] * (p[to + v] - p[from + v]) - normals[i + v] * (p[to + u] - p[from + u]));
+                }
+                length += out[i + axis] * out[i + axis];
+            }
+            length = Math.sqrt(length);
+            for (int axis = 0; axis < 3; axis++) {
+                out[i + axis] = length > 1e-12 ? out[i + axis] / length : 0;
+            }
+        }
+        return out;
+    }
+
+    public TriangleMesh sheet() {
+        return sheet;
+    }
+
+    public MeshTopology topology() {
+        return topology;
+    }
+
+    public boolean isThoracic(int vertex) {
+        return faces.isThoracic(vertex);
+    }
+
+    /** Whether the vertex lies on the border that bone holds. */
+    public boolean isInserted(int vertex) {
+        return inserted[vertex];
+    }
+
+    public boolean isTendon(int vertex) {
+        return tendon[vertex];
+    }
+
+    /** Way along the sheet from the insertion, mm. */
+    public double distanceFromInsertion(int vertex) {
+        return distance[vertex];
+    }
+
+    /** Unit direction of the fibres in each triangle, three numbers a triangle, zero in the tendon; read only. */
+    public double[] fibreDirections() {
+        return fibre;
+    }
+
+    /** Whether all corners of a triangle are tendon. */
+    public boolean isTendonTriangle(int triangle) {
+        int[] t = sheet.triangles();
+        return tendon[t[3 * triangle]] && tendon[t[3 * triangle + 1]] && tendon[t[3 * triangle + 2]];
+    }
+
+    /** Whether at least two corners of a triangle lie on the thoracic face. */
+    public boolean isThoracicTriangle(int triangle) {
+        int[] t = sheet.triangles();
+        int count = 0;
+        for (int c = 0; c < 3; c++) {
+            count += faces.isThoracic(t[3 * triangle + c]) ? 1 : 0;
+        }
+        return count >= 2;
+    }
+}

@@ -1,0 +1,92 @@
+package org.phrenic.anatomy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.geometry.HelicalAxis;
+import org.phrenic.geometry.RigidMotion;
+
+/**
+ * The bones that breathing moves, each a rigid body on a helical axis with one common amplitude: the ribs by a {@link RibAxisTable}, the sternum by the rigid motion that best follows the anterior
+ * ends of ribs 1 to 7, and the trunk (spine), which stays. Costal cartilages are no bodies: they blend between the rib and the sternum ({@link BoneWeights}).
+ */
+public final class RibCage {
+    /** The body that does not move. */
+    public static final int TRUNK = 0;
+
+    private static final int LAST_TRUE_RIB = 7;
+
+    /**
+     * One rigid body.
+     *
+     * @param name of its structure; {@code trunk} or {@code sternum}
+     * @param level of a rib, 0 otherwise
+     * @param side of a rib
+     * @param axis its motion to full inspiration; empty for the trunk
+     * @param ends of a rib; empty otherwise
+     */
+    public record Body(String name, int level, Side side, Optional<HelicalAxis> axis, Optional<RibEnds> ends) {}
+
+    private final List<Body> bodies;
+    private final HelicalBody[] motions;
+
+    private RibCage(List<Body> bodies) {
+        this.bodies = List.copyOf(bodies);
+        motions = new HelicalBody[bodies.size()];
+        for (int i = 0; i < motions.length; i++) {
+            motions[i] = bodies.get(i).axis().map(HelicalBody::new).orElse(null);
+        }
+    }
+
+    /** The ribs that a thorax has, its sternum if ribs enough lead it, and the trunk. */
+    public static RibCage of(Thorax thorax, RibAxisTable table) {
+        List<Body> bodies = new ArrayList<>();
+        bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
+        for (Structure rib : thorax.all(StructureKind.RIB)) {
+            RibEnds ends = RibEnds.find(rib.mesh(), rib.side());
+            HelicalAxis axis = table.axis(rib.level(), rib.side(), ends.head());
+            bodies.add(new Body(rib.name(), rib.level(), rib.side(), Optional.of(axis), Optional.of(ends)));
+            if (rib.level() <= LAST_TRUE_RIB) {
+                double[] end = ends.anterior();
+                from.add(end);
+                to.add(axis.motion().apply(end[0], end[1], end[2]));
+            }
+        }
+        if (!thorax.all(StructureKind.STERNUM).isEmpty() && from.size() >= 3) {
+            HelicalAxis axis = HelicalAxis.of(RigidMotion.fit(flat(from), flat(to)));
+            bodies.add(new Body("sternum", 0, Side.MIDLINE, Optional.of(axis), Optional.empty()));
+        }
+        return new RibCage(bodies);
+    }
+
+    private static double[] flat(List<double[]> points) {
+        return points.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+    }
+
+    public List<Body> bodies() {
+        return bodies;
+    }
+
+    /** The body of a rib, -1 if there is none. */
+    public int rib(int level, Side side) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (bodies.get(i).level() == level && bodies.get(i).side() == side) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** The body of the sternum; the trunk where there is none. */
+    public int sternum() {
+        return bodies.get(bodies.size() - 1).name().equals("sternum") ? bodies.size() - 1 : TRUNK;
+    }
+
+    /** Motion of a body; null for one that stays. */
+    HelicalBody motion(int body) {
+        return motions[body];
+    }
+}

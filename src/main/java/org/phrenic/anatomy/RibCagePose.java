@@ -1,0 +1,72 @@
+package org.phrenic.anatomy;
+
+import org.phrenic.engine.kinematics.HelicalBody;
+
+/** Where the bodies of a rib cage are at a time, and how they move; asked for many times at one time, computed once. */
+public final class RibCagePose {
+
+    /** How far the rib cage is inspired at a time. */
+    @FunctionalInterface
+    public interface Drive {
+        /**
+         * @param time s
+         * @param amplitudeAndRate where to write the amplitude s (0 end-expiration, 1 full inspiration) and ds/dt (1/s)
+         */
+        void at(double time, double[] amplitudeAndRate);
+    }
+
+    private final RibCage cage;
+    private final Drive drive;
+    private final double[] amplitudeAndRate = new double[2];
+    private final double[][] pose;
+    private final double[][] twist;
+    private double time = Double.NaN;
+
+    public RibCagePose(RibCage cage, Drive drive) {
+        this.cage = cage;
+        this.drive = drive;
+        int n = cage.bodies().size();
+        pose = new double[n][HelicalBody.POSE_LENGTH];
+        twist = new double[n][HelicalBody.TWIST_LENGTH];
+        for (double[] p : pose) {
+            p[0] = 1;
+            p[5] = 1;
+            p[10] = 1;
+        }
+    }
+
+    /** Moves all bodies to a time. */
+    public void update(double now) {
+        if (now == time) {
+            return;
+        }
+        time = now;
+        drive.at(now, amplitudeAndRate);
+        for (int i = 0; i < pose.length; i++) {
+            HelicalBody body = cage.motion(i);
+            if (body != null) {
+                body.pose(amplitudeAndRate[0], pose[i]);
+                body.twist(amplitudeAndRate[1], twist[i]);
+            }
+        }
+    }
+
+    public RibCage cage() {
+        return cage;
+    }
+
+    /** Amplitude of the last update. */
+    public double amplitude() {
+        return amplitudeAndRate[0];
+    }
+
+    /** Rows of [R | t] of a body as last updated; read only. */
+    public double[] pose(int body) {
+        return pose[body];
+    }
+
+    /** Twist of a body as last updated; read only. */
+    double[] twist(int body) {
+        return twist[body];
+    }
+}

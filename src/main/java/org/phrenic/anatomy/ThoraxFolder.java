@@ -1,0 +1,141 @@
+package org.phrenic.anatomy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.MeshFiles;
+import org.phrenic.format.YamlDocument;
+import org.phrenic.format.YamlMap;
+import org.phrenic.geometry.MeshRepair;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * Loads a thorax from a folder of meshes. A {@code thorax.yaml} may state {@code name}, {@code axes}, {@code units} (mm, cm, m) and, under {@code structures}, which file holds which structure;
+ * without it files are known by their names ({@link StructureName}), and axes and unit are read off the body ({@link BodyFrame}). Duplicate vertices are welded and broken triangles dropped, and
+ * the notes of the thorax say so.
+ */
+public final class ThoraxFolder {
+    private static final String INDEX = "thorax.yaml";
+    /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
+    private static final double WELD_MM = 1e-3;
+
+    private ThoraxFolder() {}
+
+    /**
+     * @throws BadInputException if the folder, a file in it, or what they hold is not as expected
+     */
+    public static Thorax load(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
+        }
+        Path index = folder.resolve(INDEX);
+        YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX, "{}");
+        yaml.requireOnly(List.of("name", "axes", "units", "structures"));
+        Map<String, Path> files = yaml.has("structures") ? listed(folder, yaml) : named(folder);
+        List<String> notes = new ArrayList<>();
+        List<Structure> raw = new ArrayList<>();
+        for (var entry : files.entrySet()) {
+            Optional<StructureName> known = StructureName.parse(entry.getKey());
+            if (known.isEmpty()) {
+                if (yaml.has("structures")) {
+                    throw yaml.map("structures")
+                            .bad(entry.getKey(), "is no structure's name, expected one such as rib_05_R or diaphragm");
+                }
+                notes.add(entry.getValue().getFileName() + ": left out, its name is no structure's");
+                continue;
+            }
+            StructureName name = known.get();
+            raw.add(new Structure(
+                    entry.getKey(), name.kind(), name.level(), name.side(), MeshFiles.read(entry.getValue())));
+        }
+        if (raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
+            throw new BadInputException(folder + ": no diaphragm among " + raw.size()
+                    + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
+        }
+        BodyFrame frame = frame(folder, yaml, raw);
+        List<Structure> structures = new ArrayList<>();
+        for (Structure s : raw) {
+            structures.add(s.withMesh(repaired(s.name(), frame.toLps(s.mesh()), notes)));
+        }
+        notes.add(0, "axes " + frame.axes() + ", " + frame.millimetres() + " mm a unit");
+        return new Thorax(
+                yaml.text(
+                        "name",
+                        folder.toAbsolutePath().normalize().getFileName().toString()),
+                structures,
+                notes);
+    }
+
+    private static BodyFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
+        try {
+            if (!yaml.has("axes") && !yaml.has("units")) {
+                return BodyFrame.detect(raw);
+            }
+            double unit = yaml.has("units") ? unit(yaml) : BodyFrame.detect(raw).millimetres();
+            return new BodyFrame(
+                    yaml.has("axes") ? yaml.text("axes") : BodyFrame.detect(raw).axes(), unit);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(folder + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static double unit(YamlMap yaml) {
+        return switch (yaml.text("units")) {
+            case "mm" -> 1;
+            case "cm" -> 10;
+            case "m" -> 1000;
+            default -> throw yaml.bad("units", "found '" + yaml.text("units") + "', expected mm, cm or m");
+        };
+    }
+
+    private static TriangleMesh repaired(String name, TriangleMesh mesh, List<String> notes) {
+        MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM);
+        if (result.mesh().triangleCount() == 0) {
+            throw new BadInputException(
+                    name + ": found no triangle with an area, expected a surface of " + mesh.triangleCount());
+        }
+        if (result.mesh().triangleCount() != mesh.triangleCount()
+                || result.mesh().vertexCount() != mesh.vertexCount()) {
+            notes.add(name + ": " + result.report());
+        }
+        return result.mesh();
+    }
+
+    private static Map<String, Path> listed(Path folder, YamlMap yaml) {
+        Map<String, Path> files = new TreeMap<>();
+        YamlMap structures = yaml.map("structures");
+        for (String name : structures.keys()) {
+            Path file = folder.resolve(structures.text(name));
+            if (!Files.isRegularFile(file)) {
+                throw structures.bad(name, "found no file " + file + ", expected a mesh");
+            }
+            files.put(name, file);
+        }
+        return files;
+    }
+
+    private static Map<String, Path> named(Path folder) {
+        Map<String, Path> files = new TreeMap<>();
+        try (Stream<Path> list = Files.list(folder)) {
+            for (Path file : list.filter(MeshFiles::isMesh).sorted().toList()) {
+                String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+                Path twin = files.putIfAbsent(name, file);
+                if (twin != null) {
+                    throw new BadInputException(folder + ": found " + twin.getFileName() + " and " + file.getFileName()
+                            + ", expected one file a structure");
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return files;
+    }
+}

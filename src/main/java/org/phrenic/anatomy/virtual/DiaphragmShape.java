@@ -1,0 +1,65 @@
+package org.phrenic.anatomy.virtual;
+
+/**
+ * The middle surface of the diaphragm as the border of a region (negative below it and inside the chest wall): two domes and the
+ * plateau under the heart, each a paraboloid, flow into one roof; roof and inner wall meet in a turn of a given radius, below
+ * which the sheet runs along the wall.
+ */
+final class DiaphragmShape implements Field {
+    private final VirtualThoraxParameters.Diaphragm measures;
+    private final ChestWall wall;
+    private final Curve rim;
+
+    DiaphragmShape(VirtualThoraxParameters.Diaphragm measures, ChestWall wall) {
+        this.measures = measures;
+        this.wall = wall;
+        rim = new Curve(
+                measures.rim().stream().mapToDouble(row -> row[0]).toArray(),
+                measures.rim().stream().mapToDouble(row -> row[1]).toArray());
+    }
+
+    /** Height of the line of insertion at this azimuth (rad, -pi to pi). */
+    double rimZ(double azimuth) {
+        return rim.at(StrictMath.toDegrees(azimuth));
+    }
+
+    /** From the inner wall to the middle of the sheet in the zone of apposition, mm. */
+    double wallInset() {
+        return measures.gapMm() + measures.muscleMm() / 2;
+    }
+
+    private static double cap(double[] top, double x, double y, double radiusX, double radiusY) {
+        double u = x - top[0];
+        double v = y - top[1];
+        return top[2] - u * u / (2 * radiusX) - v * v / (2 * radiusY);
+    }
+
+    @Override
+    public double at(double x, double y, double z) {
+        double k = measures.blendMm();
+        double right = cap(measures.right(), x, y, measures.domeRadiusXMm(), measures.domeRadiusYMm());
+        double left = cap(measures.left(), x, y, measures.domeRadiusXMm(), measures.domeRadiusYMm());
+        double heart = cap(measures.heart(), x, y, measures.heartRadiusXMm(), measures.heartRadiusYMm());
+        double most = Math.max(right, Math.max(left, heart));
+        double r = StrictMath.exp((right - most) / k);
+        double l = StrictMath.exp((left - most) / k);
+        double h = StrictMath.exp((heart - most) / k);
+        double sum = r + l + h;
+        double roof = most + k * StrictMath.log(sum);
+        double slopeX = (r * (x - measures.right()[0]) / measures.domeRadiusXMm()
+                        + l * (x - measures.left()[0]) / measures.domeRadiusXMm()
+                        + h * (x - measures.heart()[0]) / measures.heartRadiusXMm())
+                / sum;
+        double slopeY = (r * (y - measures.right()[1]) / measures.domeRadiusYMm()
+                        + l * (y - measures.left()[1]) / measures.domeRadiusYMm()
+                        + h * (y - measures.heart()[1]) / measures.heartRadiusYMm())
+                / sum;
+        double above = (z - roof) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+        double outside = wall.at(x, y, z) + wallInset();
+        double dy = y - wall.y(z);
+        double lateral = Math.abs(x) / Math.max(Math.sqrt(x * x + dy * dy), 1e-9);
+        double turn = measures.midlineTurnRadiusMm()
+                + (measures.turnRadiusMm() - measures.midlineTurnRadiusMm()) * V3.smoothstep(lateral / 0.7);
+        return V3.roundMax(above, outside, turn);
+    }
+}

@@ -1,0 +1,95 @@
+package org.phrenic.anatomy.virtual;
+
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * The diaphragm as one closed sheet of two faces: its middle surface is meshed and moved half a thickness to either side.
+ * Vertex i lies on the thoracic face, vertex i + n/2 is its partner on the abdominal face; the rim's vertices are the last of
+ * each half.
+ */
+final class DiaphragmSheet {
+    private static final double PIVOT_Z = 20;
+    private static final int SWEEPS = 14;
+    private static final double TENDON_EDGE_MM = 8;
+
+    private final VirtualThoraxParameters.Diaphragm measures;
+    private final DiaphragmShape shape;
+    private final Meridians meridians;
+
+    DiaphragmSheet(VirtualThoraxParameters.Diaphragm measures, DiaphragmShape shape, ChestWall wall) {
+        this.measures = measures;
+        this.shape = shape;
+        double[][] border = new double[Meridians.AZIMUTHS][];
+        for (int i = 0; i < border.length; i++) {
+            double azimuth = Meridians.azimuth(i);
+            double z = shape.rimZ(azimuth > Math.PI ? azimuth - 2 * Math.PI : azimuth);
+            double r = Roots.first(
+                    s -> {
+                        double[] p = wall.point(azimuth, s, z);
+                        return shape.at(p[0], p[1], p[2]);
+                    },
+                    50);
+            border[i] = wall.point(azimuth, r, z);
+        }
+        meridians = new Meridians(shape, wall, PIVOT_Z, true, border);
+    }
+
+    TriangleMesh mesh(int vertices) {
+        double edge = RingMesh.edgeFor(e -> RingMesh.total(RingMesh.counts(meridians, e, 0)), vertices / 2);
+        int[] counts = RingMesh.counts(meridians, edge, 0);
+        int inner = RingMesh.total(counts) - counts[counts.length - 1];
+        TriangleMesh middle = RingMesh.mesh(meridians, counts, true);
+        middle = Relaxation.relax(middle, SWEEPS, v -> v < inner ? shape : null);
+        return thicken(middle, inner);
+    }
+
+    private TriangleMesh thicken(TriangleMesh middle, int firstRim) {
+        int n = middle.vertexCount();
+        double[] positions = new double[6 * n];
+        for (int v = 0; v < n; v++) {
+            double[] p = V3.of(middle.x(v), middle.y(v), middle.z(v));
+            double[] normal = shape.normal(p);
+            double half = thickness(p) / 2;
+            System.arraycopy(V3.add(p, normal, half), 0, positions, 3 * v, 3);
+            System.arraycopy(V3.add(p, normal, -half), 0, positions, 3 * (n + v), 3);
+        }
+        int[] face = middle.triangles();
+        int rim = n - firstRim;
+        int[] triangles = new int[2 * face.length + 6 * rim];
+        for (int t = 0; t < face.length; t += 3) {
+            triangles[t] = face[t];
+            triangles[t + 1] = face[t + 1];
+            triangles[t + 2] = face[t + 2];
+            triangles[face.length + t] = n + face[t];
+            triangles[face.length + t + 1] = n + face[t + 2];
+            triangles[face.length + t + 2] = n + face[t + 1];
+        }
+        int at = 2 * face.length;
+        for (int i = 0; i < rim; i++) {
+            int a = firstRim + i;
+            int b = firstRim + (i + 1) % rim;
+            for (int corner : new int[] {a, b, n + b, a, n + b, n + a}) {
+                triangles[at++] = corner;
+            }
+        }
+        return new TriangleMesh(positions, triangles);
+    }
+
+    /** Thinner within the central tendon: a trefoil of the stated area about the domes and the plateau. */
+    private double thickness(double[] p) {
+        double edge = tendonEdge(p[0], p[1], p[2]);
+        return measures.muscleMm()
+                + (measures.tendonMm() - measures.muscleMm()) * V3.smoothstep(0.5 - edge / TENDON_EDGE_MM);
+    }
+
+    private double tendonEdge(double x, double y, double z) {
+        if (z < Math.min(measures.left()[2], measures.heart()[2]) - 25) {
+            return TENDON_EDGE_MM;
+        }
+        double radius = Math.sqrt(measures.tendonAreaCm2() * 100 / (3 * Math.PI)) * 0.92;
+        double right = StrictMath.hypot((x - measures.right()[0] * 0.72) / 1.15, (y - measures.right()[1] - 12) / 1.0);
+        double left = StrictMath.hypot((x - measures.left()[0] * 0.72) / 1.1, (y - measures.left()[1] - 12) / 0.85);
+        double front = StrictMath.hypot((x - measures.heart()[0]) / 1.1, (y - measures.heart()[1] + 4) / 0.95);
+        return V3.smoothMin(V3.smoothMin(right, left, 20), front, 20) - radius;
+    }
+}

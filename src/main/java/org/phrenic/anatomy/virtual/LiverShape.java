@@ -1,0 +1,84 @@
+package org.phrenic.anatomy.virtual;
+
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a bent sheet that
+ * rises to the left and to the back. How high that sheet stands is found from the volume wanted.
+ */
+final class LiverShape {
+    private static final double EDGE_MM = 5;
+    private static final double LEFT_END_MM = 14;
+    private static final double GRID_MM = 10;
+    private static final int SWEEPS = 6;
+
+    private final VirtualThoraxParameters.Liver measures;
+    private final VirtualThoraxParameters.Diaphragm diaphragm;
+    private final ChestWall wall;
+    private final DiaphragmShape dome;
+
+    LiverShape(VirtualThoraxParameters parameters, ChestWall wall, DiaphragmShape dome) {
+        measures = parameters.liver();
+        diaphragm = parameters.diaphragm();
+        this.wall = wall;
+        this.dome = dome;
+    }
+
+    private double at(double x, double y, double z, double height) {
+        double under = dome.at(x, y, z) + diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
+        double inside = wall.at(x, y, z) + measures.wallInsetMm();
+        double slopeX = measures.visceralSlope()[0];
+        double slopeY = measures.visceralSlope()[1];
+        double bend = measures.visceralTwist() * Math.max(0, x) * Math.max(0, x);
+        double above = height + slopeX * x + slopeY * y + bend - z;
+        above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+        double region = V3.roundMax(Math.max(under, inside), above, EDGE_MM);
+        return V3.roundMax(region, x - measures.leftEndX(), LEFT_END_MM);
+    }
+
+    TriangleMesh mesh() {
+        double height = height();
+        Field field = (x, y, z) -> at(x, y, z, height);
+        TriangleMesh rough = MarchingTetrahedra.surface(field, low(), high(), GRID_MM);
+        return Relaxation.relax(rough, SWEEPS, v -> field);
+    }
+
+    private double[] low() {
+        return V3.of(-wall.halfBreadth(60) - 5, -115, -110);
+    }
+
+    private double[] high() {
+        return V3.of(measures.leftEndX() + 10, 105, diaphragm.right()[2] + 10);
+    }
+
+    /** Height of the visceral surface at the axis, by bisection on the volume counted on a grid. */
+    private double height() {
+        double high = diaphragm.right()[2];
+        double low = high - 250;
+        for (int i = 0; i < 9; i++) {
+            double middle = (low + high) / 2;
+            if (volume(middle) > measures.volumeMl() * 1000) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return (low + high) / 2;
+    }
+
+    private double volume(double height) {
+        double step = 2 * GRID_MM;
+        double[] low = low();
+        double[] high = high();
+        double volume = 0;
+        for (double z = low[2]; z < high[2]; z += step) {
+            for (double y = low[1]; y < high[1]; y += step) {
+                for (double x = low[0]; x < high[0]; x += step) {
+                    double inside = -at(x, y, z, height) / step + 0.5;
+                    volume += Math.max(0, Math.min(1, inside));
+                }
+            }
+        }
+        return volume * step * step * step;
+    }
+}

@@ -1,0 +1,153 @@
+package org.phrenic.anatomy.virtual;
+
+import org.phrenic.anatomy.Side;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * A lung: what lies inside the chest wall, above the diaphragm and beside the mediastinum. Two pieces meet in the sharp lower
+ * border: the side (costal, mediastinal and apex) and the base.
+ */
+final class LungShape implements Axis {
+    private static final double COSTAL_EDGE_MM = 7;
+    private static final double APEX_EDGE_MM = 12;
+    private static final double PIVOT_ABOVE_DOME_MM = 45;
+    private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
+    private static final int SWEEPS = 12;
+
+    private final VirtualThoraxParameters.Lungs measures;
+    private final ChestWall wall;
+    private final Field roof;
+    private final int sign;
+    private final int index;
+    private final double[] apex;
+    private final double[] base;
+    private final double baseZ;
+    private final Meridians sideLines;
+    private final Meridians baseLines;
+
+    /** @param dome the diaphragm's middle surface; @param measures of the body */
+    LungShape(VirtualThoraxParameters parameters, ChestWall wall, DiaphragmShape dome, Side side) {
+        measures = parameters.lungs();
+        this.wall = wall;
+        sign = side.sign();
+        index = side == Side.RIGHT ? 0 : 1;
+        apex = index == 0 ? measures.apexRight() : measures.apexLeft();
+        base = index == 0 ? measures.baseRight() : measures.baseLeft();
+        VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
+        baseZ = (index == 0 ? diaphragm.right() : diaphragm.left())[2];
+        double lift = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
+        roof = (x, y, z) -> dome.at(x, y, z) - lift;
+        double[][] border = new double[Meridians.AZIMUTHS][];
+        for (int i = 0; i < border.length; i++) {
+            border[i] = corner(Meridians.azimuth(i));
+        }
+        sideLines = new Meridians(this::side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
+        baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, border);
+    }
+
+    @Override
+    public double x(double z) {
+        return base[0] + (apex[0] - base[0]) * slide(z);
+    }
+
+    @Override
+    public double y(double z) {
+        return base[1] + (apex[1] - base[1]) * slide(z);
+    }
+
+    private double slide(double z) {
+        return Math.max(-0.5, Math.min(1.2, (z - baseZ) / (apex[2] - baseZ)));
+    }
+
+    /** The region of the lung but for its base. */
+    private double side(double x, double y, double z) {
+        double costal = wall.at(x, y, z) + measures.wallInsetMm();
+        double bulge = measures.heartMm()[index] - measures.mediastinumMm()[index];
+        double back = (y - measures.heartCentre()[0]) / measures.heartRadiiMm()[0];
+        double up = Math.max(0, (z - measures.heartCentre()[1]) / measures.heartRadiiMm()[1]);
+        double across = StrictMath.exp(-back * back);
+        if (back < 0) {
+            double share = measures.heartFrontShare()[index];
+            across = share + (1 - share) * across;
+        }
+        double medial = measures.mediastinumMm()[index] + bulge * across * StrictMath.exp(-up * up) - sign * x;
+        double dx = x - apex[0];
+        double dy = y - apex[1];
+        double cap = z - apex[2] + (dx * dx + dy * dy) / (2 * measures.apexRadiusMm());
+        cap /= Math.sqrt(1 + (dx * dx + dy * dy) / (measures.apexRadiusMm() * measures.apexRadiusMm()));
+        return V3.roundMax(V3.roundMax(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
+    }
+
+    /** The point of the lower border at this azimuth: the first place, coming down the side, where it meets the base. */
+    private double[] corner(double azimuth) {
+        double high = baseZ + PIVOT_ABOVE_DOME_MM;
+        double low = high;
+        while (heightAboveRoof(azimuth, low) > 0) {
+            high = low;
+            low -= 3;
+            if (low < baseZ - 150) {
+                throw new IllegalStateException("lung: the side never meets the diaphragm at azimuth " + azimuth);
+            }
+        }
+        double z = Roots.between(
+                h -> heightAboveRoof(azimuth, h),
+                low,
+                heightAboveRoof(azimuth, low),
+                high,
+                heightAboveRoof(azimuth, high));
+        return sidePoint(azimuth, z);
+    }
+
+    private double heightAboveRoof(double azimuth, double z) {
+        double[] p = sidePoint(azimuth, z);
+        return roof.at(p[0], p[1], p[2]);
+    }
+
+    private double[] sidePoint(double azimuth, double z) {
+        double r = Roots.first(
+                s -> {
+                    double[] p = point(azimuth, s, z);
+                    return side(p[0], p[1], p[2]);
+                },
+                20);
+        return point(azimuth, r, z);
+    }
+
+    TriangleMesh mesh(int vertices) {
+        double edge = RingMesh.edgeFor(this::count, vertices);
+        int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
+        int border = sideCounts[sideCounts.length - 1];
+        int[] baseCounts = RingMesh.counts(baseLines, edge, border);
+        TriangleMesh upper = RingMesh.mesh(sideLines, sideCounts, true);
+        TriangleMesh lower = RingMesh.mesh(baseLines, baseCounts, false);
+        TriangleMesh whole = join(upper, lower, border);
+        int inner = upper.vertexCount() - border;
+        int upperCount = upper.vertexCount();
+        Field side = this::side;
+        return Relaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
+    }
+
+    private int count(double edge) {
+        int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
+        int border = sideCounts[sideCounts.length - 1];
+        return RingMesh.total(sideCounts) + RingMesh.total(RingMesh.counts(baseLines, edge, border)) - border;
+    }
+
+    /** One mesh of both; the border's vertices, last in each, become one. */
+    private static TriangleMesh join(TriangleMesh upper, TriangleMesh lower, int border) {
+        int upperCount = upper.vertexCount();
+        int lowerInner = lower.vertexCount() - border;
+        double[] positions = new double[3 * (upperCount + lowerInner)];
+        System.arraycopy(upper.positions(), 0, positions, 0, 3 * upperCount);
+        System.arraycopy(lower.positions(), 0, positions, 3 * upperCount, 3 * lowerInner);
+        int[] first = upper.triangles();
+        int[] second = lower.triangles();
+        int[] triangles = new int[first.length + second.length];
+        System.arraycopy(first, 0, triangles, 0, first.length);
+        for (int i = 0; i < second.length; i++) {
+            int v = second[i];
+            triangles[first.length + i] = v < lowerInner ? upperCount + v : upperCount - border + (v - lowerInner);
+        }
+        return new TriangleMesh(positions, triangles);
+    }
+}

@@ -1,0 +1,132 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.Arrays;
+import java.util.function.IntFunction;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * Evens out the triangles of a surface without leaving it: sweeps of edge flips towards Delaunay and of moving each vertex to
+ * the middle of its neighbours and back on to its surface. The number of vertices and triangles stays.
+ */
+final class Relaxation {
+    private final double[] positions;
+    private final int[] triangles;
+    private final IntFunction<Field> surface;
+
+    private Relaxation(TriangleMesh mesh, IntFunction<Field> surface) {
+        positions = mesh.positions().clone();
+        triangles = mesh.triangles().clone();
+        this.surface = surface;
+    }
+
+    /** @param surface what each vertex stays on; null for a vertex that stays where it is */
+    static TriangleMesh relax(TriangleMesh mesh, int sweeps, IntFunction<Field> surface) {
+        Relaxation relaxation = new Relaxation(mesh, surface);
+        for (int i = 0; i < sweeps; i++) {
+            relaxation.flip();
+            relaxation.smooth(i == sweeps - 1 ? 4 : 1);
+        }
+        relaxation.flip();
+        return new TriangleMesh(relaxation.positions, relaxation.triangles);
+    }
+
+    private double[] vertex(int v) {
+        return V3.of(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+    }
+
+    private void smooth(int steps) {
+        int n = positions.length / 3;
+        double[] sum = new double[positions.length];
+        int[] count = new int[n];
+        for (int t = 0; t < triangles.length; t += 3) {
+            for (int k = 0; k < 3; k++) {
+                int a = triangles[t + k];
+                int b = triangles[t + (k + 1) % 3];
+                for (int axis = 0; axis < 3; axis++) {
+                    sum[3 * a + axis] += positions[3 * b + axis];
+                }
+                count[a]++;
+            }
+        }
+        for (int v = 0; v < n; v++) {
+            Field field = surface.apply(v);
+            if (field == null) {
+                continue;
+            }
+            double[] mean = V3.of(sum[3 * v] / count[v], sum[3 * v + 1] / count[v], sum[3 * v + 2] / count[v]);
+            double[] moved = V3.lerp(vertex(v), mean, 0.7);
+            System.arraycopy(field.project(moved, steps), 0, positions, 3 * v, 3);
+        }
+    }
+
+    /** Flips every inner edge whose opposite angles add up to more than 180 degrees, no triangle twice. */
+    private void flip() {
+        int corners = triangles.length;
+        long[] edges = new long[corners];
+        for (int c = 0; c < corners; c++) {
+            long a = triangles[c];
+            long b = triangles[next(c)];
+            edges[c] = (Math.min(a, b) << 42) | (Math.max(a, b) << 21) | c;
+        }
+        Arrays.sort(edges);
+        boolean[] touched = new boolean[corners / 3];
+        for (int i = 0; i + 1 < corners; i++) {
+            if (edges[i] >>> 21 != edges[i + 1] >>> 21) {
+                continue;
+            }
+            int c = (int) (edges[i] & 0x1FFFFF);
+            int d = (int) (edges[i + 1] & 0x1FFFFF);
+            if (!touched[c / 3] && !touched[d / 3] && wantsFlip(c, d) && absent(edges, c, d)) {
+                int a = triangles[c];
+                int b = triangles[next(c)];
+                int p = triangles[next(next(c))];
+                int q = triangles[next(next(d))];
+                set(c / 3, a, q, p);
+                set(d / 3, q, b, p);
+                touched[c / 3] = true;
+                touched[d / 3] = true;
+            }
+        }
+    }
+
+    private static int next(int corner) {
+        return corner % 3 == 2 ? corner - 2 : corner + 1;
+    }
+
+    private void set(int triangle, int a, int b, int c) {
+        triangles[3 * triangle] = a;
+        triangles[3 * triangle + 1] = b;
+        triangles[3 * triangle + 2] = c;
+    }
+
+    /** True if the edge a flip would make is not there yet. */
+    private boolean absent(long[] edges, int c, int d) {
+        long p = triangles[next(next(c))];
+        long q = triangles[next(next(d))];
+        long key = (Math.min(p, q) << 42) | (Math.max(p, q) << 21);
+        int at = Arrays.binarySearch(edges, key);
+        int from = at >= 0 ? at : -at - 1;
+        return from >= edges.length || edges[from] >>> 21 != key >>> 21;
+    }
+
+    private boolean wantsFlip(int c, int d) {
+        double[] a = vertex(triangles[c]);
+        double[] b = vertex(triangles[next(c)]);
+        double[] p = vertex(triangles[next(next(c))]);
+        double[] q = vertex(triangles[next(next(d))]);
+        double[] n1 = V3.cross(V3.minus(b, a), V3.minus(p, a));
+        double[] n2 = V3.cross(V3.minus(a, b), V3.minus(q, b));
+        if (cotangent(p, a, b) + cotangent(q, a, b) >= -1e-9 || V3.dot(n1, n2) < 0.7 * V3.length(n1) * V3.length(n2)) {
+            return false;
+        }
+        double[] m1 = V3.cross(V3.minus(q, a), V3.minus(p, a));
+        double[] m2 = V3.cross(V3.minus(b, q), V3.minus(p, q));
+        return V3.dot(m1, n1) > 0 && V3.dot(m1, n2) > 0 && V3.dot(m2, n1) > 0 && V3.dot(m2, n2) > 0;
+    }
+
+    private static double cotangent(double[] apex, double[] a, double[] b) {
+        double[] u = V3.minus(a, apex);
+        double[] v = V3.minus(b, apex);
+        return V3.dot(u, v) / Math.max(V3.length(V3.cross(u, v)), 1e-12);
+    }
+}

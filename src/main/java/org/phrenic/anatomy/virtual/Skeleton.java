@@ -1,0 +1,130 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.Side;
+
+/** The courses of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */
+final class Skeleton {
+    /** Clear space between the inner chest wall and the bones on it, mm: pleura and fascia. */
+    private static final double CLEARANCE_MM = 0.6;
+    /** How far parts that join reach into each other, mm. */
+    static final double OVERLAP_MM = 0.4;
+
+    private final VirtualThoraxParameters parameters;
+    private final Spine spine;
+    private final ChestWall wall;
+    private final VertebraShape[] vertebrae;
+    private final SternumShape sternum;
+
+    Skeleton(
+            VirtualThoraxParameters parameters,
+            Spine spine,
+            ChestWall wall,
+            VertebraShape[] vertebrae,
+            SternumShape sternum) {
+        this.parameters = parameters;
+        this.spine = spine;
+        this.wall = wall;
+        this.vertebrae = vertebrae.clone();
+        this.sternum = sternum;
+    }
+
+    /** Course of the middle of a rib from its head to its anterior end. */
+    Course rib(int level, Side side) {
+        int sign = side.sign();
+        VertebraShape vertebra = vertebrae[level - 1];
+        double path = spine.bodyPath(level);
+        double[] height = parameters.spine().bodyHeightMm();
+        double up = level >= 2 && level <= 9 ? 0.40 : level == 1 ? 0.2 : 0.15;
+        double depth = parameters.spine().bodyDepthMm()[level - 1];
+        double width = parameters.spine().bodyWidthMm()[level - 1];
+        double[] tip = vertebra.transverseTip(sign);
+        double[] tubercle = V3.add(tip, V3.of(sign * 2.0, -9.5, 1.0), 1);
+
+        double[] inward = spine.local(path, sign * 0.6 * width / 2, depth * 0.15, up * height[level - 1]);
+        double[] head = vertebra.fromInside(inward, V3.unit(V3.minus(tubercle, inward)), -OVERLAP_MM);
+
+        double arc = parameters.ribs().arcMm()[level - 1]
+                * (side == Side.LEFT ? parameters.ribs().leftArcFactor() : 1);
+        double offset = CLEARANCE_MM + parameters.ribs().thicknessMm() / 2;
+        double headAzimuth = Math.abs(wall.azimuth(head));
+        double tubercleAzimuth = Math.abs(wall.azimuth(tubercle));
+        double nominalZ = head[2] - 30;
+        double reach = wall.frontY(nominalZ) * -0.5 + 45;
+        double pump = StrictMath.tan(StrictMath.toRadians(parameters.ribs().pumpDeg()[level - 1]));
+        double bucket = StrictMath.tan(StrictMath.toRadians(parameters.ribs().bucketDeg()[level - 1]))
+                * wall.halfBreadth(nominalZ);
+        List<double[]> knots = new ArrayList<>();
+        knots.add(head);
+        knots.add(V3.add(V3.lerp(head, tubercle, 0.5), V3.of(0, 0, 1), 1));
+        knots.add(tubercle);
+        double end = Math.PI * 0.985;
+        double first = tubercleAzimuth + StrictMath.toRadians(9);
+        int steps = 60;
+        for (int i = 0; i <= steps; i++) {
+            double azimuth = first + (end - first) * i / steps;
+            double drop = pump * reach * (StrictMath.cos(headAzimuth) - StrictMath.cos(azimuth))
+                    + bucket * V3.smoothstep((azimuth - headAzimuth) / (Math.PI * 0.33));
+            knots.add(wall.surface(sign * azimuth, Math.min(tubercle[2], head[2]) - drop, offset));
+        }
+        Course whole = Course.through(knots, 6);
+        return whole.piece(0, Math.min(arc, whole.length()), 120);
+    }
+
+    /** Course of a costal cartilage 1-7 from its rib to the sternum. */
+    Course sternal(int level, Side side, Course rib) {
+        double[] notch = sternum.edge(parameters.sternum().notchFraction()[level - 1], side.sign());
+        double[] end = V3.add(notch, V3.of(side.sign(), 0, 0), -1.5);
+        return onWall(rib, end, side, StrictMath.toRadians(level <= 2 ? 5 : 12 + 6 * (level - 3)));
+    }
+
+    /** Course of cartilages 8-10 from the rib to the cartilage above. */
+    Course marginal(int level, Side side, Course rib, Course above) {
+        double path = parameters.cartilages().joinFraction()[level - 8] * above.length();
+        double[] on = above.at(path);
+        double[] along = above.direction(path);
+        double[] out = wall.normal(on);
+        double[] below = V3.cross(out, along);
+        if (below[2] > 0) {
+            below = V3.of(-below[0], -below[1], -below[2]);
+        }
+        double apart = parameters.cartilages().heightMm() / 2 - 1.5;
+        return onWall(rib, V3.add(on, V3.unit(below), apart), side, StrictMath.toRadians(40));
+    }
+
+    /** A smooth way on the wall from a rib's end to a point, arriving at this rise (rad) above the horizontal. */
+    private Course onWall(Course rib, double[] end, Side side, double rise) {
+        double overlap = OVERLAP_MM;
+        double[] start = V3.add(rib.last(), rib.direction(rib.length()), -overlap);
+        double[] before = rib.at(rib.length() - 6);
+        double from = Math.abs(wall.azimuth(start));
+        double to = Math.abs(wall.azimuth(end));
+        double radius = V3.length(V3.of(end[0] - start[0], end[1] - start[1], 0)) / Math.max(Math.abs(to - from), 0.05);
+        double span = V3.distance(start, end);
+        double ribAzimuth = (from - Math.abs(wall.azimuth(before))) * radius / 6;
+        double ribDrop = (start[2] - before[2]) / 6;
+        double offsetFrom = wallOffset(start);
+        double offsetTo = wallOffset(end);
+        double endAzimuth = StrictMath.cos(rise);
+        double endRise = StrictMath.sin(rise);
+        int n = 24;
+        List<double[]> points = new ArrayList<>();
+        for (int i = 0; i <= n; i++) {
+            double u = (double) i / n;
+            double v = 1 - u;
+            double h = u * u * (3 - 2 * u);
+            double azimuth = from + (to - from) * h + span / radius * (ribAzimuth * u * v * v - endAzimuth * u * u * v);
+            double z = start[2] + (end[2] - start[2]) * h + span * (ribDrop * u * v * v - endRise * u * u * v);
+            points.add(wall.surface(side.sign() * azimuth, z, offsetFrom + (offsetTo - offsetFrom) * h));
+        }
+        points.set(0, start);
+        points.set(n, end);
+        return Course.through(points, 3);
+    }
+
+    private double wallOffset(double[] p) {
+        double[] g = wall.gradient(p);
+        return wall.at(p[0], p[1], p[2]) / V3.length(g);
+    }
+}

@@ -1,0 +1,40 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.List;
+import org.phrenic.geometry.TriangleMesh;
+
+/** The skin of the trunk from the loins to the neck, arms left off: superelliptic sections, closed below and above. */
+final class SkinShape {
+    private static final int AROUND = 72;
+    private static final int ALONG = 62;
+    private static final double CAP_MM = 8;
+
+    private final VirtualThoraxParameters.Skin measures;
+
+    SkinShape(VirtualThoraxParameters.Skin measures) {
+        this.measures = measures;
+    }
+
+    TriangleMesh mesh() {
+        List<double[]> rows = measures.sections();
+        double[] z = rows.stream().mapToDouble(row -> row[0]).toArray();
+        Curve breadth = new Curve(z, rows.stream().mapToDouble(row -> row[1]).toArray());
+        Curve front = new Curve(z, rows.stream().mapToDouble(row -> row[2]).toArray());
+        Curve back = new Curve(z, rows.stream().mapToDouble(row -> row[3]).toArray());
+        double bottom = z[0];
+        double top = z[z.length - 1];
+        double[][] middle = new double[60][];
+        for (int i = 0; i < middle.length; i++) {
+            double height = bottom + (top - bottom) * i / (middle.length - 1);
+            middle[i] = V3.of(0, (front.at(height) + back.at(height)) / 2, height);
+        }
+        Tube tube = new Tube(AROUND, ALONG, measures.exponent(), CAP_MM);
+        return tube.mesh(
+                new Course(List.of(middle)),
+                t -> {
+                    double height = bottom + (top - bottom) * t;
+                    return new Tube.Section(breadth.at(height), (back.at(height) - front.at(height)) / 2);
+                },
+                p -> V3.of(0, -1, 0));
+    }
+}

@@ -1,0 +1,103 @@
+package org.phrenic.anatomy.virtual;
+
+/**
+ * The spine T1 to L3 in the midplane: a kyphotic circle above the disc T12/L1 and a lordotic one below, along which bodies and
+ * discs are stacked. The level of a vertebra is 1 (T1) to 15 (L3).
+ */
+final class Spine {
+    private final VirtualThoraxParameters.Spine measures;
+    /** Path above the disc T12/L1 of each body's middle, mm. */
+    private final double[] middle = new double[VirtualThoraxParameters.VERTEBRAE];
+
+    private final double endLean;
+    private final double originY;
+    private final Curve front;
+
+    Spine(VirtualThoraxParameters.Spine measures) {
+        this.measures = measures;
+        double[] height = measures.bodyHeightMm();
+        double[] disc = measures.discHeightMm();
+        double path = disc[11] / 2;
+        for (int i = 11; i >= 0; i--) {
+            middle[i] = path + height[i] / 2;
+            path += height[i] + (i > 0 ? disc[i - 1] : 0);
+        }
+        path = -disc[11] / 2;
+        for (int i = 12; i < middle.length; i++) {
+            middle[i] = path - height[i] / 2;
+            path -= height[i] + (i < disc.length ? disc[i] : 0);
+        }
+        double radius = measures.kyphosisRadiusMm();
+        endLean = measures.kyphosisApexMm() / radius;
+        originY = measures.apexYMm() - radius * (1 - StrictMath.cos(endLean));
+
+        int n = middle.length;
+        double[] z = new double[n];
+        double[] y = new double[n];
+        for (int i = 0; i < n; i++) {
+            double[] centre = centre(middle[n - 1 - i]);
+            z[i] = centre[2];
+            y[i] = centre[1] - measures.bodyDepthMm()[n - 1 - i] / 2 / StrictMath.cos(lean(middle[n - 1 - i]));
+        }
+        front = new Curve(z, y);
+    }
+
+    /** How far the spine leans from upright at this path, rad; positive where going up means going back. */
+    private double lean(double path) {
+        return path >= 0 ? endLean - path / measures.kyphosisRadiusMm() : endLean + path / measures.lordosisRadiusMm();
+    }
+
+    /** The point of the spine's middle line at this path above the disc T12/L1 (mm). */
+    double[] centre(double path) {
+        double radius = path >= 0 ? measures.kyphosisRadiusMm() : -measures.lordosisRadiusMm();
+        double lean = lean(path);
+        return V3.of(
+                0,
+                originY + radius * (StrictMath.cos(lean) - StrictMath.cos(endLean)),
+                radius * (StrictMath.sin(endLean) - StrictMath.sin(lean)));
+    }
+
+    /** Path of the middle of the body of this vertebra, mm. */
+    double bodyPath(int level) {
+        return middle[level - 1];
+    }
+
+    /** Path of the middle of the disc under this vertebra, mm. */
+    double discPath(int level) {
+        return middle[level - 1] - measures.bodyHeightMm()[level - 1] / 2 - measures.discHeightMm()[level - 1] / 2;
+    }
+
+    /** Height z of the middle of the body of this vertebra, mm. */
+    double bodyZ(int level) {
+        return centre(bodyPath(level))[2];
+    }
+
+    /** y of the front of the bodies at this height, mm. */
+    double frontY(double z) {
+        return front.at(z);
+    }
+
+    /** A point given in a frame along the spine: across (left), back, up, from the middle line at this path. */
+    double[] local(double path, double across, double back, double up) {
+        double[] centre = centre(path);
+        double lean = lean(path);
+        double sin = StrictMath.sin(lean);
+        double cos = StrictMath.cos(lean);
+        return V3.of(across, centre[1] + back * cos + up * sin, centre[2] - back * sin + up * cos);
+    }
+
+    /** The same point seen in that frame: {@code {across, back, up}}. */
+    double[] toLocal(double path, double x, double y, double z) {
+        double[] centre = centre(path);
+        double lean = lean(path);
+        double sin = StrictMath.sin(lean);
+        double cos = StrictMath.cos(lean);
+        double dy = y - centre[1];
+        double dz = z - centre[2];
+        return V3.of(x, dy * cos - dz * sin, dy * sin + dz * cos);
+    }
+
+    VirtualThoraxParameters.Spine measures() {
+        return measures;
+    }
+}

@@ -1,0 +1,156 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.geometry.TriangleMesh;
+
+/** Grows a thorax at end-expiration from its measures. The same measures give the same bits. */
+public final class VirtualThorax {
+    private static final double VERTEBRA_GRID_MM = 4.0;
+    private static final int VERTEBRA_SWEEPS = 3;
+    private static final Tube RIB = new Tube(12, 60, 2.4, 3);
+    private static final Tube DISC = new Tube(28, 4, 2.3, 1);
+
+    private final VirtualThoraxParameters parameters;
+    private final Resolution resolution;
+    private final List<Structure> structures = new ArrayList<>();
+    private final Spine spine;
+    private final ChestWall wall;
+    private final VertebraShape[] vertebrae = new VertebraShape[VirtualThoraxParameters.VERTEBRAE];
+    private final SternumShape sternum;
+    private final DiaphragmShape dome;
+
+    private VirtualThorax(VirtualThoraxParameters parameters, Resolution resolution) {
+        this.parameters = parameters;
+        this.resolution = resolution;
+        spine = new Spine(parameters.spine());
+        wall = new ChestWall(parameters.chestWall(), spine);
+        for (int level = 1; level <= vertebrae.length; level++) {
+            vertebrae[level - 1] = new VertebraShape(spine, level);
+        }
+        sternum = new SternumShape(parameters.sternum(), spine);
+        dome = new DiaphragmShape(parameters.diaphragm(), wall);
+    }
+
+    /**
+     * @param resolution how finely what springs move is meshed; rigid parts are the same at every resolution
+     * @throws IllegalStateException if the measures do not fit together, such as a dome above the lung's apex
+     */
+    public static Thorax generate(VirtualThoraxParameters parameters, Resolution resolution) {
+        return new VirtualThorax(parameters, resolution).build();
+    }
+
+    private Thorax build() {
+        bones();
+        spine();
+        organs();
+        return new Thorax(parameters.name(), structures, List.of());
+    }
+
+    private void bones() {
+        Skeleton skeleton = new Skeleton(parameters, spine, wall, vertebrae, sternum);
+        SternumMeshes meshes = new SternumMeshes(parameters, wall, resolution.sternumVertices());
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            Course above = null;
+            for (int level = 1; level <= 12; level++) {
+                Course rib = skeleton.rib(level, side);
+                add("rib", StructureKind.RIB, level, side, rib(rib));
+                if (level <= 7) {
+                    above = skeleton.sternal(level, side, rib);
+                } else if (level <= 10) {
+                    above = skeleton.marginal(level, side, rib, above);
+                }
+                if (level <= 10) {
+                    meshes.cartilage(level, side, above);
+                }
+            }
+        }
+        structures.addAll(meshes.build(sternum));
+    }
+
+    private TriangleMesh rib(Course course) {
+        VirtualThoraxParameters.Ribs ribs = parameters.ribs();
+        double whole = course.length();
+        return RIB.mesh(
+                course,
+                t -> {
+                    double fromHead = t * whole;
+                    double neck = V3.smoothstep((fromHead - 12) / 40);
+                    double end = V3.smoothstep((whole - fromHead) / 40);
+                    double height = ribs.heightMm() * (0.72 + 0.28 * neck) * (0.92 + 0.08 * end);
+                    double thickness = ribs.thicknessMm() * (1.12 - 0.12 * neck) * (0.9 + 0.1 * end);
+                    return new Tube.Section(height / 2, thickness / 2);
+                },
+                p -> wall.normal(p));
+    }
+
+    private void spine() {
+        for (int level = 1; level <= vertebrae.length; level++) {
+            VertebraShape shape = vertebrae[level - 1];
+            double[] centre = spine.centre(spine.bodyPath(level));
+            TriangleMesh rough = MarchingTetrahedra.surface(
+                    shape,
+                    V3.add(centre, V3.of(-52, -30, -48), 1),
+                    V3.add(centre, V3.of(52, 78, 34), 1),
+                    VERTEBRA_GRID_MM);
+            TriangleMesh mesh = Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
+            structures.add(new Structure(
+                    "vertebra_" + vertebraName(level, "%02d"), StructureKind.VERTEBRA, level, Side.MIDLINE, mesh));
+        }
+        for (int level = 1; level < vertebrae.length; level++) {
+            String name = "disc_" + vertebraName(level, "%d") + "_" + vertebraName(level + 1, "%d");
+            structures.add(new Structure(name, StructureKind.DISC, level, Side.MIDLINE, disc(level)));
+        }
+    }
+
+    private TriangleMesh disc(int level) {
+        VirtualThoraxParameters.Spine m = parameters.spine();
+        double half = m.discHeightMm()[level - 1] / 2 + Skeleton.OVERLAP_MM / 2;
+        double path = spine.discPath(level);
+        List<double[]> middle = new ArrayList<>();
+        for (int i = -2; i <= 2; i++) {
+            middle.add(spine.centre(path + half * i / 2));
+        }
+        double width = (m.bodyWidthMm()[level - 1] + m.bodyWidthMm()[level]) / 4;
+        double depth = (m.bodyDepthMm()[level - 1] + m.bodyDepthMm()[level]) / 4;
+        return DISC.mesh(new Course(middle), t -> new Tube.Section(width, depth), p -> V3.of(0, -1, 0));
+    }
+
+    private void organs() {
+        DiaphragmSheet sheet = new DiaphragmSheet(parameters.diaphragm(), dome, wall);
+        single("diaphragm", StructureKind.DIAPHRAGM, Side.MIDLINE, sheet.mesh(resolution.diaphragmVertices()));
+        int right = (int) Math.round(resolution.lungVertices() * 0.53);
+        single("lung_R", StructureKind.LUNG, Side.RIGHT, new LungShape(parameters, wall, dome, Side.RIGHT).mesh(right));
+        single(
+                "lung_L",
+                StructureKind.LUNG,
+                Side.LEFT,
+                new LungShape(parameters, wall, dome, Side.LEFT).mesh(resolution.lungVertices() - right));
+        single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh());
+        single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh());
+    }
+
+    private void single(String name, StructureKind kind, Side side, TriangleMesh mesh) {
+        structures.add(new Structure(name, kind, 0, side, mesh));
+    }
+
+    private void add(String name, StructureKind kind, int level, Side side, TriangleMesh mesh) {
+        structures.add(new Structure(sided(name, level, side), kind, level, side, mesh));
+    }
+
+    static String sided(String name, int level, Side side) {
+        return String.format(Locale.ROOT, "%s_%02d_%s", name, level, side == Side.LEFT ? "L" : "R");
+    }
+
+    private static String vertebraName(int level, String digits) {
+        return level <= 12
+                ? String.format(Locale.ROOT, "T" + digits, level)
+                : String.format(Locale.ROOT, "L" + digits, level - 12);
+    }
+}

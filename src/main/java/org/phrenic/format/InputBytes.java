@@ -1,0 +1,42 @@
+package org.phrenic.format;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** The whole of an input file, or one sentence about why it cannot be had. */
+final class InputBytes {
+    private static final long LARGEST = Integer.MAX_VALUE - 64;
+
+    private InputBytes() {}
+
+    /**
+     * Reads all of {@code file}.
+     *
+     * @throws BadInputException if the file is missing, a folder, unreadable, empty or larger than 2 GiB
+     */
+    static byte[] read(Path file) {
+        if (Files.isDirectory(file)) {
+            throw new BadInputException(file + ": found a folder, expected a file");
+        }
+        if (!Files.exists(file)) {
+            throw new BadInputException(file + ": found no such file, expected one to read");
+        }
+        try {
+            long size = Files.size(file);
+            if (size > LARGEST) {
+                throw new BadInputException(file + ": found " + size + " bytes, expected less than 2 GiB");
+            }
+            byte[] bytes = Files.readAllBytes(file);
+            if (bytes.length == 0) {
+                throw new BadInputException(file + ": found an empty file, expected content");
+            }
+            return bytes;
+        } catch (AccessDeniedException denied) {
+            throw new BadInputException(file + ": found a file that may not be read, expected read permission", denied);
+        } catch (IOException failure) {
+            throw new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package org.phrenic.format;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * STL, text or binary (3D Systems, "StereoLithography Interface Specification", 1989). A file is binary if its length is what the
+ * count at byte 80 says, whatever its first word is: some programs begin the 80 free bytes of a binary file with "solid" too.
+ * Corners with equal coordinates become one vertex. Normals are not read, the order of the corners tells them.
+ */
+final class StlReader {
+    private static final int HEADER_BYTES = 80;
+    private static final int TRIANGLE_BYTES = 50;
+    private static final int PEEKED_BYTES = 1024;
+
+    private final ByteCursor cursor;
+    private final PolygonSoup soup = new PolygonSoup();
+    private final VertexWelder welder = new VertexWelder(soup);
+
+    private StlReader(String file, byte[] bytes) {
+        this.cursor = new ByteCursor(file, bytes);
+    }
+
+    static TriangleMesh read(String file, byte[] bytes) {
+        StlReader reader = new StlReader(file, bytes);
+        if (!isBinary(bytes) && isText(bytes)) {
+            reader.readText();
+        } else {
+            reader.readBinary();
+        }
+        return reader.soup.toMesh(file);
+    }
+
+    private static boolean isBinary(byte[] bytes) {
+        if (bytes.length < HEADER_BYTES + 4) {
+            return false;
+        }
+        long count = ScalarType.UINT32.whole(ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN), HEADER_BYTES);
+        return bytes.length == HEADER_BYTES + 4 + TRIANGLE_BYTES * count;
+    }
+
+    private static boolean isText(byte[] bytes) {
+        int peeked = Math.min(bytes.length, PEEKED_BYTES);
+        for (int i = 0; i < peeked; i++) {
+            if (bytes[i] == 0) {
+                return false;
+            }
+        }
+        String begin = new String(bytes, 0, peeked, StandardCharsets.ISO_8859_1);
+        return begin.stripLeading().toLowerCase(Locale.ROOT).startsWith("solid");
+    }
+
+    private void readBinary() {
+        cursor.binary(ByteOrder.LITTLE_ENDIAN);
+        cursor.skip(HEADER_BYTES, "the header of a binary STL file (a text one begins with 'solid')");
+        long count = cursor.whole(ScalarType.UINT32, "the number of triangles");
+        long promised = TRIANGLE_BYTES * count;
+        if (cursor.remaining() != promised) {
+            throw cursor.bad("found " + count + " triangles promised and " + cursor.remaining()
+                    + " bytes after that, expected " + promised + " bytes");
+        }
+        double[] corner = new double[3];
+        int[] triangle = new int[3];
+        for (long t = 0; t < count; t++) {
+            cursor.skip(12, "a normal");
+            for (int c = 0; c < 3; c++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    corner[axis] = cursor.real(ScalarType.FLOAT32, "a coordinate");
+                }
+                triangle[c] = welder.index(cursor, corner[0], corner[1], corner[2]);
+            }
+            soup.triangle(cursor, triangle[0], triangle[1], triangle[2]);
+            cursor.skip(2, "the attribute of a triangle");
+        }
+    }
+
+    private void readText() {
+        expect("solid");
+        cursor.lineOrNull();
+        String word = cursor.word("'facet' or 'endsolid'");
+        while (word != null) {
+            switch (word.toLowerCase(Locale.ROOT)) {
+                case "facet" -> readFacet();
+                case "endsolid" -> {
+                    cursor.lineOrNull();
+                    if (!nextSolid()) {
+                        return;
+                    }
+                }
+                default -> throw cursor.bad("found " + Numbers.quote(word) + ", expected 'facet' or 'endsolid'");
+            }
+            word = cursor.word("'facet' or 'endsolid'");
+        }
+    }
+
+    private boolean nextSolid() {
+        String word = cursor.wordOrNull();
+        if (word == null) {
+            return false;
+        }
+        if (!word.equalsIgnoreCase("solid")) {
+            throw cursor.bad("found " + Numbers.quote(word) + ", expected 'solid' or the end of the file");
+        }
+        cursor.lineOrNull();
+        return true;
+    }
+
+    private void readFacet() {
+        expect("normal");
+        for (int axis = 0; axis < 3; axis++) {
+            cursor.word("a component of the normal");
+        }
+        expect("outer");
+        expect("loop");
+        int[] triangle = new int[3];
+        for (int c = 0; c < 3; c++) {
+            expect("vertex");
+            double x = cursor.number("a coordinate");
+            double y = cursor.number("a coordinate");
+            double z = cursor.number("a coordinate");
+            triangle[c] = welder.index(cursor, x, y, z);
+        }
+        soup.triangle(cursor, triangle[0], triangle[1], triangle[2]);
+        expect("endloop");
+        expect("endfacet");
+    }
+
+    private void expect(String keyword) {
+        String word = cursor.word("'" + keyword + "'");
+        if (!word.equalsIgnoreCase(keyword)) {
+            throw cursor.bad("found " + Numbers.quote(word) + ", expected '" + keyword + "'");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package org.phrenic.format;
+
+import java.nio.file.Path;
+import org.phrenic.geometry.TriangleMesh;
+
+/** Binary STL. Coordinates are rounded to single precision, as the format has them; the normal of a degenerate triangle is 0. */
+public final class StlWriter {
+    private static final String HEADER = "binary STL, mm, LPS axes; written by Phrenic";
+    private static final int HEADER_BYTES = 80;
+
+    private StlWriter() {}
+
+    /**
+     * Writes the triangles of {@code mesh}.
+     *
+     * @throws OutputException if the file cannot be written
+     * @throws IllegalArgumentException if a coordinate is not finite in single precision
+     */
+    public static void write(Path file, TriangleMesh mesh) {
+        double[] p = mesh.positions();
+        for (int i = 0; i < p.length; i++) {
+            if (!Float.isFinite((float) p[i])) {
+                throw new IllegalArgumentException("vertex " + i / 3 + ": found coordinate " + p[i]
+                        + ", expected a number that single precision can hold");
+            }
+        }
+        AtomicFile.write(file, stream -> {
+            LittleEndianOutput out = new LittleEndianOutput(stream);
+            out.text(HEADER + " ".repeat(HEADER_BYTES - HEADER.length()));
+            out.int32(mesh.triangleCount());
+            double[] normal = new double[3];
+            int[] corners = mesh.triangles();
+            for (int t = 0; t < mesh.triangleCount(); t++) {
+                normal(p, 3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2], normal);
+                for (double component : normal) {
+                    out.float32((float) component);
+                }
+                for (int c = 0; c < 3; c++) {
+                    for (int axis = 0; axis < 3; axis++) {
+                        out.float32((float) p[3 * corners[3 * t + c] + axis]);
+                    }
+                }
+                out.int16(0);
+            }
+        });
+    }
+
+    private static void normal(double[] p, int a, int b, int c, double[] normal) {
+        double ux = p[b] - p[a];
+        double uy = p[b + 1] - p[a + 1];
+        double uz = p[b + 2] - p[a + 2];
+        double vx = p[c] - p[a];
+        double vy = p[c + 1] - p[a + 1];
+        double vz = p[c + 2] - p[a + 2];
+        normal[0] = uy * vz - uz * vy;
+        normal[1] = uz * vx - ux * vz;
+        normal[2] = ux * vy - uy * vx;
+        double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        for (int axis = 0; axis < 3; axis++) {
+            normal[axis] = length > 0 ? normal[axis] / length : 0;
+        }
+    }
+}

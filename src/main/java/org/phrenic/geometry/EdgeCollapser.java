@@ -1,0 +1,211 @@
+package org.phrenic.geometry;
+
+import java.util.Arrays;
+
+/** Collapses short edges where neither topology nor shape suffers: link condition, no turned and no thin triangle. */
+final class EdgeCollapser {
+    /** Least cosine between a triangle's normal before and after: a turn of up to 75 degrees. */
+    private static final double LEAST_COSINE = 0.26;
+    /** Twice the area over the squared longest side, which a collapse may not undercut; an equilateral triangle has 0.87. */
+    private static final double LEAST_SHAPE = 0.15;
+    /** By how much one end's triangles must spread more than the other's for it to stay where it is. */
+    private static final double SHARPER = 0.1;
+
+    /** Edges shorter than this part of the longest go even across creases. */
+    private static final double TINY = 0.3;
+
+    private final HalfEdgeMesh mesh;
+    private long[] queue = new long[1024];
+    private int[] ringA = new int[64];
+    private double shapeBefore;
+    private double shapeAfter;
+
+    EdgeCollapser(HalfEdgeMesh mesh) {
+        this.mesh = mesh;
+    }
+
+    /**
+     * Collapses edges shorter than {@code below}, shortest first, as long as no new edge exceeds {@code longest} and more than
+     * {@code leastVertices} are left; returns how many.
+     */
+    int collapse(double below, double longest, int leastVertices) {
+        int length = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.standsForEdge(h)) {
+                double square = mesh.squareLength(h);
+                if (square < below * below) {
+                    if (length == queue.length) {
+                        queue = Arrays.copyOf(queue, 2 * length);
+                    }
+                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
+                    queue[length++] = (long) Float.floatToRawIntBits((float) square) << 32 | h;
+                }
+            }
+        }
+        Arrays.sort(queue, 0, length);
+        int done = 0;
+        for (int k = 0; k < length && mesh.vertexCount() > leastVertices; k++) {
+            int h = (int) queue[k];
+            if (mesh.isAlive(h) && mesh.squareLength(h) < below * below && tryCollapse(h, longest)) {
+                done++;
+            }
+        }
+        return done;
+    }
+
+    boolean tryCollapse(int half, double longest) {
+        int h = half;
+        if (!mesh.canCollapse(h)) {
+            return false;
+        }
+        int a = mesh.start[h];
+        int b = mesh.end(h);
+        double share = placeOnEdge(h, a, b, longest);
+        if (Double.isNaN(share)) {
+            return false;
+        }
+        double[] p = mesh.position;
+        double x = p[3 * a] + share * (p[3 * b] - p[3 * a]);
+        double y = p[3 * a + 1] + share * (p[3 * b + 1] - p[3 * a + 1]);
+        double z = p[3 * a + 2] + share * (p[3 * b + 2] - p[3 * a + 2]);
+        if (!fits(a, b, x, y, z, longest) || !fits(b, a, x, y, z, longest)) {
+            return false;
+        }
+        mesh.collapse(h, x, y, z);
+        return true;
+    }
+
+    /** Where on its edge the vertex left over goes, 0 at a to 1 at b; NaN if the edge must stay. */
+    private double placeOnEdge(int h, int a, int b, double longest) {
+        boolean boundaryA = mesh.isBoundaryVertex(a);
+        boolean boundaryB = mesh.isBoundaryVertex(b);
+        if (boundaryA || boundaryB) {
+            return boundaryA && boundaryB ? 0.5 : boundaryB ? 1 : 0;
+        }
+        int creasesA = mesh.creasesAt(a);
+        int creasesB = mesh.creasesAt(b);
+        if (creasesA == 0 && creasesB == 0) {
+            double spreadA = spread(a);
+            double spreadB = spread(b);
+            return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
+        }
+        if (creasesA == 0 || creasesB == 0) {
+            return creasesB == 0 ? 0 : 1;
+        }
+        if (mesh.squareLength(h) < TINY * TINY * longest * longest) {
+            return 0.5;
+        }
+        boolean cornerA = creasesA != 2;
+        boolean cornerB = creasesB != 2;
+        if (!mesh.isCrease(h) || (cornerA && cornerB)) {
+            return Double.NaN;
+        }
+        return cornerA ? 0 : cornerB ? 1 : 0.5;
+    }
+
+    /** The least cosine between the normal of a triangle at {@code v} and their common normal: 1 on a plane, less on a rim. */
+    private double spread(int v) {
+        mesh.gatherRing(v);
+        int count = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
+        double[] p = mesh.position;
+        double sx = 0;
+        double sy = 0;
+        double sz = 0;
+        double least = 1;
+        for (int pass = 0; pass < 2; pass++) {
+            double total = Math.sqrt(sx * sx + sy * sy + sz * sz);
+            for (int i = 0; i < count; i++) {
+                int b = 3 * mesh.ring[i];
+                int c = 3 * mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1];
+                double ux = p[b] - p[3 * v];
+                double uy = p[b + 1] - p[3 * v + 1];
+                double uz = p[b + 2] - p[3 * v + 2];
+                double wx = p[c] - p[3 * v];
+                double wy = p[c + 1] - p[3 * v + 1];
+                double wz = p[c + 2] - p[3 * v + 2];
+                double nx = uy * wz - uz * wy;
+                double ny = uz * wx - ux * wz;
+                double nz = ux * wy - uy * wx;
+                if (pass == 0) {
+                    sx += nx;
+                    sy += ny;
+                    sz += nz;
+                } else {
+                    double size = Math.sqrt(nx * nx + ny * ny + nz * nz) * total;
+                    if (size > 0) {
+                        least = Math.min(least, (nx * sx + ny * sy + nz * sz) / size);
+                    }
+                }
+            }
+        }
+        return least;
+    }
+
+    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side, shape and size when v moves to (x, y, z). */
+    private boolean fits(int v, int gone, double x, double y, double z, double longest) {
+        mesh.gatherRing(v);
+        int size = mesh.ringSize;
+        if (ringA.length < size) {
+            ringA = new int[2 * size];
+        }
+        System.arraycopy(mesh.ring, 0, ringA, 0, size);
+        int count = mesh.isBoundaryVertex(v) ? size - 1 : size;
+        double[] p = mesh.position;
+        for (int i = 0; i < count; i++) {
+            int b = ringA[i];
+            int c = ringA[i + 1 == size ? 0 : i + 1];
+            if (b == gone || c == gone) {
+                continue;
+            }
+            double ex = p[3 * b] - x;
+            double ey = p[3 * b + 1] - y;
+            double ez = p[3 * b + 2] - z;
+            if (ex * ex + ey * ey + ez * ez > longest * longest) {
+                return false;
+            }
+            double cosine = cosineOfTurn(v, b, c, x, y, z);
+            if (cosine < LEAST_COSINE || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Cosine between the normals of (v, b, c) with v where it is and at (x, y, z); notes the shape before and after. */
+    private double cosineOfTurn(int v, int b, int c, double x, double y, double z) {
+        double[] p = mesh.position;
+        double bx = p[3 * b];
+        double by = p[3 * b + 1];
+        double bz = p[3 * b + 2];
+        double ex = p[3 * c] - bx;
+        double ey = p[3 * c + 1] - by;
+        double ez = p[3 * c + 2] - bz;
+        double ux = p[3 * v] - bx;
+        double uy = p[3 * v + 1] - by;
+        double uz = p[3 * v + 2] - bz;
+        double nx = ey * uz - ez * uy;
+        double ny = ez * ux - ex * uz;
+        double nz = ex * uy - ey * ux;
+        double wx = x - bx;
+        double wy = y - by;
+        double wz = z - bz;
+        double mx = ey * wz - ez * wy;
+        double my = ez * wx - ex * wz;
+        double mz = ex * wy - ey * wx;
+        double before = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        double after = Math.sqrt(mx * mx + my * my + mz * mz);
+        double base = ex * ex + ey * ey + ez * ez;
+        shapeBefore = before / longestSquare(base, ux, uy, uz, ex, ey, ez);
+        shapeAfter = after / longestSquare(base, wx, wy, wz, ex, ey, ez);
+        // A triangle without area has no side to keep.
+        return shapeBefore < 1e-6 ? 1 : (nx * mx + ny * my + nz * mz) / (before * after);
+    }
+
+    private static double longestSquare(double base, double ux, double uy, double uz, double ex, double ey, double ez) {
+        double first = ux * ux + uy * uy + uz * uz;
+        double dx = ux - ex;
+        double dy = uy - ey;
+        double dz = uz - ez;
+        return Math.max(Double.MIN_NORMAL, Math.max(base, Math.max(first, dx * dx + dy * dy + dz * dz)));
+    }
+}

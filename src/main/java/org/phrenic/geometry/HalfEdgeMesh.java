@@ -1,0 +1,508 @@
+package org.phrenic.geometry;
+
+import java.util.Arrays;
+
+/**
+ * A triangle surface that can be edited: edges split, collapsed and flipped in place. Half-edge {@code 3t + i} runs from corner
+ * i to corner i + 1 of triangle t; {@code twin} is the half-edge that runs back along the same edge, -1 on a boundary; {@code
+ * out} is one half-edge that starts at a vertex, on a boundary vertex the one that lies on the boundary. All flat integer
+ * arrays; places of removed triangles and vertices are used again.
+ *
+ * <p>A surface that is not manifold, or not consistently oriented, is cut open where it is not: along such edges, and at
+ * vertices of several fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
+ */
+final class HalfEdgeMesh {
+    static final int NONE = -1;
+
+    /** Start vertex of each half-edge; -1 in a removed triangle. */
+    int[] start;
+
+    int[] twin;
+    int[] out;
+    double[] position;
+    /** Edges that keep their place and direction, marked on both half-edges. */
+    private boolean[] crease;
+
+    private boolean hasCreases;
+    /** Triangles and vertices below these numbers are in use or were. */
+    int triangleEnd;
+
+    int vertexEnd;
+    private int vertexCount;
+    private int[] freeTriangles = new int[64];
+    private int freeTriangleCount;
+    private int[] freeVertices = new int[64];
+    private int freeVertexCount;
+
+    /** The vertices about {@link #gatherRing}'s vertex, in order; on a boundary from one boundary edge to the other. */
+    int[] ring = new int[64];
+
+    int ringSize;
+
+    HalfEdgeMesh(TriangleMesh mesh) {
+        int[] t = withoutRepeatedCorners(mesh.triangles());
+        MeshTopology topology = new MeshTopology(new TriangleMesh(mesh.positions(), t));
+        start = t;
+        triangleEnd = t.length / 3;
+        position = mesh.positions().clone();
+        vertexEnd = mesh.vertexCount();
+        out = new int[vertexEnd];
+        twin = new int[t.length];
+        crease = new boolean[t.length];
+        Arrays.fill(out, NONE);
+        Arrays.fill(twin, NONE);
+        pair(topology);
+        separateFans();
+        for (int v = 0; v < vertexEnd; v++) {
+            if (out[v] == NONE) {
+                releaseVertex(v);
+            } else {
+                vertexCount++;
+            }
+        }
+    }
+
+    private static int[] withoutRepeatedCorners(int[] triangles) {
+        int[] kept = new int[triangles.length];
+        int length = 0;
+        for (int i = 0; i < triangles.length; i += 3) {
+            int a = triangles[i];
+            int b = triangles[i + 1];
+            int c = triangles[i + 2];
+            if (a != b && b != c && c != a) {
+                kept[length++] = a;
+                kept[length++] = b;
+                kept[length++] = c;
+            }
+        }
+        return Arrays.copyOf(kept, length);
+    }
+
+    private void pair(MeshTopology topology) {
+        int[] first = new int[topology.edgeCount()];
+        Arrays.fill(first, NONE);
+        int[] sideEdges = topology.triangleEdges();
+        for (int h = 0; h < start.length; h++) {
+            int edge = sideEdges[h];
+            if (topology.isBoundaryEdge(edge) || topology.isNonManifoldEdge(edge)) {
+                continue;
+            }
+            int other = first[edge];
+            if (other == NONE) {
+                first[edge] = h;
+            } else if (start[other] == end(h)) {
+                twin[h] = other;
+                twin[other] = h;
+            }
+        }
+    }
+
+    /** The first fan found at a vertex keeps it; each further fan gets a copy. */
+    private void separateFans() {
+        boolean[] done = new boolean[start.length];
+        for (int h = 0; h < start.length; h++) {
+            if (done[h]) {
+                continue;
+            }
+            int v = start[h];
+            int first = fanStart(h);
+            int name = out[v] == NONE ? v : newVertex(position[3 * v], position[3 * v + 1], position[3 * v + 2]);
+            out[name] = first;
+            int g = first;
+            do {
+                done[g] = true;
+                start[g] = name;
+                g = twin[previous(g)];
+            } while (g != NONE && g != first);
+        }
+        // newVertex counted the copies; the constructor counts every vertex.
+        vertexCount = 0;
+    }
+
+    static int next(int h) {
+        return h % 3 == 2 ? h - 2 : h + 1;
+    }
+
+    static int previous(int h) {
+        return h % 3 == 0 ? h + 2 : h - 1;
+    }
+
+    int end(int h) {
+        return start[next(h)];
+    }
+
+    int vertexCount() {
+        return vertexCount;
+    }
+
+    boolean isAlive(int h) {
+        return start[h] != NONE;
+    }
+
+    boolean isBoundaryVertex(int v) {
+        return twin[out[v]] == NONE;
+    }
+
+    /** One half-edge of each edge is the one that stands for it. */
+    boolean standsForEdge(int h) {
+        return start[h] != NONE && h > twin[h];
+    }
+
+    double squareLength(int h) {
+        int a = 3 * start[h];
+        int b = 3 * end(h);
+        double dx = position[a] - position[b];
+        double dy = position[a + 1] - position[b + 1];
+        double dz = position[a + 2] - position[b + 2];
+        return dx * dx + dy * dy + dz * dz;
+    }
+
+    void markCrease(int h) {
+        hasCreases = true;
+        crease[h] = true;
+        crease[twin[h]] = true;
+    }
+
+    boolean isCrease(int h) {
+        return crease[h];
+    }
+
+    boolean hasCreases() {
+        return hasCreases;
+    }
+
+    /** Number of crease edges at an inner vertex: 0 on a smooth part, 2 along a crease, else a corner. */
+    int creasesAt(int v) {
+        if (!hasCreases) {
+            return 0;
+        }
+        int count = 0;
+        int h = out[v];
+        do {
+            count += crease[h] ? 1 : 0;
+            h = twin[previous(h)];
+        } while (h != NONE && h != out[v]);
+        return count;
+    }
+
+    /** Turns clockwise about the start of {@code h} to the boundary, or once round to {@code h} itself. */
+    private int fanStart(int h) {
+        int g = h;
+        while (twin[g] != NONE) {
+            g = next(twin[g]);
+            if (g == h) {
+                break;
+            }
+        }
+        return g;
+    }
+
+    /** Fills {@link #ring}; triangles are (v, ring[i], ring[i + 1]), wrapping round only inside the surface. */
+    void gatherRing(int v) {
+        ringSize = 0;
+        int h = out[v];
+        do {
+            addToRing(end(h));
+            int back = previous(h);
+            h = twin[back];
+            if (h == NONE) {
+                addToRing(start[back]);
+                return;
+            }
+        } while (h != out[v]);
+    }
+
+    private void addToRing(int v) {
+        if (ringSize == ring.length) {
+            ring = Arrays.copyOf(ring, 2 * ringSize);
+        }
+        ring[ringSize++] = v;
+    }
+
+    int valence(int v) {
+        int count = 0;
+        int h = out[v];
+        do {
+            count++;
+            h = twin[previous(h)];
+            if (h == NONE) {
+                return count + 1;
+            }
+        } while (h != out[v]);
+        return count;
+    }
+
+    boolean areNeighbours(int a, int b) {
+        int h = out[a];
+        do {
+            int back = previous(h);
+            if (end(h) == b || start[back] == b) {
+                return true;
+            }
+            h = twin[back];
+        } while (h != NONE && h != out[a]);
+        return false;
+    }
+
+    /** Cuts the edge of {@code h} in two at the given point; returns the new vertex. */
+    int split(int h, double x, double y, double z) {
+        int m = newVertex(x, y, z);
+        int o = twin[h];
+        int hn = next(h);
+        int a = start[h];
+        int b = start[hn];
+        int c = start[previous(h)];
+        int t = newTriangle(m, b, c);
+        link(t + 1, twin[hn]);
+        link(t + 2, hn);
+        crease[t] = crease[h];
+        crease[t + 1] = crease[hn];
+        crease[hn] = false;
+        start[hn] = m;
+        out[m] = t;
+        twin[t] = NONE;
+        if (out[b] == hn) {
+            out[b] = t + 1;
+        }
+        if (o != NONE) {
+            int on = next(o);
+            int d = start[previous(o)];
+            int u = newTriangle(m, a, d);
+            link(u + 1, twin[on]);
+            link(u + 2, on);
+            crease[u] = crease[h];
+            crease[u + 1] = crease[on];
+            crease[on] = false;
+            start[on] = m;
+            if (out[a] == on) {
+                out[a] = u + 1;
+            }
+            link(h, u);
+            link(o, t);
+        }
+        return m;
+    }
+
+    /** Turns the inner edge of {@code h} in its quadrilateral; the caller has seen to it that it is no crease and the new edge does
+     * not exist yet. */
+    void flip(int h) {
+        int o = twin[h];
+        int hn = next(h);
+        int hp = previous(h);
+        int on = next(o);
+        int op = previous(o);
+        int a = start[h];
+        int b = start[o];
+        int c = start[hp];
+        int d = start[op];
+        int beyondBc = twin[hn];
+        int beyondCa = twin[hp];
+        int beyondAd = twin[on];
+        int beyondDb = twin[op];
+        if (out[a] == h || out[a] == on) {
+            out[a] = hp;
+        }
+        if (out[b] == o || out[b] == hn) {
+            out[b] = op;
+        }
+        if (out[c] == hp) {
+            out[c] = hn;
+        }
+        if (out[d] == op) {
+            out[d] = on;
+        }
+        start[h] = d;
+        start[hn] = c;
+        start[hp] = a;
+        start[o] = c;
+        start[on] = d;
+        start[op] = b;
+        link(hn, beyondCa);
+        link(hp, beyondAd);
+        link(on, beyondDb);
+        link(op, beyondBc);
+        boolean creaseBc = crease[hn];
+        crease[hn] = crease[hp];
+        crease[hp] = crease[on];
+        crease[on] = crease[op];
+        crease[op] = creaseBc;
+    }
+
+    /** Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link condition). */
+    boolean canCollapse(int h) {
+        int a = start[h];
+        int b = end(h);
+        int o = twin[h];
+        if (o != NONE && isBoundaryVertex(a) && isBoundaryVertex(b)) {
+            return false;
+        }
+        if (!sideMayClose(h) || (o != NONE && !sideMayClose(o))) {
+            return false;
+        }
+        gatherRing(a);
+        int common = 0;
+        int g = out[b];
+        do {
+            int back = previous(g);
+            common += inRing(end(g)) ? 1 : 0;
+            int following = twin[back];
+            if (following == NONE) {
+                common += inRing(start[back]) ? 1 : 0;
+            }
+            g = following;
+        } while (g != NONE && g != out[b]);
+        return common == (o == NONE ? 1 : 2);
+    }
+
+    private boolean inRing(int v) {
+        for (int i = 0; i < ringSize; i++) {
+            if (ring[i] == v) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean sideMayClose(int h) {
+        if (twin[next(h)] == NONE && twin[previous(h)] == NONE) {
+            return false;
+        }
+        int c = start[previous(h)];
+        return valence(c) > (isBoundaryVertex(c) ? 2 : 3);
+    }
+
+    /** Removes the edge of {@code h} and its start vertex; the end vertex stays and moves to the given point. */
+    void collapse(int h, double x, double y, double z) {
+        int a = start[h];
+        int b = end(h);
+        int o = twin[h];
+        int g = out[a];
+        do {
+            start[g] = b;
+            g = twin[previous(g)];
+        } while (g != NONE && g != out[a]);
+        int fromB = closeSide(h);
+        if (o != NONE) {
+            fromB = closeSide(o);
+        }
+        // Only now: a turn about b must not enter a triangle that is going.
+        out[b] = fanStart(fromB);
+        releaseVertex(a);
+        vertexCount--;
+        position[3 * b] = x;
+        position[3 * b + 1] = y;
+        position[3 * b + 2] = z;
+    }
+
+    /**
+     * Takes out the triangle of {@code h}, whose edge has shrunk to a vertex, and joins what its other two sides touched.
+     * Returns a half-edge from that vertex.
+     */
+    private int closeSide(int h) {
+        int hn = next(h);
+        int hp = previous(h);
+        int c = start[hp];
+        int x = twin[hn];
+        int y = twin[hp];
+        boolean joined = crease[hn] || crease[hp];
+        if (x != NONE) {
+            twin[x] = y;
+            crease[x] = joined;
+        }
+        if (y != NONE) {
+            twin[y] = x;
+            crease[y] = joined;
+        }
+        int t = h - h % 3;
+        Arrays.fill(start, t, t + 3, NONE);
+        if (freeTriangleCount == freeTriangles.length) {
+            freeTriangles = Arrays.copyOf(freeTriangles, 2 * freeTriangleCount);
+        }
+        freeTriangles[freeTriangleCount++] = t;
+        // Of the sides beyond, each runs either from c to b or from b to c: one start for each end.
+        int fromC = NONE;
+        int fromB = NONE;
+        for (int side = 0; side < 2; side++) {
+            int k = side == 0 ? x : y;
+            if (k != NONE) {
+                fromC = start[k] == c ? k : next(k);
+                fromB = start[k] == c ? next(k) : k;
+            }
+        }
+        out[c] = fanStart(fromC);
+        return fromB;
+    }
+
+    private void link(int h, int o) {
+        twin[h] = o;
+        if (o != NONE) {
+            twin[o] = h;
+        }
+    }
+
+    private int newTriangle(int a, int b, int c) {
+        int t;
+        if (freeTriangleCount > 0) {
+            t = freeTriangles[--freeTriangleCount];
+        } else {
+            t = 3 * triangleEnd++;
+            if (t + 3 > start.length) {
+                start = Arrays.copyOf(start, start.length + start.length / 2 + 48);
+                twin = Arrays.copyOf(twin, start.length);
+                crease = Arrays.copyOf(crease, start.length);
+            }
+        }
+        Arrays.fill(crease, t, t + 3, false);
+        start[t] = a;
+        start[t + 1] = b;
+        start[t + 2] = c;
+        return t;
+    }
+
+    private int newVertex(double x, double y, double z) {
+        int v;
+        if (freeVertexCount > 0) {
+            v = freeVertices[--freeVertexCount];
+        } else {
+            v = vertexEnd++;
+            if (v >= out.length) {
+                out = Arrays.copyOf(out, v + v / 2 + 16);
+                Arrays.fill(out, v, out.length, NONE);
+                position = Arrays.copyOf(position, 3 * out.length);
+            }
+        }
+        position[3 * v] = x;
+        position[3 * v + 1] = y;
+        position[3 * v + 2] = z;
+        vertexCount++;
+        return v;
+    }
+
+    private void releaseVertex(int v) {
+        out[v] = NONE;
+        if (freeVertexCount == freeVertices.length) {
+            freeVertices = Arrays.copyOf(freeVertices, 2 * freeVertexCount);
+        }
+        freeVertices[freeVertexCount++] = v;
+    }
+
+    TriangleMesh toMesh() {
+        int[] name = new int[vertexEnd];
+        double[] p = new double[3 * vertexCount];
+        int n = 0;
+        for (int v = 0; v < vertexEnd; v++) {
+            if (out[v] != NONE) {
+                System.arraycopy(position, 3 * v, p, 3 * n, 3);
+                name[v] = n++;
+            }
+        }
+        int[] t = new int[3 * triangleEnd];
+        int length = 0;
+        for (int h = 0; h < 3 * triangleEnd; h++) {
+            if (start[h] != NONE) {
+                t[length++] = name[start[h]];
+            }
+        }
+        return new TriangleMesh(p, Arrays.copyOf(t, length));
+    }
+}

@@ -1,0 +1,323 @@
+package org.phrenic.geometry;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Makes a usable surface of what a file or a segmentation holds: welds vertices, drops what has no area or stands twice,
+ * turns triangles to one side, closes holes, splits into components. Every step keeps the order of what it keeps, so that
+ * the same input gives the same output.
+ */
+public final class MeshRepair {
+    /** Twice the area over the square of the longest side, below which a triangle is a line: an angle of 1e-12 rad. */
+    private static final double FLAT = 1e-12;
+
+    private MeshRepair() {}
+
+    /** What a repair did, as counts. */
+    public record Report(
+            int verticesWelded,
+            int degenerateRemoved,
+            int duplicatesRemoved,
+            int unusedRemoved,
+            int trianglesFlipped,
+            int loopsCapped) {
+        static final Report NOTHING = new Report(0, 0, 0, 0, 0, 0);
+
+        Report and(Report other) {
+            return new Report(
+                    verticesWelded + other.verticesWelded,
+                    degenerateRemoved + other.degenerateRemoved,
+                    duplicatesRemoved + other.duplicatesRemoved,
+                    unusedRemoved + other.unusedRemoved,
+                    trianglesFlipped + other.trianglesFlipped,
+                    loopsCapped + other.loopsCapped);
+        }
+
+        @Override
+        public String toString() {
+            List<String> parts = new ArrayList<>();
+            say(parts, verticesWelded, "vertices welded");
+            say(parts, degenerateRemoved, "degenerate triangles removed");
+            say(parts, duplicatesRemoved, "duplicate triangles removed");
+            say(parts, unusedRemoved, "unused vertices removed");
+            say(parts, trianglesFlipped, "triangles flipped");
+            say(parts, loopsCapped, "boundary loops capped");
+            return parts.isEmpty() ? "Nothing to repair." : "Repaired: " + String.join(", ", parts) + ".";
+        }
+
+        private static void say(List<String> parts, int count, String what) {
+            if (count > 0) {
+                parts.add(count + " " + what);
+            }
+        }
+    }
+
+    /** A mesh and what was done to get it. */
+    public record Result(TriangleMesh mesh, Report report) {}
+
+    /** {@link #weld}, {@link #clean}, {@link #orient} in turn. */
+    public static Result repair(TriangleMesh mesh, double tolerance) {
+        Result welded = weld(mesh, tolerance);
+        Result cleaned = clean(welded.mesh());
+        Result oriented = orient(cleaned.mesh());
+        return new Result(oriented.mesh(), welded.report().and(cleaned.report()).and(oriented.report()));
+    }
+
+    /** {@link #repair}, then {@link #cap}, then {@link #orient} again: what the caps closed now faces outward. */
+    public static Result repairAndCap(TriangleMesh mesh, double tolerance) {
+        Result repaired = repair(mesh, tolerance);
+        Result capped = cap(repaired.mesh());
+        Result oriented = orient(capped.mesh());
+        return new Result(
+                oriented.mesh(), repaired.report().and(capped.report()).and(oriented.report()));
+    }
+
+    /**
+     * Replaces each vertex by the nearest earlier kept vertex within {@code tolerance} (mm), the earliest of equals; a vertex
+     * that has none is kept. Vertices that lose their place are dropped.
+     *
+     * @param tolerance mm, at least 0; 0 welds equal coordinates only
+     */
+    public static Result weld(TriangleMesh mesh, double tolerance) {
+        if (!(tolerance >= 0) || Double.isInfinite(tolerance)) {
+            throw new IllegalArgumentException("weld tolerance: " + tolerance + " mm, expected a finite number from 0");
+        }
+        int[] keeper = new VertexWelder(mesh.positions(), tolerance).keepers();
+        int welded = 0;
+        for (int v = 0; v < keeper.length; v++) {
+            welded += keeper[v] == v ? 0 : 1;
+        }
+        int[] triangles = mesh.triangles().clone();
+        for (int i = 0; i < triangles.length; i++) {
+            triangles[i] = keeper[triangles[i]];
+        }
+        boolean[] keep = new boolean[keeper.length];
+        for (int v = 0; v < keep.length; v++) {
+            keep[v] = keeper[v] == v;
+        }
+        return new Result(compact(mesh.positions(), triangles, keep), new Report(welded, 0, 0, 0, 0, 0));
+    }
+
+    /**
+     * Drops triangles that name a vertex twice or have no area (all corners on one line), the later of triangles with the same
+     * three vertices, and vertices that no triangle uses.
+     */
+    public static Result clean(TriangleMesh mesh) {
+        int[] t = mesh.triangles();
+        int[] kept = new int[t.length];
+        int length = 0;
+        int degenerate = 0;
+        int duplicates = 0;
+        TripleSet seen = new TripleSet(mesh.triangleCount());
+        double[] normal = new double[3];
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            int a = t[3 * i];
+            int b = t[3 * i + 1];
+            int c = t[3 * i + 2];
+            if (a == b || b == c || c == a || isFlat(mesh, i, normal)) {
+                degenerate++;
+            } else if (!seen.add(a, b, c)) {
+                duplicates++;
+            } else {
+                kept[length++] = a;
+                kept[length++] = b;
+                kept[length++] = c;
+            }
+        }
+        int[] triangles = Arrays.copyOf(kept, length);
+        boolean[] used = new boolean[mesh.vertexCount()];
+        for (int v : triangles) {
+            used[v] = true;
+        }
+        TriangleMesh cleaned = compact(mesh.positions(), triangles, used);
+        int unused = mesh.vertexCount() - cleaned.vertexCount();
+        return new Result(cleaned, new Report(0, degenerate, duplicates, unused, 0, 0));
+    }
+
+    private static boolean isFlat(TriangleMesh mesh, int triangle, double[] normal) {
+        double twiceArea = MeshMeasure.crossOfTriangle(mesh, triangle, normal);
+        int[] t = mesh.triangles();
+        double longest = Math.max(
+                MeshMeasure.distance(mesh, t[3 * triangle], t[3 * triangle + 1]),
+                Math.max(
+                        MeshMeasure.distance(mesh, t[3 * triangle + 1], t[3 * triangle + 2]),
+                        MeshMeasure.distance(mesh, t[3 * triangle + 2], t[3 * triangle])));
+        return !(twiceArea > FLAT * longest * longest);
+    }
+
+    /**
+     * Turns triangles so that neighbours across every manifold edge agree. A piece that is closed then faces outward (positive
+     * signed volume); of an open piece the side that more of its triangles already showed is kept. A one-sided surface cannot
+     * agree everywhere and keeps a seam.
+     */
+    public static Result orient(TriangleMesh mesh) {
+        MeshTopology topology = new MeshTopology(mesh);
+        int[] t = mesh.triangles().clone();
+        int count = mesh.triangleCount();
+        boolean[] done = new boolean[count];
+        boolean[] flip = new boolean[count];
+        int[] queue = new int[count];
+        int flipped = 0;
+        for (int seed = 0; seed < count; seed++) {
+            if (done[seed]) {
+                continue;
+            }
+            int head = 0;
+            int tail = 0;
+            queue[tail++] = seed;
+            done[seed] = true;
+            boolean closed = true;
+            int turned = 0;
+            while (head < tail) {
+                int triangle = queue[head++];
+                turned += flip[triangle] ? 1 : 0;
+                for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
+                    int edge = topology.triangleEdges()[side];
+                    if (edge < 0 || topology.isBoundaryEdge(edge) || topology.isNonManifoldEdge(edge)) {
+                        closed = false;
+                        continue;
+                    }
+                    int other = topology.otherTriangle(edge, triangle);
+                    if (!done[other]) {
+                        done[other] = true;
+                        flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[MeshTopology.next(side)]);
+                        queue[tail++] = other;
+                    }
+                }
+            }
+            boolean inverted = closed ? volume(mesh, queue, tail, flip) < 0 : 2 * turned > tail;
+            for (int k = 0; k < tail; k++) {
+                flip[queue[k]] ^= inverted;
+            }
+            flipped += inverted ? tail - turned : turned;
+        }
+        for (int i = 0; i < count; i++) {
+            if (flip[i]) {
+                int b = t[3 * i + 1];
+                t[3 * i + 1] = t[3 * i + 2];
+                t[3 * i + 2] = b;
+            }
+        }
+        TriangleMesh oriented = flipped == 0 ? mesh : new TriangleMesh(mesh.positions(), t);
+        return new Result(oriented, new Report(0, 0, 0, 0, flipped, 0));
+    }
+
+    private static boolean runsAlong(int[] t, int triangle, int from, int to) {
+        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
+            if (t[side] == from && t[MeshTopology.next(side)] == to) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Signed volume of one closed piece about its first corner, which loses no digits far from the origin. */
+    private static double volume(TriangleMesh mesh, int[] piece, int length, boolean[] flip) {
+        int[] t = mesh.triangles();
+        double[] p = mesh.positions();
+        int o = 3 * t[3 * piece[0]];
+        double sum = 0;
+        for (int k = 0; k < length; k++) {
+            int a = 3 * t[3 * piece[k]];
+            int b = 3 * t[3 * piece[k] + 1];
+            int c = 3 * t[3 * piece[k] + 2];
+            double bx = p[b] - p[o];
+            double by = p[b + 1] - p[o + 1];
+            double bz = p[b + 2] - p[o + 2];
+            double cx = p[c] - p[o];
+            double cy = p[c + 1] - p[o + 1];
+            double cz = p[c + 2] - p[o + 2];
+            double six = (p[a] - p[o]) * (by * cz - bz * cy)
+                    + (p[a + 1] - p[o + 1]) * (bz * cx - bx * cz)
+                    + (p[a + 2] - p[o + 2]) * (bx * cy - by * cx);
+            sum += flip[piece[k]] ? -six : six;
+        }
+        return sum;
+    }
+
+    /** Closes each boundary loop: three edges by a triangle, more by a fan about the loop's centroid. */
+    public static Result cap(TriangleMesh mesh) {
+        List<int[]> loops = new MeshTopology(mesh).boundaryLoops();
+        int newVertices = 0;
+        int newCorners = 0;
+        for (int[] loop : loops) {
+            newVertices += loop.length > 3 ? 1 : 0;
+            newCorners += loop.length > 3 ? 3 * loop.length : 3;
+        }
+        double[] p = Arrays.copyOf(mesh.positions(), mesh.positions().length + 3 * newVertices);
+        int[] t = Arrays.copyOf(mesh.triangles(), mesh.triangles().length + newCorners);
+        int vertex = mesh.vertexCount();
+        int corner = mesh.triangles().length;
+        for (int[] loop : loops) {
+            if (loop.length == 3) {
+                t[corner++] = loop[0];
+                t[corner++] = loop[2];
+                t[corner++] = loop[1];
+                continue;
+            }
+            for (int k = 0; k < loop.length; k++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    p[3 * vertex + axis] += p[3 * loop[k] + axis] / loop.length;
+                }
+                t[corner++] = loop[(k + 1) % loop.length];
+                t[corner++] = loop[k];
+                t[corner++] = vertex;
+            }
+            vertex++;
+        }
+        return new Result(new TriangleMesh(p, t), new Report(0, 0, 0, 0, 0, loops.size()));
+    }
+
+    /** The connected components that have triangles, in the order of their lowest vertex. */
+    public static List<TriangleMesh> components(TriangleMesh mesh) {
+        MeshTopology topology = new MeshTopology(mesh);
+        int[] label = topology.componentOfVertex();
+        int[] t = mesh.triangles();
+        int[] corners = new int[topology.componentCount()];
+        for (int i = 0; i < t.length; i += 3) {
+            corners[label[t[i]]] += 3;
+        }
+        int[][] pieces = new int[corners.length][];
+        for (int c = 0; c < corners.length; c++) {
+            pieces[c] = new int[corners[c]];
+        }
+        int[] fill = new int[corners.length];
+        for (int i = 0; i < t.length; i++) {
+            int c = label[t[i - i % 3]];
+            pieces[c][fill[c]++] = t[i];
+        }
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (int[] piece : pieces) {
+            if (piece.length > 0) {
+                boolean[] used = new boolean[mesh.vertexCount()];
+                for (int v : piece) {
+                    used[v] = true;
+                }
+                meshes.add(compact(mesh.positions(), piece, used));
+            }
+        }
+        return meshes;
+    }
+
+    /** Keeps the named vertices in their order and renames the corners (in place). */
+    private static TriangleMesh compact(double[] positions, int[] triangles, boolean[] keep) {
+        int[] rename = new int[keep.length];
+        int count = 0;
+        for (int v = 0; v < keep.length; v++) {
+            rename[v] = count;
+            count += keep[v] ? 1 : 0;
+        }
+        double[] kept = new double[3 * count];
+        for (int v = 0; v < keep.length; v++) {
+            if (keep[v]) {
+                System.arraycopy(positions, 3 * v, kept, 3 * rename[v], 3);
+            }
+        }
+        for (int i = 0; i < triangles.length; i++) {
+            triangles[i] = rename[triangles[i]];
+        }
+        return new TriangleMesh(kept, triangles);
+    }
+}

@@ -1,0 +1,75 @@
+package org.phrenic.geometry;
+
+import java.util.Arrays;
+
+/** Finds, for each vertex in turn, the nearest earlier kept vertex within a distance, by a hashed grid. */
+final class VertexWelder {
+    private final double[] positions;
+    private final double tolerance;
+    private final double cell;
+    private final int[] head;
+    private final int[] chain;
+
+    VertexWelder(double[] positions, double tolerance) {
+        this.positions = positions;
+        this.tolerance = tolerance;
+        // With no tolerance any cell size finds equal points; one near the spacing keeps the chains short.
+        cell = tolerance > 0 ? tolerance : 1.0;
+        int count = positions.length / 3;
+        head = new int[Math.max(16, Integer.highestOneBit(Math.max(1, count)) * 4)];
+        chain = new int[count];
+        Arrays.fill(head, -1);
+    }
+
+    /** For each vertex the vertex that stands for it, itself if kept. */
+    int[] keepers() {
+        int count = chain.length;
+        int[] keeper = new int[count];
+        int reach = tolerance > 0 ? 1 : 0;
+        for (int v = 0; v < count; v++) {
+            long cx = cellOf(positions[3 * v]);
+            long cy = cellOf(positions[3 * v + 1]);
+            long cz = cellOf(positions[3 * v + 2]);
+            int best = v;
+            double bestSquare = tolerance * tolerance;
+            for (long x = cx - reach; x <= cx + reach; x++) {
+                for (long y = cy - reach; y <= cy + reach; y++) {
+                    for (long z = cz - reach; z <= cz + reach; z++) {
+                        for (int other = head[slot(x, y, z)]; other >= 0; other = chain[other]) {
+                            double square = squareDistance(v, other);
+                            if (square < bestSquare || (square == bestSquare && other < best)) {
+                                best = other;
+                                bestSquare = square;
+                            }
+                        }
+                    }
+                }
+            }
+            keeper[v] = best;
+            if (best == v) {
+                int slot = slot(cx, cy, cz);
+                chain[v] = head[slot];
+                head[slot] = v;
+            }
+        }
+        return keeper;
+    }
+
+    private long cellOf(double coordinate) {
+        return (long) Math.floor(coordinate / cell);
+    }
+
+    private int slot(long x, long y, long z) {
+        long h = x * 0x9E3779B97F4A7C15L ^ y * 0xC2B2AE3D27D4EB4FL ^ z * 0x165667B19E3779F9L;
+        h ^= h >>> 29;
+        h *= 0xBF58476D1CE4E5B9L;
+        return (int) (h >>> 33) & (head.length - 1);
+    }
+
+    private double squareDistance(int a, int b) {
+        double dx = positions[3 * a] - positions[3 * b];
+        double dy = positions[3 * a + 1] - positions[3 * b + 1];
+        double dz = positions[3 * a + 2] - positions[3 * b + 2];
+        return dx * dx + dy * dy + dz * dz;
+    }
+}

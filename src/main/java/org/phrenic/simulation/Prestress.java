@@ -1,0 +1,133 @@
+package org.phrenic.simulation;
+
+/**
+ * Spring tensions that hold a given shape against a given load: the least change of a first guess t0 that solves, in the sense of least squares, Σ_e t_e d_e + load = 0 at every
+ * node, by conjugate gradients on the normal equations. Rest lengths then follow as l - t / k, and the scan's shape is the equilibrium at rest.
+ */
+public final class Prestress {
+    private final int[] nodeA;
+    private final int[] nodeB;
+    private final double[] direction;
+    private final int nodes;
+    private final boolean[] free;
+    private final double[] wallNormal;
+
+    /**
+     * @param positions at rest, three numbers a node, mm
+     * @param nodeA one end of each spring
+     * @param nodeB the other end
+     * @param free whether forces at a node must balance (not so where bone holds it)
+     * @param wallNormal unit normal of the wall at a node that leans on it, zero elsewhere: only forces along the wall must balance there
+     */
+    public Prestress(double[] positions, int[] nodeA, int[] nodeB, boolean[] free, double[] wallNormal) {
+        this.nodeA = nodeA;
+        this.nodeB = nodeB;
+        this.nodes = positions.length / 3;
+        this.free = free;
+        this.wallNormal = wallNormal;
+        direction = new double[3 * nodeA.length];
+        for (int e = 0; e < nodeA.length; e++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = positions[3 * nodeB[e] + axis] - positions[3 * nodeA[e] + axis];
+                direction[3 * e + axis] = d;
+                squared += d * d;
+            }
+            double inverse = 1 / Math.sqrt(squared);
+            for (int axis = 0; axis < 3; axis++) {
+                direction[3 * e + axis] *= inverse;
+            }
+        }
+    }
+
+    /**
+     * @param load force on each node, mN
+     * @param tension first guess in, result out, mN
+     * @param iterations of conjugate gradients
+     * @return what remains unbalanced as a share of the load (root mean square)
+     */
+    public double solve(double[] load, double[] tension, int iterations) {
+        double[] residual = load.clone();
+        release(residual);
+        double norm = Math.sqrt(dot(residual, residual));
+        residual = unbalanced(load, tension);
+        double[] gradient = new double[tension.length];
+        transpose(residual, gradient);
+        double[] step = gradient.clone();
+        double[] image = new double[3 * nodes];
+        double rho = dot(gradient, gradient);
+        for (int i = 0; i < iterations && rho > 0; i++) {
+            java.util.Arrays.fill(image, 0);
+            apply(step, image);
+            release(image);
+            double alpha = rho / dot(image, image);
+            for (int e = 0; e < tension.length; e++) {
+                tension[e] -= alpha * step[e];
+            }
+            for (int j = 0; j < residual.length; j++) {
+                residual[j] -= alpha * image[j];
+            }
+            transpose(residual, gradient);
+            double next = dot(gradient, gradient);
+            double beta = next / rho;
+            rho = next;
+            for (int e = 0; e < step.length; e++) {
+                step[e] = gradient[e] + beta * step[e];
+            }
+        }
+        return Math.sqrt(dot(residual, residual)) / norm;
+    }
+
+    /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */
+    public double[] unbalanced(double[] load, double[] tension) {
+        double[] out = load.clone();
+        apply(tension, out);
+        release(out);
+        return out;
+    }
+
+    private void apply(double[] tension, double[] force) {
+        for (int e = 0; e < tension.length; e++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double f = tension[e] * direction[3 * e + axis];
+                force[3 * nodeA[e] + axis] += f;
+                force[3 * nodeB[e] + axis] -= f;
+            }
+        }
+    }
+
+    private void transpose(double[] force, double[] out) {
+        for (int e = 0; e < out.length; e++) {
+            double sum = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                sum += direction[3 * e + axis] * (force[3 * nodeA[e] + axis] - force[3 * nodeB[e] + axis]);
+            }
+            out[e] = sum;
+        }
+    }
+
+    private void release(double[] force) {
+        for (int n = 0; n < nodes; n++) {
+            int i = 3 * n;
+            if (!free[n]) {
+                force[i] = 0;
+                force[i + 1] = 0;
+                force[i + 2] = 0;
+                continue;
+            }
+            double across =
+                    force[i] * wallNormal[i] + force[i + 1] * wallNormal[i + 1] + force[i + 2] * wallNormal[i + 2];
+            for (int axis = 0; axis < 3; axis++) {
+                force[i + axis] -= across * wallNormal[i + axis];
+            }
+        }
+    }
+
+    private static double dot(double[] p, double[] q) {
+        double sum = 0;
+        for (int i = 0; i < p.length; i++) {
+            sum += p[i] * q[i];
+        }
+        return sum;
+    }
+}
