@@ -255,6 +255,20 @@ public final class ParticleSystem {
         }
     }
 
+    /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */
+    public void addStiffness(double[] position, double[] u, double[] out, int block) {
+        for (ForceField field : fields) {
+            field.addStiffness(position, u, out, block);
+        }
+    }
+
+    /** Adds the row sums of the fields switched on; see {@link ForceField#addRowSums}. */
+    public void addRowSums(double[] stiffness, double[] damping) {
+        for (ForceField field : fields) {
+            field.addRowSums(stiffness, damping);
+        }
+    }
+
     /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
     public void project(double time, double h) {
         for (Constraint constraint : constraints) {

@@ -37,7 +37,7 @@ public final class Workers implements AutoCloseable {
     private volatile long round;
 
     private volatile boolean closed;
-    private volatile RuntimeException failure;
+    private volatile Throwable failure;
 
     private Workers(int count) {
         left = new AtomicLongArray(STRIDE * (count + 1));
@@ -66,7 +66,10 @@ public final class Workers implements AutoCloseable {
         return threads.length + 1;
     }
 
-    /** Runs pieces 0 to {@code pieces - 1}, in any order, and returns when all are done. One caller at a time. */
+    /**
+     * Runs pieces 0 to {@code pieces - 1}, in any order, and returns when all are done. One caller at a time. What a piece throws is thrown here, after the others are done
+     * (one of them if several do).
+     */
     public void run(int pieces, Task work) {
         if (threads.length == 0 || pieces < 2) {
             for (int i = 0; i < pieces; i++) {
@@ -87,10 +90,14 @@ public final class Workers implements AutoCloseable {
         for (int i = 0; unfinished.get() > 0; i++) {
             relax(i, false);
         }
-        if (failure != null) {
-            RuntimeException thrown = failure;
+        Throwable thrown = failure;
+        if (thrown != null) {
             failure = null;
-            throw thrown;
+            // A task declares nothing checked.
+            if (thrown instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) thrown;
         }
     }
 
@@ -114,7 +121,8 @@ public final class Workers implements AutoCloseable {
                     done++;
                     try {
                         work.run(end - (int) (now & PIECE_MASK));
-                    } catch (RuntimeException e) {
+                    } catch (Throwable e) {
+                        // An Error too: a piece lost in silence would leave a step half done.
                         failure = e;
                     }
                 }

@@ -22,7 +22,7 @@ public final class SlidingContact implements Constraint {
     private final double[] plane;
     private final boolean[] touching;
     private double planeTime = Double.NaN;
-    private double now;
+    private double now = Double.NaN;
     private ParticleSystem system;
     private boolean refresh;
     private final Workers.Task task = this::piece;
@@ -59,10 +59,11 @@ public final class SlidingContact implements Constraint {
 
     @Override
     public void prepare(double time) {
+        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
+        // that
+        // does not move on means that an earlier state was put back: planes of the lost one are worth nothing.
+        refresh = !(time > now && time - planeTime < refreshInterval * (1 - 1e-9));
         now = time;
-        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step; going
-        // back in time refreshes too.
-        refresh = !(Math.abs(time - planeTime) < refreshInterval * (1 - 1e-9));
         if (refresh) {
             planeTime = time;
             surface.prepare(time);

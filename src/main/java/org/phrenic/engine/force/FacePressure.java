@@ -20,9 +20,14 @@ public final class FacePressure implements ForceField {
      * @param layout of the system it is for
      * @param triangles three nodes a triangle, caller's numbering, anticlockwise seen from the side that is pressed on
      * @param weight one a triangle
+     * @throws IllegalArgumentException if the corners are not three a triangle, or the weights not one a triangle
      */
     public FacePressure(NodeLayout layout, int[] triangles, double[] weight) {
         int count = triangles.length / 3;
+        if (triangles.length % 3 != 0 || weight.length != count) {
+            throw new IllegalArgumentException("faces under pressure: found " + triangles.length + " corners and "
+                    + weight.length + " weights, expected three corners and one weight each");
+        }
         this.weight = weight.clone();
         int[] internal = new int[triangles.length];
         long[] key = new long[3 * count];

@@ -80,8 +80,15 @@ public final class Springs implements ForceField {
         return rest.clone();
     }
 
-    /** Multiplies every stiffness by a factor (a material made softer or harder while it runs). */
+    /**
+     * Multiplies every stiffness by a factor (a material made softer or harder while it runs).
+     *
+     * @throws IllegalArgumentException if the factor is negative or not finite
+     */
     public void scaleStiffness(double factor) {
+        if (!(factor >= 0) || Double.isInfinite(factor)) {
+            throw new IllegalArgumentException("factor of stiffness: found " + factor + ", expected 0 or more");
+        }
         for (int e = 0; e < stiffness.length; e++) {
             stiffness[e] *= factor;
         }
@@ -304,6 +311,9 @@ public final class Springs implements ForceField {
             if (damping != null) {
                 check("damping", damping, "N s/m");
             }
+            if (share != null) {
+                check("contractile share", share, "");
+            }
             return new Springs(this);
         }
 
@@ -314,8 +324,8 @@ public final class Springs implements ForceField {
             }
             for (int e = 0; e < values.length; e++) {
                 if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
-                    throw new IllegalArgumentException(
-                            what + " of spring " + e + ": found " + values[e] + " " + unit + ", expected 0 or more");
+                    throw new IllegalArgumentException(what + " of spring " + e + ": found "
+                            + (values[e] + " " + unit).strip() + ", expected 0 or more");
                 }
             }
         }

@@ -101,4 +101,17 @@ final class VelocityVerlet extends AbstractIntegrator {
         double uv = damp;
         return new double[][] {{1 + ux, uv}, {(1 - w) * ux - 0.5 * a * (1 + ux), (1 - w) * uv - 0.5 * a * uv}};
     }
+
+    static double[][] amplification(double a, double b, double c) {
+        double w = b / 2;
+        double damp = 1 / (1 + w);
+        // State (x, v h, f h²/m) with the force kept from the last step; u = (v h + f/2) damp, x' = x + u,
+        // f' = -a x' - c u, v' h = (1 - w) u + f'/2.
+        double f = -(a + c) * damp;
+        return new double[][] {
+            {1, damp, 0.5 * damp},
+            {-0.5 * a, (1 - w) * damp + 0.5 * f, 0.5 * ((1 - w) * damp + 0.5 * f)},
+            {-a, f, 0.5 * f}
+        };
+    }
 }
