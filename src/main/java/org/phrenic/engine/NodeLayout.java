@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 public final class NodeLayout {
     /** Nodes a block: 36 kB of positions, velocities and forces, which stays in a core's own cache. */
-    private static final int BLOCK_NODES = 1024;
+    private static final int BLOCK_NODES = 512;
 
     private static final int MORTON_BITS = 21;
 
