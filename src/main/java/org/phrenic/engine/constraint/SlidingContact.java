@@ -17,6 +17,8 @@ import org.phrenic.engine.Workers;
 public final class SlidingContact implements Constraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
+    /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
+    private static final double RETURN_SPEED = 500;
 
     private final int[] node;
     private final ContactSurface surface;
@@ -27,6 +29,7 @@ public final class SlidingContact implements Constraint {
     private double planeTime = Double.NaN;
     private double now = Double.NaN;
     private ParticleSystem system;
+    private double step;
     private boolean refresh;
     private final Workers.Task task = this::piece;
 
@@ -88,6 +91,7 @@ public final class SlidingContact implements Constraint {
     @Override
     public void project(ParticleSystem particles, double h) {
         system = particles;
+        step = h;
         particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, task);
     }
 
@@ -95,24 +99,34 @@ public final class SlidingContact implements Constraint {
         double[] x = system.positions();
         double[] v = system.velocities();
         double[] w = system.inverseMasses();
+        double[] planes = plane;
+        int[] nodes = node;
         double elapsed = now - planeTime;
-        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
-        for (int i = piece * NODES_A_PIECE; i < to; i++) {
-            int n = node[i];
-            int p = PLANE * i;
-            if (refresh) {
-                surface.planeNear(i, x[n], x[n + 1], x[n + 2], plane, p);
+        double farthest = RETURN_SPEED * step;
+        int from = piece * NODES_A_PIECE;
+        int to = Math.min(nodes.length, from + NODES_A_PIECE);
+        if (refresh) {
+            for (int i = from; i < to; i++) {
+                int n = nodes[i];
+                surface.planeNear(i, x[n], x[n + 1], x[n + 2], planes, PLANE * i);
             }
-            double nx = plane[p];
-            double ny = plane[p + 1];
-            double nz = plane[p + 2];
-            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - plane[p + 3] - plane[p + 4] * elapsed;
-            touching[i] = (adhering || gap < 0) && w[n / 3] > 0;
-            if (touching[i]) {
-                x[n] -= gap * nx;
-                x[n + 1] -= gap * ny;
-                x[n + 2] -= gap * nz;
-                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - plane[p + 4];
+        }
+        for (int i = from; i < to; i++) {
+            int n = nodes[i];
+            int p = PLANE * i;
+            double nx = planes[p];
+            double ny = planes[p + 1];
+            double nz = planes[p + 2];
+            double wallSpeed = planes[p + 4];
+            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - planes[p + 3] - wallSpeed * elapsed;
+            boolean held = (adhering || gap < 0) && w[n / 3] > 0;
+            touching[i] = held;
+            if (held) {
+                double shift = Math.max(-farthest, Math.min(farthest, gap));
+                x[n] -= shift * nx;
+                x[n + 1] -= shift * ny;
+                x[n + 2] -= shift * nz;
+                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - wallSpeed;
                 if (adhering || into < 0) {
                     v[n] -= into * nx;
                     v[n + 1] -= into * ny;
