@@ -33,7 +33,7 @@ final class ChestWall implements Axis, Field {
         exponentFront = measures.exponentFront();
         exponentBack = measures.exponentBack();
         leftFactor = measures.leftBreadthFactor();
-        List<double[]> rows = measures.sections();
+        List<Values> rows = measures.sections();
         double[] z = column(rows, 0);
         halfBreadth = new Curve(z, column(rows, 1));
         front = new Curve(z, column(rows, 2));
@@ -41,8 +41,8 @@ final class ChestWall implements Axis, Field {
         gutter = new Curve(z, column(rows, 4));
     }
 
-    private static double[] column(List<double[]> rows, int index) {
-        return rows.stream().mapToDouble(row -> row[index]).toArray();
+    private static double[] column(List<Values> rows, int index) {
+        return rows.stream().mapToDouble(row -> row.at(index)).toArray();
     }
 
     @Override
