@@ -1,17 +1,24 @@
 package org.phrenic.anatomy.virtual;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.phrenic.geometry.TriangleMesh;
 
 /** What tests ask of a closed surface. */
 final class Surface {
     final TriangleMesh mesh;
+    private static final double SLAB_MM = 4;
+
     private final double[] box;
+    /** Triangles by the slabs of height they reach into. */
+    private int[][] slabs;
 
     Surface(TriangleMesh mesh) {
         this.mesh = mesh;
         box = mesh.bounds();
+        slabs = sortIntoSlabs();
     }
 
     double[] vertex(int v) {
@@ -79,24 +86,53 @@ final class Surface {
         return true;
     }
 
-    /** Winding number by solid angles (Van Oosterom and Strackee 1983), above one half inside. */
+    private int slab(double z) {
+        return Math.max(0, Math.min(slabs.length - 1, (int) ((z - box[2]) / SLAB_MM)));
+    }
+
+    private int[][] sortIntoSlabs() {
+        List<List<Integer>> lists = new ArrayList<>();
+        for (int i = 0; i <= (box[5] - box[2]) / SLAB_MM; i++) {
+            lists.add(new ArrayList<>());
+        }
+        slabs = new int[lists.size()][];
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double[] a = corner(t, 0);
+            double[] b = corner(t, 1);
+            double[] c = corner(t, 2);
+            int from = slab(Math.min(a[2], Math.min(b[2], c[2])));
+            int to = slab(Math.max(a[2], Math.max(b[2], c[2])));
+            for (int i = from; i <= to; i++) {
+                lists.get(i).add(t);
+            }
+        }
+        return lists.stream()
+                .map(list -> list.stream().mapToInt(Integer::intValue).toArray())
+                .toArray(int[][]::new);
+    }
+
+    /** Whether a ray to the left leaves the surface an odd number of times. */
     boolean contains(double[] p) {
         if (!near(p, 0)) {
             return false;
         }
-        double sum = 0;
-        for (int t = 0; t < mesh.triangleCount(); t++) {
-            double[] a = V3.minus(corner(t, 0), p);
-            double[] b = V3.minus(corner(t, 1), p);
-            double[] c = V3.minus(corner(t, 2), p);
-            double la = V3.length(a);
-            double lb = V3.length(b);
-            double lc = V3.length(c);
-            double top = V3.dot(a, V3.cross(b, c));
-            double bottom = la * lb * lc + V3.dot(a, b) * lc + V3.dot(b, c) * la + V3.dot(c, a) * lb;
-            sum += 2 * Math.atan2(top, bottom);
+        boolean inside = false;
+        // Off the vertices' own heights by less than matters, so that the ray meets no edge.
+        double y = p[1] + 1.37e-7;
+        double z = p[2] + 2.91e-7;
+        for (int t : slabs[slab(z)]) {
+            double[] a = corner(t, 0);
+            double[] b = corner(t, 1);
+            double[] c = corner(t, 2);
+            double u = (b[1] - a[1]) * (z - a[2]) - (b[2] - a[2]) * (y - a[1]);
+            double v = (c[1] - b[1]) * (z - b[2]) - (c[2] - b[2]) * (y - b[1]);
+            double w = (a[1] - c[1]) * (z - c[2]) - (a[2] - c[2]) * (y - c[1]);
+            boolean hit = (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+            if (hit && (v * a[0] + w * b[0] + u * c[0]) / (u + v + w) > p[0]) {
+                inside = !inside;
+            }
         }
-        return sum > 2 * Math.PI;
+        return inside;
     }
 
     /** How many vertices of the other surface lie inside this one. */
@@ -108,24 +144,30 @@ final class Surface {
         return inside;
     }
 
-    /** Smallest distance from a vertex of the other surface to this one, 0 if one lies inside; beyond 8 mm infinite. */
+    /** Smallest distance from a vertex of the other surface to this one, 0 if one lies inside; infinite beyond 8 mm. */
     double gap(Surface other) {
         double least = Double.POSITIVE_INFINITY;
-        for (int v = 0; v < other.mesh.vertexCount(); v++) {
+        for (int v = 0; v < other.mesh.vertexCount() && least > 0; v++) {
             double[] p = other.vertex(v);
             if (near(p, 8)) {
-                least = contains(p) ? 0 : Math.min(least, distance(p));
+                least = contains(p) ? 0 : Math.min(least, distance(p, 8));
             }
         }
         return least;
     }
 
-    double distance(double[] p) {
+    /** Distance to the surface; infinite where it is more than {@code most} mm. */
+    double distance(double[] p, double most) {
         double least = Double.POSITIVE_INFINITY;
-        for (int t = 0; t < mesh.triangleCount(); t++) {
-            least = Math.min(least, distance(p, corner(t, 0), corner(t, 1), corner(t, 2)));
+        for (int i = slab(p[2] - most); i <= slab(p[2] + most); i++) {
+            for (int t : slabs[i]) {
+                double[] a = corner(t, 0);
+                if (Math.abs(a[0] - p[0]) < most + 30 && Math.abs(a[1] - p[1]) < most + 30) {
+                    least = Math.min(least, distance(p, a, corner(t, 1), corner(t, 2)));
+                }
+            }
         }
-        return least;
+        return least <= most ? least : Double.POSITIVE_INFINITY;
     }
 
     /** Point to triangle, Ericson, Real-Time Collision Detection, 5.1.5, by its three edges and its plane. */
