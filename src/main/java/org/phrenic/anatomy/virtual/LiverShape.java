@@ -3,8 +3,8 @@ package org.phrenic.anatomy.virtual;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a bent sheet that
- * rises to the left and to the back. How high that sheet stands is found from the volume wanted.
+ * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a plane that
+ * rises to the left and to the back. How high that plane stands is found from the volume wanted.
  */
 final class LiverShape {
     private static final double EDGE_MM = 10;
@@ -28,8 +28,7 @@ final class LiverShape {
         double under = dome.at(x, y, z) + diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
         double slopeX = measures.visceralSlope().at(0);
         double slopeY = measures.visceralSlope().at(1);
-        double bend = measures.visceralTwist() * Math.max(0, x) * Math.max(0, x);
-        double above = height + slopeX * x + slopeY * y + bend - z;
+        double above = height + slopeX * x + slopeY * y - z;
         above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
         double region = V3.roundMax(under, above, EDGE_MM);
         double cut = measures.backCut().at(1);
