@@ -9,7 +9,8 @@ import org.phrenic.geometry.TriangleMesh;
  */
 final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
-    private static final int SWEEPS = 14;
+    private static final int SWEEPS = 20;
+    private static final int NORMAL_PASSES = 6;
     private static final double TENDON_EDGE_MM = 8;
 
     private final VirtualThoraxParameters.Diaphragm measures;
@@ -46,12 +47,12 @@ final class DiaphragmSheet {
     private TriangleMesh thicken(TriangleMesh middle, int firstRim) {
         int n = middle.vertexCount();
         double[] positions = new double[6 * n];
+        double[][] normals = smoothNormals(middle);
         for (int v = 0; v < n; v++) {
             double[] p = V3.of(middle.x(v), middle.y(v), middle.z(v));
-            double[] normal = shape.normal(p);
             double half = thickness(p) / 2;
-            System.arraycopy(V3.add(p, normal, half), 0, positions, 3 * v, 3);
-            System.arraycopy(V3.add(p, normal, -half), 0, positions, 3 * (n + v), 3);
+            System.arraycopy(V3.add(p, normals[v], half), 0, positions, 3 * v, 3);
+            System.arraycopy(V3.add(p, normals[v], -half), 0, positions, 3 * (n + v), 3);
         }
         int[] face = middle.triangles();
         int rim = n - firstRim;
@@ -73,6 +74,30 @@ final class DiaphragmSheet {
             }
         }
         return new TriangleMesh(positions, triangles);
+    }
+
+    /** Normals averaged over neighbours, so that the inner face does not fold where the sheet bends round the spine. */
+    private double[][] smoothNormals(TriangleMesh middle) {
+        int n = middle.vertexCount();
+        double[][] normals = new double[n][];
+        for (int v = 0; v < n; v++) {
+            normals[v] = shape.normal(V3.of(middle.x(v), middle.y(v), middle.z(v)));
+        }
+        int[] face = middle.triangles();
+        for (int pass = 0; pass < NORMAL_PASSES; pass++) {
+            double[][] sums = new double[n][3];
+            for (int t = 0; t < face.length; t += 3) {
+                for (int k = 0; k < 3; k++) {
+                    int v = face[t + k];
+                    sums[v] = V3.add(sums[v], normals[face[t + (k + 1) % 3]], 1);
+                    sums[v] = V3.add(sums[v], normals[face[t + (k + 2) % 3]], 1);
+                }
+            }
+            for (int v = 0; v < n; v++) {
+                normals[v] = V3.unit(V3.add(normals[v], V3.unit(sums[v]), 1));
+            }
+        }
+        return normals;
     }
 
     /** Thinner within the central tendon: a trefoil of the stated area about the domes and the plateau. */
