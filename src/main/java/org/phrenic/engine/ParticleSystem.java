@@ -32,6 +32,7 @@ public final class ParticleSystem {
     private double[] taskX;
     private double[] taskV;
     private double[] taskForce;
+    private Workers.Task taskAfter;
     private final Workers.Task forceTask = this::blockForces;
 
     /**
@@ -220,19 +221,51 @@ public final class ParticleSystem {
      * @param force result, mN
      */
     public void forces(double time, double[] position, double[] velocity, double[] force) {
+        forces(time, position, velocity, force, null);
+    }
+
+    /**
+     * As {@link #forces(double, double[], double[], double[])}, and does something with the forces of each block while they are at hand.
+     *
+     * @param after told of each block when its forces are complete, other blocks possibly not yet asked for theirs: it may write to this block's forces but not to
+     *     positions, and to this block's velocities only if no field is {@link #velocityDependent}; null for nothing
+     */
+    public void forces(double time, double[] position, double[] velocity, double[] force, Workers.Task after) {
         for (ForceField field : fields) {
             field.prepare(time);
         }
         taskX = position;
         taskV = velocity;
         taskForce = force;
+        taskAfter = after;
         workers.run(layout.blockCount(), forceTask);
     }
 
     private void blockForces(int block) {
-        Arrays.fill(taskForce, 3 * layout.start(block), 3 * layout.end(block), 0);
+        double[] force = taskForce;
+        double[] position = taskX;
+        double[] velocity = taskV;
+        Arrays.fill(force, 3 * layout.start(block), 3 * layout.end(block), 0);
         for (ForceField field : fields) {
-            field.addForces(taskX, taskV, taskForce, block);
+            field.addForces(position, velocity, force, block);
+        }
+        Workers.Task after = taskAfter;
+        if (after != null) {
+            after.run(block);
+        }
+    }
+
+    /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */
+    public void addStiffness(double[] position, double[] u, double[] out, int block) {
+        for (ForceField field : fields) {
+            field.addStiffness(position, u, out, block);
+        }
+    }
+
+    /** Adds the row sums of the fields switched on; see {@link ForceField#addRowSums}. */
+    public void addRowSums(double[] stiffness, double[] damping) {
+        for (ForceField field : fields) {
+            field.addRowSums(stiffness, damping);
         }
     }
 

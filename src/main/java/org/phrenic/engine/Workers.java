@@ -1,15 +1,15 @@
 package org.phrenic.engine;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
 
 /**
  * A few threads that share out numbered pieces of work, thousands of times a second.
  *
- * <p>The caller works too, and pieces are claimed one by one: if a core is taken by another process its share is done by the others, so a step never waits for a
- * worker that has not begun. Idle workers spin briefly, then yield, then sleep. Nothing is allocated by {@link #run}. Which thread does a piece must not
- * matter to its result.
+ * <p>The caller works too. Each thread has a run of pieces of its own, the same every time, so that what it touched last time is still in its core's cache; who is done with
+ * his own takes pieces from the others' runs, so if a core is taken by another process its share is done by the others, and a step never waits for a worker that has not
+ * begun. Idle workers spin briefly, then yield, then sleep. Nothing is allocated by {@link #run}. Which thread does a piece must not matter to its result.
  */
 public final class Workers implements AutoCloseable {
     /** One numbered piece of work. */
@@ -23,20 +23,28 @@ public final class Workers implements AutoCloseable {
     private static final long PARK_NANOS = 50_000;
     private static final int PIECE_BITS = 24;
     private static final long PIECE_MASK = (1L << PIECE_BITS) - 1;
+    /** Longs between two threads' counters: two cache lines, so that they do not disturb each other. */
+    private static final int STRIDE = 16;
 
     private final Thread[] threads;
-    /** Round number in the high bits, pieces still to be claimed in the low ones. */
-    private final AtomicLong ticket = new AtomicLong();
+    /** For each thread: round number in the high bits, pieces of its run still to be claimed in the low ones. */
+    private final AtomicLongArray left;
 
     private final AtomicInteger unfinished = new AtomicInteger();
-    private volatile Task task;
+    private int pieces;
+    private Task task;
+    /** Written after task, pieces and counters of the round, and read before them. */
+    private volatile long round;
+
     private volatile boolean closed;
-    private volatile RuntimeException failure;
+    private volatile Throwable failure;
 
     private Workers(int count) {
+        left = new AtomicLongArray(STRIDE * (count + 1));
         threads = new Thread[count - 1];
         for (int i = 0; i < threads.length; i++) {
-            threads[i] = new Thread(this::serve, "phrenic-worker-" + (i + 1));
+            int self = i + 1;
+            threads[i] = new Thread(() -> serve(self), "phrenic-worker-" + self);
             threads[i].setDaemon(true);
             threads[i].start();
         }
@@ -58,7 +66,10 @@ public final class Workers implements AutoCloseable {
         return threads.length + 1;
     }
 
-    /** Runs pieces 0 to {@code pieces - 1}, in any order, and returns when all are done. One caller at a time. */
+    /**
+     * Runs pieces 0 to {@code pieces - 1}, in any order, and returns when all are done. One caller at a time. What a piece throws is thrown here, after the others are done
+     * (one of them if several do).
+     */
     public void run(int pieces, Task work) {
         if (threads.length == 0 || pieces < 2) {
             for (int i = 0; i < pieces; i++) {
@@ -66,51 +77,70 @@ public final class Workers implements AutoCloseable {
             }
             return;
         }
+        long next = round + 1;
         task = work;
+        this.pieces = pieces;
         unfinished.set(pieces);
-        long round = (ticket.get() >>> PIECE_BITS) + 1;
-        ticket.set(round << PIECE_BITS | pieces);
-        claimAll(round, work);
+        for (int owner = 0; owner < count(); owner++) {
+            int run = firstPiece(owner + 1, pieces) - firstPiece(owner, pieces);
+            left.set(STRIDE * (owner + 1), next << PIECE_BITS | run);
+        }
+        round = next;
+        claimAll(0, next, work, pieces);
         for (int i = 0; unfinished.get() > 0; i++) {
             relax(i, false);
         }
-        if (failure != null) {
-            RuntimeException thrown = failure;
+        Throwable thrown = failure;
+        if (thrown != null) {
             failure = null;
-            throw thrown;
+            // A task declares nothing checked.
+            if (thrown instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) thrown;
         }
     }
 
-    private void claimAll(long round, Task work) {
-        while (true) {
-            long now = ticket.get();
-            long left = now & PIECE_MASK;
-            if (now >>> PIECE_BITS != round || left == 0) {
-                return;
-            }
-            if (ticket.compareAndSet(now, now - 1)) {
-                try {
-                    work.run((int) left - 1);
-                } catch (RuntimeException e) {
-                    failure = e;
-                } finally {
-                    unfinished.decrementAndGet();
+    private int firstPiece(int owner, int all) {
+        return (int) ((long) all * owner / count());
+    }
+
+    /** Claims and does pieces of a round, own ones first, until none is left. */
+    private void claimAll(int self, long current, Task work, int all) {
+        int done = 0;
+        for (int i = 0; i < count(); i++) {
+            int owner = (self + i) % count();
+            int end = firstPiece(owner + 1, all);
+            while (true) {
+                long now = left.get(STRIDE * (owner + 1));
+                if (now >>> PIECE_BITS != (current << PIECE_BITS) >>> PIECE_BITS || (now & PIECE_MASK) == 0) {
+                    break;
+                }
+                // A claim of an old round fails here on the round number, whatever was read as its task.
+                if (left.compareAndSet(STRIDE * (owner + 1), now, now - 1)) {
+                    done++;
+                    try {
+                        work.run(end - (int) (now & PIECE_MASK));
+                    } catch (Throwable e) {
+                        // An Error too: a piece lost in silence would leave a step half done.
+                        failure = e;
+                    }
                 }
             }
         }
+        if (done > 0) {
+            unfinished.addAndGet(-done);
+        }
     }
 
-    private void serve() {
+    private void serve(int self) {
+        long seen = 0;
         int idle = 0;
         while (!closed) {
-            long now = ticket.get();
-            if ((now & PIECE_MASK) != 0) {
-                // The task is read after the ticket that it was published with; a stale claim fails on the round
-                // number.
-                Task work = task;
-                if (ticket.get() >>> PIECE_BITS == now >>> PIECE_BITS) {
-                    claimAll(now >>> PIECE_BITS, work);
-                }
+            long now = round;
+            if (now != seen) {
+                seen = now;
+                claimAll(self, now, task, pieces);
                 idle = 0;
             } else {
                 relax(idle++, true);

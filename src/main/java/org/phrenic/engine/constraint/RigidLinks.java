@@ -9,17 +9,21 @@ import org.phrenic.engine.Workers;
 /**
  * Links of constant length between two nodes: the compression members of a tensegrity structure (Villard, Bourne and Bello 2009, eq. 5).
  *
- * <p>After a step that ignored the links, the ends A', B' of each are put back on the line A'B' at the link's length, the correction shared by inverse mass (so AA₁/AA' = BB₁/BB' for equal
- * masses), and velocities get the same shift over h, so that nothing heats. Links are coloured so that links of one colour share no node: a colour is done in parallel
- * with the same bits for any number of threads.
+ * <p>After a step that ignored the links, the ends A', B' of each are brought back to the link's length, the correction shared by inverse mass (so AA₁/AA' = BB₁/BB' for equal
+ * masses), and velocities get the same shift over h, so that nothing heats.
  *
  * <ul>
- *   <li>{@link #sweeping}: coloured Gauss-Seidel until the largest relative length error is below a tolerance (the default);
- *   <li>{@link #onceAsPublished}: one pass, in the order given, as the paper states.
+ *   <li>{@link #sweeping}, the default: coloured Gauss-Seidel until the largest relative length error is below a tolerance. Ends are shifted along the line AB that the link had
+ *       before the step (SHAKE: Ryckaert, Ciccotti and Berendsen 1977, doi 10.1016/0021-9991(77)90098-5), which keeps angular momentum, the order 2 of velocity Verlet and
+ *       the energy. Links of one colour share no node: a colour is done in parallel with the same bits for any number of threads;
+ *   <li>{@link #onceAsPublished}: one pass, in the order given, along the line A'B', as the paper states. That direction belongs to the end of the step and takes energy out of links that
+ *       turn: a link that turns at ω loses speed at the rate ω² h, so the scheme is of order 1.
  * </ul>
  */
 public final class RigidLinks implements Constraint {
-    private static final int LINKS_A_PIECE = 1024;
+    private static final int LINKS_A_PIECE = 256;
+    /** Cosine of the turn in one step beyond which the old line no longer serves as direction. */
+    private static final double TURN = 0.9;
 
     private final int[] nodeA;
     private final int[] nodeB;
@@ -27,11 +31,15 @@ public final class RigidLinks implements Constraint {
     private final int[] colourStart;
     private final double tolerance;
     private final int maxSweeps;
-    private final boolean sequential;
+    private final boolean asPublished;
+    /** Whether the order matters: links that share no node give the same bits in any. */
+    private final boolean inOrder;
+
     private final double[] pieceError;
     private int sweepsLast;
 
     private ParticleSystem system;
+    private double step;
     private double inverseStep;
     private int colourFrom;
     private int colourTo;
@@ -44,7 +52,7 @@ public final class RigidLinks implements Constraint {
             double[] callerPositions,
             double tolerance,
             int maxSweeps,
-            boolean sequential) {
+            boolean asPublished) {
         int n = callerA.length;
         int[] a = new int[n];
         int[] b = new int[n];
@@ -63,13 +71,14 @@ public final class RigidLinks implements Constraint {
                         + callerB[i] + ": found length " + l[i] + " mm, expected more than 0");
             }
         }
-        int[] colour = sequential ? new int[n] : colours(a, b, layout.nodeCount());
+        inOrder = asPublished && shareNodes(a, b, layout.nodeCount());
+        int[] colour = asPublished ? new int[n] : colours(a, b, layout.nodeCount());
         int colourCount = Arrays.stream(colour).max().orElse(-1) + 1;
         colourStart = new int[colourCount + 1];
         long[] key = new long[n];
         for (int i = 0; i < n; i++) {
             colourStart[colour[i] + 1]++;
-            long place = sequential ? i : Math.min(a[i], b[i]);
+            long place = inOrder ? i : Math.min(a[i], b[i]);
             key[i] = (long) colour[i] << 56 | place << 28 | i;
         }
         for (int c = 0; c < colourCount; c++) {
@@ -87,7 +96,7 @@ public final class RigidLinks implements Constraint {
         }
         this.tolerance = tolerance;
         this.maxSweeps = maxSweeps;
-        this.sequential = sequential;
+        this.asPublished = asPublished;
         this.pieceError = new double[n / LINKS_A_PIECE + 1];
     }
 
@@ -110,6 +119,18 @@ public final class RigidLinks implements Constraint {
     /** The paper's projection: each link once, in the order given. Parameters as for {@link #sweeping}. */
     public static RigidLinks onceAsPublished(NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions) {
         return new RigidLinks(layout, nodeA, nodeB, positions, 0, 1, true);
+    }
+
+    private static boolean shareNodes(int[] a, int[] b, int nodes) {
+        boolean[] used = new boolean[nodes];
+        for (int i = 0; i < a.length; i++) {
+            if (used[a[i]] || used[b[i]]) {
+                return true;
+            }
+            used[a[i]] = true;
+            used[b[i]] = true;
+        }
+        return false;
     }
 
     private static int[] colours(int[] a, int[] b, int nodes) {
@@ -144,6 +165,7 @@ public final class RigidLinks implements Constraint {
     @Override
     public void project(ParticleSystem particles, double h) {
         system = particles;
+        step = h;
         inverseStep = 1 / h;
         double worst = Double.POSITIVE_INFINITY;
         sweepsLast = 0;
@@ -152,7 +174,7 @@ public final class RigidLinks implements Constraint {
             for (int c = 0; c < colourStart.length - 1; c++) {
                 colourFrom = colourStart[c];
                 colourTo = colourStart[c + 1];
-                int pieces = sequential ? 1 : (colourTo - colourFrom + LINKS_A_PIECE - 1) / LINKS_A_PIECE;
+                int pieces = inOrder ? 1 : (colourTo - colourFrom + LINKS_A_PIECE - 1) / LINKS_A_PIECE;
                 particles.workers().run(pieces, task);
                 for (int i = 0; i < pieces; i++) {
                     worst = Math.max(worst, pieceError[i]);
@@ -160,33 +182,63 @@ public final class RigidLinks implements Constraint {
             }
             sweepsLast++;
             // Links that share no node are exact after one pass: nothing can have moved them since.
-            if (colourStart.length <= 2 && !sequential) {
+            if (colourStart.length <= 2 && !inOrder) {
                 return;
             }
         }
     }
 
     private void piece(int piece) {
-        int from = sequential ? colourFrom : colourFrom + piece * LINKS_A_PIECE;
-        int to = sequential ? colourTo : Math.min(colourTo, from + LINKS_A_PIECE);
+        int from = inOrder ? colourFrom : colourFrom + piece * LINKS_A_PIECE;
+        int to = inOrder ? colourTo : Math.min(colourTo, from + LINKS_A_PIECE);
         double[] x = system.positions();
         double[] v = system.velocities();
         double[] w = system.inverseMasses();
+        int[] ends = nodeA;
+        int[] otherEnds = nodeB;
+        double[] lengths = length;
+        double h = step;
+        double perStep = inverseStep;
+        boolean published = asPublished;
         double worst = 0;
         for (int i = from; i < to; i++) {
-            int a = nodeA[i];
-            int b = nodeB[i];
+            int a = ends[i];
+            int b = otherEnds[i];
+            double rest = lengths[i];
             double wa = w[a / 3];
             double wb = w[b / 3];
             double dx = x[b] - x[a];
             double dy = x[b + 1] - x[a + 1];
             double dz = x[b + 2] - x[a + 2];
             double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            worst = Math.max(worst, Math.abs(l - length[i]) / length[i]);
-            if (wa + wb == 0) {
+            double over = l - rest;
+            if (!(Math.abs(over) <= worst * rest)) {
+                worst = Math.abs(over) / rest;
+            }
+            if (wa + wb == 0 || l == 0) {
+                // Both ends given, or on one spot, where the line has no direction.
                 continue;
             }
-            double s = (l - length[i]) / (l * (wa + wb));
+            double under = l;
+            if (!published) {
+                // Back by h v lies the line before the step; along it the impulse changes no angular momentum.
+                double ox = dx - h * (v[b] - v[a]);
+                double oy = dy - h * (v[b + 1] - v[a + 1]);
+                double oz = dz - h * (v[b + 2] - v[a + 2]);
+                double along = dx * ox + dy * oy + dz * oz;
+                double squared = ox * ox + oy * oy + oz * oz;
+                double more = over * (l + rest);
+                double root = along * along - squared * more;
+                if (along > TURN * l * Math.sqrt(squared) && root > 0) {
+                    // |d - t o| = L: t = over / under is the smaller root.
+                    over = more;
+                    under = along + Math.sqrt(root);
+                    dx = ox;
+                    dy = oy;
+                    dz = oz;
+                }
+            }
+            double s = over / (under * (wa + wb));
             double sa = s * wa;
             double sb = s * wb;
             x[a] += sa * dx;
@@ -195,8 +247,8 @@ public final class RigidLinks implements Constraint {
             x[b] -= sb * dx;
             x[b + 1] -= sb * dy;
             x[b + 2] -= sb * dz;
-            sa *= inverseStep;
-            sb *= inverseStep;
+            sa *= perStep;
+            sb *= perStep;
             v[a] += sa * dx;
             v[a + 1] += sa * dy;
             v[a + 2] += sa * dz;

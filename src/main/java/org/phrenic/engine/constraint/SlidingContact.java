@@ -22,7 +22,7 @@ public final class SlidingContact implements Constraint {
     private final double[] plane;
     private final boolean[] touching;
     private double planeTime = Double.NaN;
-    private double now;
+    private double now = Double.NaN;
     private ParticleSystem system;
     private boolean refresh;
     private final Workers.Task task = this::piece;
@@ -59,10 +59,11 @@ public final class SlidingContact implements Constraint {
 
     @Override
     public void prepare(double time) {
+        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
+        // that
+        // does not move on means that an earlier state was put back: planes of the lost one are worth nothing.
+        refresh = !(time > now && time - planeTime < refreshInterval * (1 - 1e-9));
         now = time;
-        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step; going
-        // back in time refreshes too.
-        refresh = !(Math.abs(time - planeTime) < refreshInterval * (1 - 1e-9));
         if (refresh) {
             planeTime = time;
             surface.prepare(time);
@@ -79,24 +80,32 @@ public final class SlidingContact implements Constraint {
         double[] x = system.positions();
         double[] v = system.velocities();
         double[] w = system.inverseMasses();
+        double[] planes = plane;
+        int[] nodes = node;
         double elapsed = now - planeTime;
-        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
-        for (int i = piece * NODES_A_PIECE; i < to; i++) {
-            int n = node[i];
-            int p = PLANE * i;
-            if (refresh) {
-                surface.planeNear(i, x[n], x[n + 1], x[n + 2], plane, p);
+        int from = piece * NODES_A_PIECE;
+        int to = Math.min(nodes.length, from + NODES_A_PIECE);
+        if (refresh) {
+            for (int i = from; i < to; i++) {
+                int n = nodes[i];
+                surface.planeNear(i, x[n], x[n + 1], x[n + 2], planes, PLANE * i);
             }
-            double nx = plane[p];
-            double ny = plane[p + 1];
-            double nz = plane[p + 2];
-            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - plane[p + 3] - plane[p + 4] * elapsed;
-            touching[i] = gap < 0 && w[n / 3] > 0;
-            if (touching[i]) {
+        }
+        for (int i = from; i < to; i++) {
+            int n = nodes[i];
+            int p = PLANE * i;
+            double nx = planes[p];
+            double ny = planes[p + 1];
+            double nz = planes[p + 2];
+            double wallSpeed = planes[p + 4];
+            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - planes[p + 3] - wallSpeed * elapsed;
+            boolean held = gap < 0 && w[n / 3] > 0;
+            touching[i] = held;
+            if (held) {
                 x[n] -= gap * nx;
                 x[n + 1] -= gap * ny;
                 x[n + 2] -= gap * nz;
-                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - plane[p + 4];
+                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - wallSpeed;
                 if (into < 0) {
                     v[n] -= into * nx;
                     v[n + 1] -= into * ny;

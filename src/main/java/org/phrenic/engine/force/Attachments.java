@@ -23,12 +23,22 @@ public final class Attachments implements ForceField {
      * @param stiffness of each, N/m
      * @param damping dashpot of each as a multiple of its stiffness, s; 0 for none
      * @param anchors where each is attached, in the same order
+     * @throws IllegalArgumentException if numbers differ, or a stiffness or the damping is negative or not finite
      */
     public Attachments(
             NodeLayout layout, int[] callerNodes, double[] stiffness, double damping, PrescribedMotion anchors) {
         if (stiffness.length != callerNodes.length || anchors.pointCount() != callerNodes.length) {
             throw new IllegalArgumentException("attachments: found " + callerNodes.length + " nodes, "
                     + stiffness.length + " stiffnesses and " + anchors.pointCount() + " anchors, expected as many");
+        }
+        for (int i = 0; i < stiffness.length; i++) {
+            if (!(stiffness[i] >= 0) || Double.isInfinite(stiffness[i])) {
+                throw new IllegalArgumentException(
+                        "stiffness of attachment " + i + ": found " + stiffness[i] + " N/m, expected 0 or more");
+            }
+        }
+        if (!(damping >= 0) || Double.isInfinite(damping)) {
+            throw new IllegalArgumentException("damping of attachments: found " + damping + " s, expected 0 or more");
         }
         this.nodes = new BlockedNodes(layout, callerNodes);
         this.stiffness = stiffness.clone();

@@ -9,12 +9,17 @@ import org.phrenic.engine.NodeLayout;
  * of summation is fixed.
  */
 final class BlockedEdges {
+    private static final int SWEEPS = 8;
+
     /** Edges as the caller listed them, in internal nodes. */
     final int[] nodeA;
 
     final int[] nodeB;
     /** Places in the sorted list: {@code [innerStart(b), outerStart(b))} inner, {@code [outerStart(b), innerStart(b+1))} outer. */
     final int[] innerStart;
+
+    /** Inner entries before this one come in threes with the same first node (stars), those from here on singly. */
+    final int[] looseStart;
 
     final int[] outerStart;
     /** First node of the entry times 3; for an outer entry the one in the block. */
@@ -53,6 +58,7 @@ final class BlockedEdges {
         }
         innerStart = new int[blocks + 1];
         outerStart = new int[blocks];
+        looseStart = new int[blocks];
         for (int b = 0; b < blocks; b++) {
             outerStart[b] = innerStart[b] + inner[b];
             innerStart[b + 1] = outerStart[b] + outer[b];
@@ -65,27 +71,79 @@ final class BlockedEdges {
     }
 
     private void fill(NodeLayout layout, int n) {
-        int[] nextInner = Arrays.copyOf(innerStart, innerStart.length);
-        int[] nextOuter = outerStart.clone();
+        boolean[] highOwns = owners(layout, n);
         // Sorted by first node, so that entries walk through memory.
         long[] key = new long[n];
+        int[] waiting = new int[layout.nodeCount()];
         for (int e = 0; e < n; e++) {
-            key[e] = (long) Math.min(nodeA[e], nodeB[e]) << 32 | e;
+            int first = first(e, highOwns[e]);
+            key[e] = (long) first << 32 | e;
+            waiting[first] += isInner(layout, e) ? 1 : 0;
         }
         Arrays.sort(key);
+        int[] nextStar = Arrays.copyOf(innerStart, outerStart.length);
+        int[] nextLoose = outerStart.clone();
+        int[] nextOuter = outerStart.clone();
+        int starNode = -1;
+        int starLeft = 0;
         for (long k : key) {
             int e = (int) k;
-            int low = Math.min(nodeA[e], nodeB[e]);
-            int high = Math.max(nodeA[e], nodeB[e]);
-            int blockLow = layout.blockOf(low);
-            int blockHigh = layout.blockOf(high);
-            if (blockLow == blockHigh) {
-                put(nextInner[blockLow]++, low, high, e);
-            } else {
-                put(nextOuter[blockLow]++, low, high, e);
-                put(nextOuter[blockHigh]++, high, low, e);
+            int first = (int) (k >>> 32);
+            int second = nodeA[e] + nodeB[e] - first;
+            int block = layout.blockOf(first);
+            if (!isInner(layout, e)) {
+                put(nextOuter[block]++, first, second, e);
+                put(nextOuter[layout.blockOf(second)]++, second, first, e);
+                continue;
+            }
+            if (first != starNode) {
+                starNode = first;
+                starLeft = waiting[first] / 3 * 3;
+            }
+            // Stars fill a block's inner part from its beginning, loose edges from its end.
+            int at = starLeft-- > 0 ? nextStar[block]++ : --nextLoose[block];
+            put(at, first, second, e);
+        }
+        System.arraycopy(nextLoose, 0, looseStart, 0, looseStart.length);
+    }
+
+    private boolean isInner(NodeLayout layout, int e) {
+        return layout.blockOf(nodeA[e]) == layout.blockOf(nodeB[e]);
+    }
+
+    private int first(int e, boolean high) {
+        return high ? Math.max(nodeA[e], nodeB[e]) : Math.min(nodeA[e], nodeB[e]);
+    }
+
+    /**
+     * Which end of each inner edge lists it: chosen so that most nodes list three (a triangulated surface has three edges a node), and the edges left over from stars are few.
+     */
+    private boolean[] owners(NodeLayout layout, int n) {
+        boolean[] highOwns = new boolean[n];
+        int[] owned = new int[layout.nodeCount()];
+        for (int e = 0; e < n; e++) {
+            if (isInner(layout, e)) {
+                highOwns[e] = owned[first(e, true)] < owned[first(e, false)];
+                owned[first(e, highOwns[e])]++;
             }
         }
+        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            for (int e = 0; e < n; e++) {
+                if (isInner(layout, e)) {
+                    int mine = first(e, highOwns[e]);
+                    int theirs = first(e, !highOwns[e]);
+                    int before = owned[mine] % 3 + owned[theirs] % 3;
+                    int after = (owned[mine] + 2) % 3 + (owned[theirs] + 1) % 3;
+                    // An edge that neither gains nor loses is handed on as well: it may complete a star further along.
+                    if (after < before || (after == before && owned[mine] % 3 == 1)) {
+                        highOwns[e] = !highOwns[e];
+                        owned[mine]--;
+                        owned[theirs]++;
+                    }
+                }
+            }
+        }
+        return highOwns;
     }
 
     private void put(int at, int ownNode, int otherNode, int e) {

@@ -1,12 +1,15 @@
 package org.phrenic.engine.force;
 
+import java.util.stream.IntStream;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.NodeLayout;
 
 /** A dead load: one constant force a node, times a factor that may change (gravity, a weight, what holds a scan's shape). */
 public final class ConstantLoad implements ForceField {
-    private final NodeLayout layout;
+    private final BlockedNodes nodes;
+    /** Three numbers an entry of {@link #nodes}. */
     private final double[] load;
+
     private double factor = 1;
 
     /**
@@ -18,8 +21,14 @@ public final class ConstantLoad implements ForceField {
             throw new IllegalArgumentException(
                     "load: found " + load.length + " numbers, expected " + 3 * layout.nodeCount());
         }
-        this.layout = layout;
-        this.load = layout.toInternal(load);
+        int[] loaded = IntStream.range(0, layout.nodeCount())
+                .filter(i -> load[3 * i] != 0 || load[3 * i + 1] != 0 || load[3 * i + 2] != 0)
+                .toArray();
+        nodes = new BlockedNodes(layout, loaded);
+        this.load = new double[3 * loaded.length];
+        for (int i = 0; i < loaded.length; i++) {
+            System.arraycopy(load, 3 * loaded[nodes.item[i]], this.load, 3 * i, 3);
+        }
     }
 
     /** Multiplies the whole load from now on. */
@@ -29,9 +38,15 @@ public final class ConstantLoad implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
-        int end = 3 * layout.end(block);
-        for (int i = 3 * layout.start(block); i < end; i++) {
-            force[i] += factor * load[i];
+        int[] node = nodes.node;
+        double[] f = load;
+        double s = factor;
+        int end = nodes.start[block + 1];
+        for (int i = nodes.start[block]; i < end; i++) {
+            int n = node[i];
+            force[n] += s * f[3 * i];
+            force[n + 1] += s * f[3 * i + 1];
+            force[n + 2] += s * f[3 * i + 2];
         }
     }
 
@@ -40,7 +55,7 @@ public final class ConstantLoad implements ForceField {
     public double potentialEnergy(double[] x) {
         double sum = 0;
         for (int i = 0; i < load.length; i++) {
-            sum -= factor * load[i] * x[i];
+            sum -= factor * load[i] * x[nodes.node[i / 3] + i % 3];
         }
         return sum;
     }

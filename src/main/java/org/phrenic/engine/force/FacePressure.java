@@ -9,21 +9,27 @@ import org.phrenic.engine.NodeLayout;
  * inward, that is, pressure pushes against the face. w is a weight a triangle (1, or a hydrostatic profile).
  */
 public final class FacePressure implements ForceField {
+    /** All three corners lie in the block. */
+    private static final int ALL = 7;
+
     private final int[] start;
     private final int[] corner;
     private final int[] owned;
-    private final double[] weight;
-    private final int[] item;
+    private final double[] entryWeight;
     private double pressure;
 
     /**
      * @param layout of the system it is for
      * @param triangles three nodes a triangle, caller's numbering, anticlockwise seen from the side that is pressed on
      * @param weight one a triangle
+     * @throws IllegalArgumentException if the corners are not three a triangle, or the weights not one a triangle
      */
     public FacePressure(NodeLayout layout, int[] triangles, double[] weight) {
         int count = triangles.length / 3;
-        this.weight = weight.clone();
+        if (triangles.length % 3 != 0 || weight.length != count) {
+            throw new IllegalArgumentException("faces under pressure: found " + triangles.length + " corners and "
+                    + weight.length + " weights, expected three corners and one weight each");
+        }
         int[] internal = new int[triangles.length];
         long[] key = new long[3 * count];
         int entries = 0;
@@ -47,13 +53,14 @@ public final class FacePressure implements ForceField {
         start = new int[layout.blockCount() + 1];
         corner = new int[3 * entries];
         owned = new int[entries];
-        item = new int[entries];
+        entryWeight = new double[entries];
         for (int i = 0; i < entries; i++) {
             int block = (int) (key[i] >>> 32);
-            item[i] = (int) key[i];
+            int triangle = (int) key[i];
+            entryWeight[i] = weight[triangle];
             start[block + 1]++;
             for (int c = 0; c < 3; c++) {
-                int node = internal[3 * item[i] + c];
+                int node = internal[3 * triangle + c];
                 corner[3 * i + c] = 3 * node;
                 if (layout.blockOf(node) == block) {
                     owned[i] |= 1 << c;
@@ -79,21 +86,38 @@ public final class FacePressure implements ForceField {
         if (pressure == 0) {
             return;
         }
-        for (int i = start[block]; i < start[block + 1]; i++) {
-            int a = corner[3 * i];
-            int b = corner[3 * i + 1];
-            int c = corner[3 * i + 2];
+        int[] corners = corner;
+        int[] mask = owned;
+        double[] scale = entryWeight;
+        double sixth = -pressure / 6;
+        int end = start[block + 1];
+        for (int i = start[block]; i < end; i++) {
+            int a = corners[3 * i];
+            int b = corners[3 * i + 1];
+            int c = corners[3 * i + 2];
             double e1x = x[b] - x[a];
             double e1y = x[b + 1] - x[a + 1];
             double e1z = x[b + 2] - x[a + 2];
             double e2x = x[c] - x[a];
             double e2y = x[c + 1] - x[a + 1];
             double e2z = x[c + 2] - x[a + 2];
-            double s = -pressure * weight[item[i]] / 6;
+            double s = sixth * scale[i];
             double fx = s * (e1y * e2z - e1z * e2y);
             double fy = s * (e1z * e2x - e1x * e2z);
             double fz = s * (e1x * e2y - e1y * e2x);
-            int mine = owned[i];
+            int mine = mask[i];
+            if (mine == ALL) {
+                force[a] += fx;
+                force[a + 1] += fy;
+                force[a + 2] += fz;
+                force[b] += fx;
+                force[b + 1] += fy;
+                force[b + 2] += fz;
+                force[c] += fx;
+                force[c + 1] += fy;
+                force[c + 2] += fz;
+                continue;
+            }
             if ((mine & 1) != 0) {
                 force[a] += fx;
                 force[a + 1] += fy;

@@ -1,6 +1,8 @@
 package org.phrenic.engine.force;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.NodeLayout;
 
@@ -19,6 +21,10 @@ public final class Springs implements ForceField {
     private final double[] entryRest;
     private final double[] entryShareRest;
     private final double[] entryDamping;
+    private final EdgeBatch.Pass[] starPasses;
+    private final EdgeBatch.Pass[] loosePasses;
+    private final EdgeBatch.Pass[] outerPasses;
+    private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
     private double activation;
 
     private Springs(Builder b) {
@@ -38,6 +44,11 @@ public final class Springs implements ForceField {
                 entryShareRest[i] *= entryRest[i];
             }
         }
+        int[] own = edges.own;
+        int[] other = edges.other;
+        starPasses = passes(true, (t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
+        loosePasses = passes(false, (t, from, n) -> EdgeBatch.giveToBoth(own, other, t.difference, t.force, from, n));
+        outerPasses = passes(false, (t, from, n) -> EdgeBatch.giveToOwn(own, t.difference, t.force, from, n));
     }
 
     /**
@@ -69,8 +80,15 @@ public final class Springs implements ForceField {
         return rest.clone();
     }
 
-    /** Multiplies every stiffness by a factor (a material made softer or harder while it runs). */
+    /**
+     * Multiplies every stiffness by a factor (a material made softer or harder while it runs).
+     *
+     * @throws IllegalArgumentException if the factor is negative or not finite
+     */
     public void scaleStiffness(double factor) {
+        if (!(factor >= 0) || Double.isInfinite(factor)) {
+            throw new IllegalArgumentException("factor of stiffness: found " + factor + ", expected 0 or more");
+        }
         for (int e = 0; e < stiffness.length; e++) {
             stiffness[e] *= factor;
         }
@@ -81,113 +99,74 @@ public final class Springs implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
+        EdgeBatch batch = batches.get();
+        batch.x = x;
+        batch.v = v;
+        batch.force = force;
+        batch.run(starPasses, edges.innerStart[block], edges.looseStart[block]);
+        batch.run(loosePasses, edges.looseStart[block], edges.outerStart[block]);
+        batch.run(outerPasses, edges.outerStart[block], edges.innerStart[block + 1]);
+    }
+
+    private EdgeBatch.Pass[] passes(boolean stars, EdgeBatch.Pass give) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        List<EdgeBatch.Pass> passes = new ArrayList<>();
+        passes.add(
+                stars
+                        ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n)
+                        : (t, from, n) -> EdgeBatch.differences(own, other, t.x, t.difference, from, n));
+        passes.add((t, from, n) -> EdgeBatch.inverseLengths(t.difference, t.inverse, n));
+        passes.add((t, from, n) -> System.arraycopy(entryRest, from, t.rest, 0, n));
+        if (entryShareRest != null) {
+            passes.add(this::contract);
+        }
+        passes.add(uniform(stiffness) ? this::uniformTension : this::tension);
         if (entryDamping != null) {
-            addDamped(x, v, force, block);
-        } else if (entryShareRest != null && activation != 0) {
-            addContractile(x, force, block);
-        } else {
-            addPassive(x, force, block);
+            passes.add(
+                    stars
+                            ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.v, t.rate, from, n)
+                            : (t, from, n) -> EdgeBatch.differences(own, other, t.v, t.rate, from, n));
+            passes.add((t, from, n) -> EdgeBatch.stretchRates(t.rate, t.difference, t.inverse, n));
+            passes.add(uniform(damping) ? this::uniformDamping : this::damping);
+        }
+        passes.add((t, from, n) -> EdgeBatch.forces(t.difference, t.tension, n));
+        passes.add(give);
+        return passes.toArray(EdgeBatch.Pass[]::new);
+    }
+
+    private void contract(EdgeBatch t, int from, int count) {
+        if (activation != 0) {
+            System.arraycopy(entryShareRest, from, t.constant, 0, count);
+            EdgeBatch.contract(t.rest, t.constant, activation, count);
         }
     }
 
-    private void addPassive(double[] x, double[] force, int block) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] k = entryStiffness;
-        double[] l0 = entryRest;
-        int outer = edges.outerStart[block];
-        for (int i = edges.innerStart[block]; i < outer; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double t = k[i] * (1 - l0[i] / Math.sqrt(dx * dx + dy * dy + dz * dz));
-            force[a] += t * dx;
-            force[a + 1] += t * dy;
-            force[a + 2] += t * dz;
-            force[b] -= t * dx;
-            force[b + 1] -= t * dy;
-            force[b + 2] -= t * dz;
-        }
-        int end = edges.innerStart[block + 1];
-        for (int i = outer; i < end; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double t = k[i] * (1 - l0[i] / Math.sqrt(dx * dx + dy * dy + dz * dz));
-            force[a] += t * dx;
-            force[a + 1] += t * dy;
-            force[a + 2] += t * dz;
-        }
+    private void uniformTension(EdgeBatch t, int from, int count) {
+        EdgeBatch.tensions(t.tension, entryStiffness[from], t.rest, t.inverse, count);
     }
 
-    private void addContractile(double[] x, double[] force, int block) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] k = entryStiffness;
-        double[] l0 = entryRest;
-        double[] s = entryShareRest;
-        double act = activation;
-        int outer = edges.outerStart[block];
-        for (int i = edges.innerStart[block]; i < outer; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double t = k[i] * (1 - (l0[i] - act * s[i]) / Math.sqrt(dx * dx + dy * dy + dz * dz));
-            force[a] += t * dx;
-            force[a + 1] += t * dy;
-            force[a + 2] += t * dz;
-            force[b] -= t * dx;
-            force[b + 1] -= t * dy;
-            force[b + 2] -= t * dz;
-        }
-        int end = edges.innerStart[block + 1];
-        for (int i = outer; i < end; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double t = k[i] * (1 - (l0[i] - act * s[i]) / Math.sqrt(dx * dx + dy * dy + dz * dz));
-            force[a] += t * dx;
-            force[a + 1] += t * dy;
-            force[a + 2] += t * dz;
-        }
+    private void tension(EdgeBatch t, int from, int count) {
+        System.arraycopy(entryStiffness, from, t.constant, 0, count);
+        EdgeBatch.tensions(t.tension, t.constant, t.rest, t.inverse, count);
     }
 
-    private void addDamped(double[] x, double[] v, double[] force, int block) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] k = entryStiffness;
-        double[] c = entryDamping;
-        double[] l0 = entryRest;
-        double act = entryShareRest == null ? 0 : activation;
-        int outer = edges.outerStart[block];
-        int end = edges.innerStart[block + 1];
-        for (int i = edges.innerStart[block]; i < end; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double inverse = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-            double slope = (v[b] - v[a]) * dx + (v[b + 1] - v[a + 1]) * dy + (v[b + 2] - v[a + 2]) * dz;
-            double l = act == 0 ? l0[i] : l0[i] - act * entryShareRest[i];
-            double t = k[i] * (1 - l * inverse) + c[i] * slope * (inverse * inverse);
-            force[a] += t * dx;
-            force[a + 1] += t * dy;
-            force[a + 2] += t * dz;
-            if (i < outer) {
-                force[b] -= t * dx;
-                force[b + 1] -= t * dy;
-                force[b + 2] -= t * dz;
+    private void uniformDamping(EdgeBatch t, int from, int count) {
+        EdgeBatch.dampen(t.tension, entryDamping[from], t.rate, count);
+    }
+
+    private void damping(EdgeBatch t, int from, int count) {
+        System.arraycopy(entryDamping, from, t.constant, 0, count);
+        EdgeBatch.dampen(t.tension, t.constant, t.rate, count);
+    }
+
+    private static boolean uniform(double[] values) {
+        for (double value : values) {
+            if (value != values[0]) {
+                return false;
             }
         }
+        return true;
     }
 
     @Override
@@ -332,6 +311,9 @@ public final class Springs implements ForceField {
             if (damping != null) {
                 check("damping", damping, "N s/m");
             }
+            if (share != null) {
+                check("contractile share", share, "");
+            }
             return new Springs(this);
         }
 
@@ -342,8 +324,8 @@ public final class Springs implements ForceField {
             }
             for (int e = 0; e < values.length; e++) {
                 if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
-                    throw new IllegalArgumentException(
-                            what + " of spring " + e + ": found " + values[e] + " " + unit + ", expected 0 or more");
+                    throw new IllegalArgumentException(what + " of spring " + e + ": found "
+                            + (values[e] + " " + unit).strip() + ", expected 0 or more");
                 }
             }
         }

@@ -1,7 +1,6 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Arrays;
-import org.phrenic.engine.ForceField;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
@@ -63,9 +62,7 @@ final class BackwardEuler extends AbstractIntegrator {
         system.forces(time + step, x, v, force);
         Arrays.fill(stiffnessSum, 0);
         Arrays.fill(dampingSum, 0);
-        for (ForceField field : system.fields()) {
-            field.addRowSums(stiffnessSum, dampingSum);
-        }
+        system.addRowSums(stiffnessSum, dampingSum);
         double[] mass = system.masses();
         for (int n = 0; n < diagonal.length; n++) {
             // Half a row sum is the diagonal of a graph Laplacian.
@@ -94,6 +91,13 @@ final class BackwardEuler extends AbstractIntegrator {
         double goal = TOLERANCE * TOLERANCE * dot(right, right, true);
         double rho = dot(residual, residual, true);
         iterationsLast = 0;
+        if (!Double.isFinite(rho)) {
+            // A force that is no number must show in the velocity of its node, not be passed over.
+            for (int i = 0; i < x.length; i++) {
+                v[i] += residual[i];
+            }
+            return;
+        }
         while (iterationsLast < MAX_ITERATIONS && rho > goal) {
             multiply(direction);
             double alpha = rho / dot(direction, image, false);
@@ -119,9 +123,7 @@ final class BackwardEuler extends AbstractIntegrator {
     private void apply(int block) {
         double[] mass = system.masses();
         Arrays.fill(image, 3 * layout.start(block), 3 * layout.end(block), 0);
-        for (ForceField field : system.fields()) {
-            field.addStiffness(x, operand, image, block);
-        }
+        system.addStiffness(x, operand, image, block);
         for (int n = layout.start(block); n < layout.end(block); n++) {
             double own = mass[n] + h * viscosity[n];
             for (int i = 3 * n; i < 3 * n + 3; i++) {
@@ -155,8 +157,12 @@ final class BackwardEuler extends AbstractIntegrator {
     }
 
     static double[][] amplification(double a, double b) {
+        return amplification(a, b, 0);
+    }
+
+    static double[][] amplification(double a, double b, double c) {
         double inverse = 1 / (1 + b + a);
-        // v' h = (v h - a x) / (1 + b + a), x' = x + v' h.
-        return new double[][] {{1 - a * inverse, inverse}, {-a * inverse, inverse}};
+        // v' h = ((1 - c) v h - a x) / (1 + b + a), x' = x + v' h.
+        return new double[][] {{1 - a * inverse, (1 - c) * inverse}, {-a * inverse, (1 - c) * inverse}};
     }
 }

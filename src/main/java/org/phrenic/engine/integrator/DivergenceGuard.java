@@ -16,7 +16,7 @@ final class DivergenceGuard {
     private final ParticleSystem system;
     private final double[] goodX;
     private final double[] goodV;
-    private final double[] worst;
+    private final boolean[] good;
     private long goodStep;
     private final Workers.Task scan = this::scan;
 
@@ -24,39 +24,50 @@ final class DivergenceGuard {
         this.system = system;
         goodX = system.positions().clone();
         goodV = system.velocities().clone();
-        worst = new double[system.layout().blockCount()];
+        good = new boolean[system.layout().blockCount()];
     }
 
-    /** The cause if the state is out of bounds after a step, null if it is good. */
-    String check(long step) {
-        system.workers().run(worst.length, scan);
-        double fastest = 0;
-        for (double value : worst) {
-            fastest = Math.max(fastest, value);
-        }
-        if (!(fastest <= MAX_SPEED * MAX_SPEED)) {
-            return describe();
-        }
-        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
+    /** Keeps the state at hand, unless it is itself out of bounds. */
+    void keep(long step) {
+        if (isGood()) {
             System.arraycopy(system.positions(), 0, goodX, 0, goodX.length);
             System.arraycopy(system.velocities(), 0, goodV, 0, goodV.length);
             goodStep = step;
         }
+    }
+
+    /** The cause if the state is out of bounds after a step, null if it is good. */
+    String check(long step) {
+        if (!isGood()) {
+            return describe();
+        }
+        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
+            keep(step);
+        }
         return null;
+    }
+
+    private boolean isGood() {
+        system.workers().run(good.length, scan);
+        for (boolean block : good) {
+            if (!block) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void scan(int block) {
         double[] v = system.velocities();
         double[] x = system.positions();
-        double fastest = 0;
-        for (int n = system.layout().start(block); n < system.layout().end(block); n++) {
-            int i = 3 * n;
+        int end = 3 * system.layout().end(block);
+        boolean all = true;
+        for (int i = 3 * system.layout().start(block); i < end && all; i += 3) {
             // 0 x is 0 unless x is not finite: so a lost position shows as well.
             double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
-            // Math.max keeps a NaN.
-            fastest = Math.max(fastest, speed);
+            all = speed <= MAX_SPEED * MAX_SPEED;
         }
-        worst[block] = fastest;
+        good[block] = all;
     }
 
     private String describe() {

@@ -84,4 +84,19 @@ public enum IntegratorKind {
             case BACKWARD_EULER -> BackwardEuler.amplification(a, b);
         };
     }
+
+    /**
+     * As {@link #amplification(double, double)} with a dashpot beside the viscosity: ẍ = -ω² x - d ẋ - e ẋ, c = e h. Verlet and backward Euler take viscosity implicitly and dashpots
+     * explicitly, so that a strong dashpot limits their step; for the other schemes the two are one.
+     */
+    public double[][] amplification(double a, double b, double c) {
+        if (c == 0) {
+            return amplification(a, b);
+        }
+        return switch (this) {
+            case VERLET -> VelocityVerlet.amplification(a, b, c);
+            case BACKWARD_EULER -> BackwardEuler.amplification(a, b, c);
+            default -> amplification(a, b + c);
+        };
+    }
 }

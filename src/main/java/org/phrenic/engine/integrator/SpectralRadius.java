@@ -6,7 +6,12 @@ final class SpectralRadius {
 
     static double of(double[][] m) {
         if (m.length == 2) {
-            return quadratic(m[0][0] + m[1][1], m[0][0] * m[1][1] - m[0][1] * m[1][0]);
+            return block(m[0][0], m[0][1], m[1][0], m[1][1]);
+        }
+        if (m[1][0] == 0 && m[2][0] == 0) {
+            // A mode without stiffness: its eigenvalue stands alone. The polynomial would mix it with its neighbour,
+            // and near a double root it loses half the digits.
+            return Math.max(Math.abs(m[0][0]), block(m[1][1], m[1][2], m[2][1], m[2][2]));
         }
         double trace = m[0][0] + m[1][1] + m[2][2];
         double minors = m[0][0] * m[1][1]
@@ -21,12 +26,17 @@ final class SpectralRadius {
         double real = realRoot(trace, minors, determinant);
         // Division by (λ - real) leaves λ² - (trace - real) λ + (minors - real (trace - real)).
         double t = trace - real;
-        return Math.max(Math.abs(real), quadratic(t, minors - real * t));
+        double d = minors - real * t;
+        return Math.max(Math.abs(real), quadratic(t, d, t * t - 4 * d));
+    }
+
+    /** Of a 2x2 matrix; the discriminant is taken from its entries, which keeps nearly equal eigenvalues apart. */
+    private static double block(double p, double q, double r, double s) {
+        return quadratic(p + s, p * s - q * r, (p - s) * (p - s) + 4 * q * r);
     }
 
     /** Larger |root| of λ² - t λ + d. */
-    private static double quadratic(double t, double d) {
-        double discriminant = t * t - 4 * d;
+    private static double quadratic(double t, double d, double discriminant) {
         if (discriminant < 0) {
             return Math.sqrt(d);
         }

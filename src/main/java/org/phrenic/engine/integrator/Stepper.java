@@ -41,7 +41,7 @@ public final class Stepper {
         if (policy == StepPolicy.REFUSE && !limit.isStable(integrator.kind(), dt)) {
             throw new IllegalArgumentException(limit.sentence(integrator.kind(), dt) + ": refused");
         }
-        substeps = limit.substeps(integrator.kind(), dt, SAFETY);
+        substeps = policy == StepPolicy.REFUSE ? 1 : limit.substeps(integrator.kind(), dt, SAFETY);
         integrator.reset();
     }
 
@@ -51,6 +51,10 @@ public final class Stepper {
      * @throws DivergenceException if the state left all bounds; the last good state has been restored
      */
     public void step() {
+        if (steps == 0) {
+            // What was set since this was made belongs to the start.
+            guard.keep(0);
+        }
         double h = dt / substeps;
         for (int i = 0; i < substeps; i++) {
             integrator.step((steps * (long) substeps + i) * h, h);

@@ -8,7 +8,8 @@ import org.phrenic.engine.Workers;
  */
 final class SymplecticEuler extends AbstractIntegrator {
     private double h;
-    private final Workers.Task advance = this::advance;
+    private final Workers.Task kick = this::kick;
+    private final Workers.Task drift = this::drift;
 
     SymplecticEuler(ParticleSystem system) {
         super(IntegratorKind.SYMPLECTIC_EULER, system);
@@ -18,23 +19,44 @@ final class SymplecticEuler extends AbstractIntegrator {
     public void step(double time, double step) {
         h = step;
         system.applyPrescribed(time, x, v);
-        system.forces(time, x, v, force);
-        system.workers().run(layout.blockCount(), advance);
+        system.forces(time, x, v, force, kick);
+        system.workers().run(layout.blockCount(), drift);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
     }
 
-    private void advance(int block) {
-        for (int n = layout.start(block); n < layout.end(block); n++) {
-            double m = inverseMass[n];
-            if (m == 0) {
-                continue;
-            }
-            double g = viscosity[n];
-            for (int i = 3 * n; i < 3 * n + 3; i++) {
-                v[i] += h * m * (force[i] - g * v[i]);
-                x[i] += h * v[i];
-            }
+    /** Turns forces into new velocities, in place: neighbours may still ask for the old ones. */
+    private void kick(int block) {
+        double[] f = force;
+        double[] old = v;
+        double[] w = inverseMass;
+        double[] gamma = viscosity;
+        double step = h;
+        int end = layout.end(block);
+        for (int n = layout.start(block); n < end; n++) {
+            double m = step * w[n];
+            double g = gamma[n];
+            int i = 3 * n;
+            double vx = old[i];
+            double vy = old[i + 1];
+            double vz = old[i + 2];
+            f[i] = vx + m * (f[i] - g * vx);
+            f[i + 1] = vy + m * (f[i + 1] - g * vy);
+            f[i + 2] = vz + m * (f[i + 2] - g * vz);
+        }
+    }
+
+    /** Nodes of given motion are moved too: they are put where they belong right after. */
+    private void drift(int block) {
+        double[] next = force;
+        double[] position = x;
+        double[] velocity = v;
+        double step = h;
+        int from = 3 * layout.start(block);
+        int end = 3 * layout.end(block);
+        System.arraycopy(next, from, velocity, from, end - from);
+        for (int i = from; i < end; i++) {
+            position[i] += step * next[i];
         }
     }
 

@@ -41,37 +41,55 @@ final class VelocityVerlet extends AbstractIntegrator {
         system.workers().run(blocks, kickAndDrift);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
-        system.forces(time + step, x, v, force);
-        system.workers().run(blocks, kick);
+        if (system.velocityDependent()) {
+            system.forces(time + step, x, v, force);
+            system.workers().run(blocks, kick);
+        } else {
+            system.forces(time + step, x, v, force, kick);
+        }
         forceIsCurrent = true;
     }
 
     private void kickAndDrift(int block) {
-        for (int n = layout.start(block); n < layout.end(block); n++) {
-            double m = inverseMass[n];
-            if (m == 0) {
-                continue;
-            }
-            double half = 0.5 * h * m;
-            double damp = 1 / (1 + half * viscosity[n]);
-            for (int i = 3 * n; i < 3 * n + 3; i++) {
-                v[i] = (v[i] + half * force[i]) * damp;
-                x[i] += h * v[i];
-            }
+        double[] f = force;
+        double[] position = x;
+        double[] velocity = v;
+        double[] w = inverseMass;
+        double[] gamma = viscosity;
+        double step = h;
+        int end = layout.end(block);
+        for (int n = layout.start(block); n < end; n++) {
+            double half = 0.5 * step * w[n];
+            double damp = 1 / (1 + half * gamma[n]);
+            int i = 3 * n;
+            double vx = (velocity[i] + half * f[i]) * damp;
+            double vy = (velocity[i + 1] + half * f[i + 1]) * damp;
+            double vz = (velocity[i + 2] + half * f[i + 2]) * damp;
+            velocity[i] = vx;
+            velocity[i + 1] = vy;
+            velocity[i + 2] = vz;
+            // Nodes of given motion are moved too: they are put where they belong right after.
+            position[i] += step * vx;
+            position[i + 1] += step * vy;
+            position[i + 2] += step * vz;
         }
     }
 
+    /** Without effect on nodes of given motion: their inverse mass is 0. */
     private void kick(int block) {
-        for (int n = layout.start(block); n < layout.end(block); n++) {
-            double m = inverseMass[n];
-            if (m == 0) {
-                continue;
-            }
-            double half = 0.5 * h * m;
-            double damp = 1 - half * viscosity[n];
-            for (int i = 3 * n; i < 3 * n + 3; i++) {
-                v[i] = damp * v[i] + half * force[i];
-            }
+        double[] f = force;
+        double[] velocity = v;
+        double[] w = inverseMass;
+        double[] gamma = viscosity;
+        double step = h;
+        int end = layout.end(block);
+        for (int n = layout.start(block); n < end; n++) {
+            double half = 0.5 * step * w[n];
+            double damp = 1 - half * gamma[n];
+            int i = 3 * n;
+            velocity[i] = damp * velocity[i] + half * f[i];
+            velocity[i + 1] = damp * velocity[i + 1] + half * f[i + 1];
+            velocity[i + 2] = damp * velocity[i + 2] + half * f[i + 2];
         }
     }
 
@@ -82,5 +100,18 @@ final class VelocityVerlet extends AbstractIntegrator {
         double ux = -0.5 * a * damp;
         double uv = damp;
         return new double[][] {{1 + ux, uv}, {(1 - w) * ux - 0.5 * a * (1 + ux), (1 - w) * uv - 0.5 * a * uv}};
+    }
+
+    static double[][] amplification(double a, double b, double c) {
+        double w = b / 2;
+        double damp = 1 / (1 + w);
+        // State (x, v h, f h²/m) with the force kept from the last step; u = (v h + f/2) damp, x' = x + u,
+        // f' = -a x' - c u, v' h = (1 - w) u + f'/2.
+        double f = -(a + c) * damp;
+        return new double[][] {
+            {1, damp, 0.5 * damp},
+            {-0.5 * a, (1 - w) * damp + 0.5 * f, 0.5 * ((1 - w) * damp + 0.5 * f)},
+            {-a, f, 0.5 * f}
+        };
     }
 }

@@ -1,0 +1,29 @@
+package org.phrenic.study;
+
+/**
+ * What a bare workload gave.
+ *
+ * @param stepsPerSecond median of the timed runs
+ * @param min slowest run, steps/s
+ * @param max fastest run, steps/s
+ * @param nodes particles
+ * @param edges springs
+ * @param links rigid links
+ * @param threads that shared the work
+ * @param integrator label of the scheme
+ * @param kernel how spring forces are computed
+ * @param meanDz200 mean z displacement of the loaded nodes after exactly 200 steps from rest, mm
+ * @param stateSha256 SHA-256 over the bits of all positions, then all velocities, after these 200 steps, in the order of the mesh's vertices
+ */
+public record BareResult(
+        double stepsPerSecond,
+        double min,
+        double max,
+        int nodes,
+        int edges,
+        int links,
+        int threads,
+        String integrator,
+        String kernel,
+        double meanDz200,
+        String stateSha256) {}

@@ -1,0 +1,141 @@
+package org.phrenic.engine.constraint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Scenes;
+import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.engine.integrator.Integrator;
+import org.phrenic.engine.integrator.IntegratorKind;
+
+class SlidingContactTest {
+    private static final double ROUNDING = 1e-12;
+    private static final double H = 0.001;
+
+    private static SlidingContact contact(ParticleSystem system, ContactSurface wall, double refresh) {
+        SlidingContact contact = new SlidingContact(system.layout(), new int[] {0}, wall, refresh);
+        system.add(contact);
+        return contact;
+    }
+
+    /** A node pressed up against a ceiling that sinks at 20 mm/s: it sinks with it, and slides along it as if nothing were there. */
+    @ParameterizedTest
+    @EnumSource(IntegratorKind.class)
+    void nodeStaysOnItsSideOfAMovingWallAndSlidesFreely(IntegratorKind kind) {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        system.add(new ConstantLoad(system.layout(), new double[] {0, 0, 50}));
+        SlidingContact contact = contact(system, new Scenes.Ceiling(1, -20), 0.01);
+        system.velocities()[0] = 7;
+        system.velocities()[1] = -3;
+        Integrator integrator = kind.on(system);
+        for (int i = 0; i < 500; i++) {
+            integrator.step(i * H, H);
+            double wall = 1 - 20 * (i + 1) * H;
+            assertThat(system.positions()[2]).isLessThanOrEqualTo(wall + ROUNDING * 10);
+            assertThat(system.velocities()[0]).isEqualTo(7);
+            assertThat(system.velocities()[1]).isEqualTo(-3);
+        }
+        assertThat(system.positions()[2]).isCloseTo(1 - 20 * 0.5, within(1e-9));
+        assertThat(system.positions()[0]).isCloseTo(3.5, within(1e-9));
+        assertThat(contact.touchingCount()).isEqualTo(1);
+        assertThat(contact.error(system)).isLessThan(ROUNDING * 10);
+    }
+
+    @Test
+    void nodeLeavesFreely() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        ConstantLoad load = new ConstantLoad(system.layout(), new double[] {0, 0, 50});
+        system.add(load);
+        SlidingContact contact = contact(system, new Scenes.Ceiling(0.1, 0), 0.01);
+        Integrator integrator = IntegratorKind.SYMPLECTIC_EULER.on(system);
+        for (int i = 0; i < 100; i++) {
+            integrator.step(i * H, H);
+        }
+        assertThat(contact.touchingCount()).isEqualTo(1);
+        load.setFactor(-1);
+        for (int i = 0; i < 100; i++) {
+            integrator.step((100 + i) * H, H);
+        }
+        assertThat(contact.touchingCount()).isZero();
+        // 500 mm/s² down for 0.1 s from rest on the wall: nothing held it back. Symplectic Euler is g h t / 2 ahead.
+        assertThat(system.velocities()[2]).isCloseTo(-50, within(1e-9));
+        assertThat(system.positions()[2]).isCloseTo(0.1 - 2.5 - 500 * H * 0.1 / 2, within(1e-9));
+    }
+
+    /** Inside of a sphere about the origin. */
+    private record Bowl(double radius) implements ContactSurface {
+        @Override
+        public void planeNear(int node, double x, double y, double z, double[] plane, int at) {
+            double r = Math.sqrt(x * x + y * y + z * z);
+            plane[at] = -x / r;
+            plane[at + 1] = -y / r;
+            plane[at + 2] = -z / r;
+            plane[at + 3] = -radius;
+            plane[at + 4] = 0;
+        }
+    }
+
+    /** A node slides down a round bowl of 50 mm. Between refreshes the tangent plane lies outside the sphere by s²/2r, s the way slid since. */
+    @Test
+    void nodeSlidesAlongACurvedWall() {
+        double refresh = 0.01;
+        ParticleSystem system = Scenes.oneNode(0.1);
+        system.positions()[0] = 40;
+        system.positions()[2] = -30;
+        system.add(new ConstantLoad(system.layout(), new double[] {0, 0, -10}));
+        system.setViscosity(0.2);
+        SlidingContact contact = contact(system, new Bowl(50), refresh);
+        Integrator integrator = IntegratorKind.VERLET.on(system);
+        double fastest = 0;
+        double deepest = 0;
+        for (int i = 0; i < 10_000; i++) {
+            integrator.step(i * H, H);
+            double[] x = system.positions();
+            double[] v = system.velocities();
+            deepest = Math.max(deepest, Math.sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 50);
+            fastest = Math.max(fastest, Math.abs(v[0]));
+        }
+        assertThat(fastest).isGreaterThan(10);
+        assertThat(deepest).isLessThan(Math.pow(2 * fastest * refresh, 2) / (2 * 50));
+        assertThat(contact.touchingCount()).isEqualTo(1);
+        assertThat(system.positions()).containsExactly(new double[] {0, 0, -50}, within(0.01));
+    }
+
+    @Test
+    void planesAreTakenAnewAfterTheIntervalAndWhenTimeGoesBack() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        Scenes.Ceiling wall = new Scenes.Ceiling(1, 0);
+        contact(system, wall, 0.01);
+        Integrator integrator = IntegratorKind.SYMPLECTIC_EULER.on(system);
+        for (int i = 0; i < 100; i++) {
+            integrator.step(i * H, H);
+        }
+        assertThat(wall.asked()).isEqualTo(10);
+        // A step is done again, as after a divergence: its planes may belong to a state that was lost.
+        integrator.step(99 * H, H);
+        assertThat(wall.asked()).isEqualTo(11);
+        integrator.step(95 * H, H);
+        assertThat(wall.asked()).isEqualTo(12);
+    }
+
+    @Test
+    void heldNodeAndSwitchedOffWallAreLeftAlone() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        system.positions()[2] = 3;
+        Scenes.Ceiling wall = new Scenes.Ceiling(1, 0);
+        SlidingContact contact = contact(system, wall, 0.01);
+        system.setEnabled(contact, false);
+        system.project(0, H);
+        assertThat(wall.asked()).isZero();
+        assertThat(system.positions()[2]).isEqualTo(3);
+        system.setEnabled(contact, true);
+        system.fix(0);
+        system.project(0, H);
+        assertThat(system.positions()[2]).isEqualTo(3);
+        assertThat(contact.touchingCount()).isZero();
+    }
+}

@@ -1,0 +1,59 @@
+package org.phrenic.engine.integrator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Scenes;
+
+class BackwardEulerTest extends IntegratorContract {
+    @Override
+    IntegratorKind kind() {
+        return IntegratorKind.BACKWARD_EULER;
+    }
+
+    @Override
+    boolean keepsAngularMomentum() {
+        return false;
+    }
+
+    /** Conjugate gradients stop at a residual of 1e-8. */
+    @Override
+    double momentumTolerance() {
+        return 1e-7;
+    }
+
+    /** Undamped, at steps far beyond what explicit schemes stand (ω h = 10): the energy falls in each step by 1/(1 + y²). */
+    @Test
+    void energyNeverGrows() {
+        for (double y : new double[] {0.1, 1, 10}) {
+            ParticleSystem system = Scenes.oscillator(0.1, 0.1 * y * y, 0);
+            system.positions()[0] = 1;
+            system.velocities()[1] = y;
+            Integrator integrator = kind().on(system);
+            double before = system.kineticEnergy() + system.potentialEnergy();
+            for (int i = 0; i < 20; i++) {
+                integrator.step(i, 1);
+                double after = system.kineticEnergy() + system.potentialEnergy();
+                assertThat(after / before).isCloseTo(1 / (1 + y * y), within(MANY_ROUNDINGS));
+                before = after;
+            }
+        }
+    }
+
+    /** A hundred times the largest step of velocity Verlet on a net far from rest: it comes to rest instead of flying apart. */
+    @Test
+    void staysStableAtAnyStep() {
+        ParticleSystem system = Scenes.net(0);
+        double h = 100 * StabilityLimit.of(system).largestStep(IntegratorKind.VERLET);
+        system.setViscosityPerMass(1);
+        Integrator integrator = kind().on(system);
+        double before = system.kineticEnergy() + system.potentialEnergy();
+        for (int i = 0; i < 50; i++) {
+            integrator.step(i * h, h);
+        }
+        assertThat(system.kineticEnergy() + system.potentialEnergy()).isLessThan(0.01 * before);
+        assertThat(((BackwardEuler) integrator).iterationsLast()).isLessThan(100);
+    }
+}
