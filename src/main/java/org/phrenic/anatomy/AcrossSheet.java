@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.IntPredicate;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -17,20 +18,42 @@ import org.phrenic.geometry.TriangleMesh;
 public final class AcrossSheet {
     /** Normals of two faces of a sheet point apart: a neighbour on the same face has a positive product. */
     private static final double OPPOSING = -0.25;
+    /** What lies closer is a seam between patches, not the other face. */
+    private static final double SHORTEST_MM = 0.2;
 
-    private final Diaphragm diaphragm;
+    private final TriangleMesh sheet;
     private final int[][] opposing;
 
     /** One pair of vertices. */
     public record Pair(int a, int b) {}
 
     /**
-     * @param diaphragm the sheet
+     * Across the thickness of the diaphragm.
+     *
+     * @param diaphragm whose faces are told apart
      * @param reach the suitable distance, mm
      */
-    public AcrossSheet(Diaphragm diaphragm, double reach) {
-        this.diaphragm = diaphragm;
-        TriangleMesh sheet = diaphragm.sheet();
+    public static AcrossSheet of(Diaphragm diaphragm, double reach) {
+        return new AcrossSheet(
+                diaphragm.sheet(), reach, (i, j) -> diaphragm.isThoracic(i) != diaphragm.isThoracic(j));
+    }
+
+    /**
+     * Across any closed body that is thin in one direction at least (a cartilage, a sternum), told by normals alone.
+     *
+     * @param body closed surface
+     * @param reach the suitable distance, mm
+     */
+    public static AcrossSheet of(TriangleMesh body, double reach) {
+        return new AcrossSheet(body, reach, (i, j) -> true);
+    }
+
+    private interface Opposite {
+        boolean test(int i, int j);
+    }
+
+    private AcrossSheet(TriangleMesh sheet, double reach, Opposite opposite) {
+        this.sheet = sheet;
         double[] normals = MeshMeasure.vertexNormals(sheet);
         int n = sheet.vertexCount();
         Map<Long, List<Integer>> grid = new HashMap<>();
@@ -48,8 +71,9 @@ public final class AcrossSheet {
                 }
                 for (int j : near) {
                     double d = distance(sheet, i, j);
-                    if (diaphragm.isThoracic(i) != diaphragm.isThoracic(j)
-                            && d <= reach
+                    if (d <= reach
+                            && d > SHORTEST_MM
+                            && opposite.test(i, j)
                             && dot(normals, i, j) < OPPOSING) {
                         found.add(new double[] {d, j});
                     }
@@ -91,18 +115,18 @@ public final class AcrossSheet {
     }
 
     /**
-     * Rigid links of the tendon: shortest pairs first, a vertex in at most so many of them. With one link a vertex a single pass puts all of them right exactly.
+     * Pairs between chosen vertices, shortest first, a vertex in at most so many of them. As rigid links of the tendon: with one a vertex a single pass puts
+     * all of them right exactly.
      */
-    public List<Pair> tendonLinks(int mostPerVertex) {
+    public List<Pair> matched(IntPredicate chosen, int mostPerVertex) {
         List<Pair> candidates = new ArrayList<>();
         for (int i = 0; i < opposing.length; i++) {
             for (int j : opposing[i]) {
-                if (i < j && diaphragm.isTendon(i) && diaphragm.isTendon(j)) {
+                if (i < j && chosen.test(i) && chosen.test(j)) {
                     candidates.add(new Pair(i, j));
                 }
             }
         }
-        TriangleMesh sheet = diaphragm.sheet();
         candidates.sort(Comparator.<Pair>comparingDouble(p -> distance(sheet, p.a, p.b))
                 .thenComparingInt(Pair::a)
                 .thenComparingInt(Pair::b));

@@ -109,15 +109,31 @@ public final class ParticleSystem {
         return viscosity;
     }
 
-    /** Sets the viscous damping of all nodes to one value, N s/m. */
+    /**
+     * Sets the viscous damping of all nodes to one value, N s/m.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
     public void setViscosity(double gamma) {
+        checkDamping("viscosity", gamma, "N s/m");
         Arrays.fill(viscosity, gamma);
     }
 
-    /** Sets the viscous damping of each node to rate times its mass: γ = rate m, rate in 1/s. */
+    /**
+     * Sets the viscous damping of each node to rate times its mass: γ = rate m, rate in 1/s.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
     public void setViscosityPerMass(double rate) {
+        checkDamping("viscosity per mass", rate, "1/s");
         for (int i = 0; i < viscosity.length; i++) {
             viscosity[i] = rate * mass[i];
+        }
+    }
+
+    private static void checkDamping(String what, double value, String unit) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(what + ": found " + value + " " + unit + ", expected 0 or more");
         }
     }
 

@@ -4,8 +4,13 @@ import java.util.Arrays;
 
 /** Collapses short edges where neither topology nor shape suffers: link condition, no turned and no thin triangle. */
 final class EdgeCollapser {
-    /** Least cosine between a triangle's normal before and after: a turn of up to 75 degrees. */
-    private static final double LEAST_COSINE = 0.26;
+    /** Cosine between a triangle's normal before and after: a turn of up to 75 degrees. */
+    static final double CAREFUL = 0.26;
+    /** A turn of up to 110 degrees, for edges so short that they are worse than what their loss does. */
+    static final double BOLD = -0.34;
+    /** No heed of sides and shapes, for folds of the original so fine that their sides mean nothing; topology is still kept. */
+    static final double RECKLESS = Double.NEGATIVE_INFINITY;
+
     /** Twice the area over the squared longest side, which a collapse may not undercut; an equilateral triangle has 0.87. */
     private static final double LEAST_SHAPE = 0.15;
     /** By how much one end's triangles must spread more than the other's for it to stay where it is. */
@@ -17,6 +22,7 @@ final class EdgeCollapser {
     private final HalfEdgeMesh mesh;
     private long[] queue = new long[1024];
     private int[] ringA = new int[64];
+    private double leastCosine;
     private double shapeBefore;
     private double shapeAfter;
 
@@ -26,9 +32,10 @@ final class EdgeCollapser {
 
     /**
      * Collapses edges shorter than {@code below}, shortest first, as long as no new edge exceeds {@code longest} and more than
-     * {@code leastVertices} are left; returns how many.
+     * {@code leastVertices} are left, and no triangle turns further than {@code leastCosine}; returns how many.
      */
-    int collapse(double below, double longest, int leastVertices) {
+    int collapse(double below, double longest, int leastVertices, double leastCosine) {
+        this.leastCosine = leastCosine;
         int length = 0;
         for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
             if (mesh.standsForEdge(h)) {
@@ -53,7 +60,7 @@ final class EdgeCollapser {
         return done;
     }
 
-    boolean tryCollapse(int half, double longest) {
+    private boolean tryCollapse(int half, double longest) {
         int h = half;
         if (!mesh.canCollapse(h)) {
             return false;
@@ -79,28 +86,23 @@ final class EdgeCollapser {
     private double placeOnEdge(int h, int a, int b, double longest) {
         boolean boundaryA = mesh.isBoundaryVertex(a);
         boolean boundaryB = mesh.isBoundaryVertex(b);
-        if (boundaryA || boundaryB) {
-            return boundaryA && boundaryB ? 0.5 : boundaryB ? 1 : 0;
+        if (boundaryA != boundaryB) {
+            return boundaryB ? 1 : 0;
         }
-        int creasesA = mesh.creasesAt(a);
-        int creasesB = mesh.creasesAt(b);
-        if (creasesA == 0 && creasesB == 0) {
+        int kindA = mesh.kindOf(a);
+        int kindB = mesh.kindOf(b);
+        if (kindA == HalfEdgeMesh.FREE && kindB == HalfEdgeMesh.FREE) {
             double spreadA = spread(a);
             double spreadB = spread(b);
             return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
         }
-        if (creasesA == 0 || creasesB == 0) {
-            return creasesB == 0 ? 0 : 1;
+        if (kindA != kindB && (kindA == HalfEdgeMesh.FREE || kindB == HalfEdgeMesh.FREE)) {
+            return kindB == HalfEdgeMesh.FREE ? 0 : 1;
         }
-        if (mesh.squareLength(h) < TINY * TINY * longest * longest) {
-            return 0.5;
-        }
-        boolean cornerA = creasesA != 2;
-        boolean cornerB = creasesB != 2;
-        if (!mesh.isCrease(h) || (cornerA && cornerB)) {
-            return Double.NaN;
-        }
-        return cornerA ? 0 : cornerB ? 1 : 0.5;
+        double share = kindA == kindB ? 0.5 : kindA == HalfEdgeMesh.CORNER ? 0 : 1;
+        // Ragged boundaries are all corners, and have to coarsen; creases only give way where the edge is a splinter.
+        boolean alongLine = boundaryA || (mesh.isCrease(h) && (kindA != HalfEdgeMesh.CORNER || kindA != kindB));
+        return alongLine || mesh.squareLength(h) < TINY * TINY * longest * longest ? share : Double.NaN;
     }
 
     /** The least cosine between the normal of a triangle at {@code v} and their common normal: 1 on a plane, less on a rim. */
@@ -164,7 +166,8 @@ final class EdgeCollapser {
                 return false;
             }
             double cosine = cosineOfTurn(v, b, c, x, y, z);
-            if (cosine < LEAST_COSINE || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
+            if (cosine < leastCosine
+                    || (leastCosine > RECKLESS && shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
                 return false;
             }
         }

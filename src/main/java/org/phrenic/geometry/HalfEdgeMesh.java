@@ -13,6 +13,11 @@ import java.util.Arrays;
  */
 final class HalfEdgeMesh {
     static final int NONE = -1;
+    static final int FREE = 0;
+    static final int ON_LINE = 1;
+    static final int CORNER = 2;
+    /** A line that turns by more than 53 degrees has a corner there. */
+    private static final double SHARP_TURN = 0.6;
 
     /** Start vertex of each half-edge; -1 in a removed triangle. */
     int[] start;
@@ -24,6 +29,8 @@ final class HalfEdgeMesh {
     private boolean[] crease;
 
     private boolean hasCreases;
+    int lineBefore;
+    int lineAfter;
     /** Triangles and vertices below these numbers are in use or were. */
     int triangleEnd;
 
@@ -167,22 +174,49 @@ final class HalfEdgeMesh {
         return crease[h];
     }
 
-    boolean hasCreases() {
-        return hasCreases;
-    }
-
-    /** Number of crease edges at an inner vertex: 0 on a smooth part, 2 along a crease, else a corner. */
-    int creasesAt(int v) {
-        if (!hasCreases) {
-            return 0;
+    /**
+     * What lines of the surface (boundary edges and creases) do to a vertex: {@link #FREE} if none meets it, {@link #ON_LINE} if
+     * one runs through it, {@link #CORNER} if it ends, branches or turns sharply there. For the second, {@link #lineBefore} and
+     * {@link #lineAfter} are the neighbours along the line.
+     */
+    int kindOf(int v) {
+        if (!hasCreases && twin[out[v]] != NONE) {
+            return FREE;
         }
         int count = 0;
         int h = out[v];
         do {
-            count += crease[h] ? 1 : 0;
-            h = twin[previous(h)];
+            if (crease[h] || twin[h] == NONE) {
+                count++;
+                lineBefore = lineAfter;
+                lineAfter = end(h);
+            }
+            int back = previous(h);
+            h = twin[back];
+            if (h == NONE) {
+                count++;
+                lineBefore = lineAfter;
+                lineAfter = start[back];
+            }
         } while (h != NONE && h != out[v]);
-        return count;
+        if (count == 0) {
+            return FREE;
+        }
+        return count != 2 || turnsAt(v) ? CORNER : ON_LINE;
+    }
+
+    private boolean turnsAt(int v) {
+        double dot = 0;
+        double before = 0;
+        double after = 0;
+        for (int k = 0; k < 3; k++) {
+            double u = position[3 * v + k] - position[3 * lineBefore + k];
+            double w = position[3 * lineAfter + k] - position[3 * v + k];
+            dot += u * w;
+            before += u * u;
+            after += w * w;
+        }
+        return dot < SHARP_TURN * Math.sqrt(before * after);
     }
 
     /** Turns clockwise about the start of {@code h} to the boundary, or once round to {@code h} itself. */

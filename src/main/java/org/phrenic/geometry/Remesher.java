@@ -20,6 +20,12 @@ public final class Remesher {
     /** Below this cosine between its triangles (a bend of 60 degrees) an edge is a crease. */
     private static final double CREASE = 0.5;
 
+    /** Edges below this part of the target length are taken out at the end, more boldly than the rest. */
+    private static final double SPLINTER = 0.4;
+
+    /** Edges below this part of it are taken out whatever side their triangles then show. */
+    private static final double CRUMB = 0.25;
+
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
@@ -80,6 +86,9 @@ public final class Remesher {
         for (int round = 0; round < FINAL_ROUNDS; round++) {
             flipper.flipAll();
             relaxer.relax(REACH * length);
+            collapser.collapse(CRUMB * length, 2 * length, 4, EdgeCollapser.RECKLESS);
+            collapser.collapse(SPLINTER * length, 2 * length, 4, EdgeCollapser.BOLD);
+            meetCount();
         }
         flipper.flipAll();
         return restoreVolume(mesh.toMesh());
@@ -194,7 +203,7 @@ public final class Remesher {
     private void collapseShort() {
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             int before = mesh.vertexCount();
-            collapser.collapse(SHORT * length, LONG * length, 4);
+            collapser.collapse(SHORT * length, LONG * length, 4, EdgeCollapser.CAREFUL);
             if (before - mesh.vertexCount() <= before / 100) {
                 return;
             }
@@ -209,7 +218,8 @@ public final class Remesher {
                 splitLongest(length * Math.max(0, 1.2 - 0.1 * sweep), vertices);
             } else {
                 double reach = 1 + 0.25 * sweep;
-                collapser.collapse(SHORT * reach * length, LONG * reach * reach * length, vertices);
+                collapser.collapse(
+                        SHORT * reach * length, LONG * reach * reach * length, vertices, EdgeCollapser.CAREFUL);
             }
             flipper.flipAll();
         }

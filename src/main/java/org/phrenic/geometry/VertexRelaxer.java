@@ -30,42 +30,30 @@ final class VertexRelaxer {
     void relax(double reach) {
         for (int v = 0; v < mesh.vertexEnd; v++) {
             if (mesh.out[v] != HalfEdgeMesh.NONE) {
-                int creases = mesh.creasesAt(v);
-                if (mesh.isBoundaryVertex(v)) {
-                    mesh.gatherRing(v);
-                    slide(v, mesh.ring[0], mesh.ring[mesh.ringSize - 1], mesh.ringSize - 1, reach);
-                } else if (creases == 2) {
-                    slideAlongCrease(v, reach);
-                } else if (creases == 0) {
+                int kind = mesh.kindOf(v);
+                if (kind == HalfEdgeMesh.FREE) {
                     move(v, reach);
+                } else if (kind == HalfEdgeMesh.ON_LINE) {
+                    slide(v, reach);
                 }
             }
         }
     }
 
-    private void slideAlongCrease(int v, double reach) {
-        int first = HalfEdgeMesh.NONE;
-        int second = HalfEdgeMesh.NONE;
-        int h = mesh.out[v];
-        do {
-            if (mesh.isCrease(h)) {
-                second = first;
-                first = mesh.end(h);
-            }
-            h = mesh.twin[HalfEdgeMesh.previous(h)];
-        } while (h != mesh.out[v]);
-        mesh.gatherRing(v);
-        slide(v, first, second, mesh.ringSize, reach);
-    }
-
     /** Moves v halfway between its two neighbours on a line of the surface. */
-    private void slide(int v, int a, int b, int triangles, double reach) {
+    private void slide(int v, double reach) {
         double[] p = mesh.position;
-        double x = (p[3 * a] + p[3 * b]) / 2;
-        double y = (p[3 * a + 1] + p[3 * b + 1]) / 2;
-        double z = (p[3 * a + 2] + p[3 * b + 2]) / 2;
-        if (lines.closest(x, y, z, reach, hit) && keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
-            put(v, hit.x, hit.y, hit.z);
+        int a = 3 * mesh.lineBefore;
+        int b = 3 * mesh.lineAfter;
+        double x = (p[a] + p[b]) / 2;
+        double y = (p[a + 1] + p[b + 1]) / 2;
+        double z = (p[a + 2] + p[b + 2]) / 2;
+        if (lines.closest(x, y, z, reach, hit)) {
+            mesh.gatherRing(v);
+            int triangles = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
+            if (keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
+                put(v, hit.x, hit.y, hit.z);
+            }
         }
     }
 

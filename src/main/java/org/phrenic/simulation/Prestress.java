@@ -4,7 +4,7 @@ package org.phrenic.simulation;
  * Spring tensions that hold a given shape against a given load: the least change of a first guess t0 that solves, in the sense of least squares, Σ_e t_e d_e + load = 0 at every
  * node, by conjugate gradients on the normal equations. Rest lengths then follow as l - t / k, and the scan's shape is the equilibrium at rest.
  */
-public final class Prestress {
+final class Prestress {
     private final int[] nodeA;
     private final int[] nodeB;
     private final double[] direction;
@@ -19,7 +19,7 @@ public final class Prestress {
      * @param free whether forces at a node must balance (not so where bone holds it)
      * @param wallNormal unit normal of the wall at a node that leans on it, zero elsewhere: only forces along the wall must balance there
      */
-    public Prestress(double[] positions, int[] nodeA, int[] nodeB, boolean[] free, double[] wallNormal) {
+    Prestress(double[] positions, int[] nodeA, int[] nodeB, boolean[] free, double[] wallNormal) {
         this.nodeA = nodeA;
         this.nodeB = nodeB;
         this.nodes = positions.length / 3;
@@ -46,7 +46,7 @@ public final class Prestress {
      * @param iterations of conjugate gradients
      * @return what remains unbalanced as a share of the load (root mean square)
      */
-    public double solve(double[] load, double[] tension, int iterations) {
+    double solve(double[] load, double[] tension, int iterations) {
         double[] residual = load.clone();
         release(residual);
         double norm = Math.sqrt(dot(residual, residual));
@@ -79,7 +79,7 @@ public final class Prestress {
     }
 
     /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */
-    public double[] unbalanced(double[] load, double[] tension) {
+    double[] unbalanced(double[] load, double[] tension) {
         double[] out = load.clone();
         apply(tension, out);
         release(out);

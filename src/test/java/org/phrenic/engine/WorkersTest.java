@@ -3,6 +3,8 @@ package org.phrenic.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicIntegerArray;
@@ -79,24 +81,20 @@ class WorkersTest {
 
     @Test
     void closeEndsTheThreads() throws InterruptedException {
-        long before = workerThreads();
+        Set<Thread> before = Thread.getAllStackTraces().keySet();
         Workers workers = Workers.of(4);
-        assertThat(workerThreads()).isEqualTo(before + 3);
+        Set<Thread> started = new HashSet<>(Thread.getAllStackTraces().keySet());
+        started.removeAll(before);
+        started.removeIf(thread -> !thread.getName().startsWith("phrenic-worker-"));
+        assertThat(started).hasSize(3);
         workers.run(100, i -> {});
         // Long enough for the idle ones to have gone to sleep.
         Thread.sleep(20);
         workers.close();
-        for (int i = 0; i < 1000 && workerThreads() > before; i++) {
-            Thread.sleep(5);
+        for (Thread thread : started) {
+            thread.join(10_000);
+            assertThat(thread.isAlive()).isFalse();
         }
-        assertThat(workerThreads()).isEqualTo(before);
-    }
-
-    private static long workerThreads() {
-        return Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().startsWith("phrenic-worker-"))
-                .filter(Thread::isAlive)
-                .count();
     }
 
     /** More threads than cores, all cores taken by others: rounds still come to an end. */

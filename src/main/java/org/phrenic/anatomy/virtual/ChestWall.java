@@ -14,8 +14,8 @@ import java.util.List;
 final class ChestWall implements Axis, Field {
     /** Between wall and vertebral bodies, mm: ligament and fat. */
     private static final double SPINE_COVER_MM = 3;
-    /** Half-width of the flat in front of the vertebral bodies, mm. */
-    private static final double SPINE_FLAT_MM = 10;
+    /** How much of the bodies' half-breadth the flat in front of them covers. */
+    private static final double SPINE_FLAT = 0.5;
 
     private final Spine spine;
     private final double axisFraction;
@@ -67,31 +67,51 @@ final class ChestWall implements Axis, Field {
         return halfBreadth.at(z);
     }
 
-    /** Distance from the axis to the wall at this azimuth (rad) and height, mm. */
-    double radius(double azimuth, double z) {
-        return radius(StrictMath.sin(azimuth), StrictMath.cos(azimuth), z);
-    }
+    /** Half-breadth, depths and spine at one height, from which the section's curve follows. */
+    private final class Section {
+        private final double axisY;
+        private final double frontDepth;
+        private final double backDepth;
+        private final double breadth;
+        private final double toSpine;
+        private final double inner;
+        private final double slope;
 
-    private double radius(double sin, double cos, double z) {
-        double frontY = front.at(z);
-        double spineY = spineFront(z);
-        double axisY = axisFraction * frontY + (1 - axisFraction) * spineY;
-        double a = Math.max(halfBreadth.at(z) * (sin > 0 ? leftFactor : 1), 2);
-        double b = Math.max(cos > 0 ? back.at(z) - axisY : axisY - frontY, 2);
-        double n = exponentFront + (exponentBack - exponentFront) * V3.smoothstep((cos + 0.5) / 1.0);
-        double radius =
-                StrictMath.pow(StrictMath.pow(Math.abs(sin) / a, n) + StrictMath.pow(Math.abs(cos) / b, n), -1 / n);
-        if (cos < 0) {
-            return radius;
+        Section(double z) {
+            double frontY = front.at(z);
+            double spineY = spineFront(z);
+            axisY = axisFraction * frontY + (1 - axisFraction) * spineY;
+            frontDepth = Math.max(axisY - frontY, 2);
+            backDepth = Math.max(back.at(z) - axisY, 2);
+            breadth = Math.max(halfBreadth.at(z), 2);
+            toSpine = spineY - axisY;
+            inner = StrictMath.atan2(SPINE_FLAT * spine.halfWidth(z), toSpine);
+            slope = StrictMath.toRadians(gutter.at(z));
         }
-        double toSpine = spineY - axisY;
-        double inner = StrictMath.atan2(SPINE_FLAT_MM, toSpine);
-        double outer = inner + StrictMath.toRadians(gutter.at(z));
-        double away = StrictMath.atan2(Math.abs(sin), cos);
-        if (away >= outer) {
-            return radius;
+
+        /** Radius at the azimuth with this sine and cosine, and in {@code steepness[0]} its derivative over itself. */
+        double radius(double sin, double cos, boolean withSpine, double[] steepness) {
+            double across = Math.max(Math.abs(sin), 1e-9);
+            double along = Math.max(Math.abs(cos), 1e-9);
+            double n = exponentFront + (exponentBack - exponentFront) * V3.smoothstep(cos + 0.5);
+            double p = StrictMath.pow(across / (breadth * (sin > 0 ? leftFactor : 1)), n);
+            double q = StrictMath.pow(along / (cos > 0 ? backDepth : frontDepth), n);
+            double radius = StrictMath.pow(p + q, -1 / n);
+            steepness[0] = (q * across / along - p * along / across) / (p + q) * Math.signum(cos);
+            if (cos < 0 || !withSpine) {
+                return radius;
+            }
+            double u = (StrictMath.atan2(across, cos) - inner) / slope;
+            if (u >= 1) {
+                return radius;
+            }
+            double step = V3.smoothstep(u);
+            double nearer = Math.min(toSpine, radius);
+            double bent = nearer + (radius - nearer) * step;
+            double rise = u <= 0 ? 0 : 6 * u * (1 - u) / slope;
+            steepness[0] = (steepness[0] * radius * step + (radius - nearer) * rise) / bent;
+            return bent;
         }
-        return radius + (Math.min(toSpine, radius) - radius) * (1 - V3.smoothstep((away - inner) / (outer - inner)));
     }
 
     /** Azimuth of a point about the axis, rad. */
@@ -99,17 +119,37 @@ final class ChestWall implements Axis, Field {
         return StrictMath.atan2(p[0], p[1] - y(p[2]));
     }
 
-    /** Distance to the wall along the horizontal, negative inside, mm. */
+    /** Distance to the wall within the horizontal plane, to first order; negative inside, mm. */
     @Override
     public double at(double x, double y, double z) {
-        double dy = y - y(z);
-        double distance = Math.sqrt(x * x + dy * dy);
-        return distance < 1e-9 ? -radius(0, 1, z) : distance - radius(x / distance, dy / distance, z);
+        return at(x, y, z, true);
     }
 
-    /** The point of the wall at this azimuth and height, moved {@code outward} mm along the wall's normal. */
-    double[] surface(double azimuth, double z, double outward) {
-        double[] p = point(azimuth, radius(azimuth, z), z);
-        return outward == 0 ? p : V3.add(p, normal(p), outward);
+    private double at(double x, double y, double z, boolean withSpine) {
+        Section section = new Section(z);
+        double dy = y - section.axisY;
+        double distance = Math.sqrt(x * x + dy * dy);
+        if (distance < 1e-9) {
+            return -section.radius(0, 1, withSpine, new double[1]);
+        }
+        double[] steepness = new double[1];
+        double radius = section.radius(x / distance, dy / distance, withSpine, steepness);
+        return (distance - radius) / Math.sqrt(1 + steepness[0] * steepness[0]);
+    }
+
+    /**
+     * The point at this azimuth and height of the bed on which ribs and cartilages lie: the wall as if there were no spine, moved
+     * {@code outward} mm along its normal.
+     */
+    double[] bed(double azimuth, double z, double outward) {
+        double radius = new Section(z).radius(StrictMath.sin(azimuth), StrictMath.cos(azimuth), false, new double[1]);
+        double[] p = point(azimuth, radius, z);
+        return V3.add(p, bedNormal(p), outward);
+    }
+
+    /** Outward unit normal of the bed through this point. */
+    double[] bedNormal(double[] p) {
+        Field bed = (x, y, z) -> at(x, y, z, false);
+        return bed.normal(p);
     }
 }

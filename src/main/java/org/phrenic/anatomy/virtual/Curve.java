@@ -9,7 +9,10 @@ final class Curve {
     private final double[] value;
     private final double[] slope;
 
-    /** @param at strictly rising; @param value as many; at least two. */
+    /**
+     * @param at strictly rising, at least two
+     * @param value as many
+     */
     Curve(double[] at, double[] value) {
         this.at = at.clone();
         this.value = value.clone();

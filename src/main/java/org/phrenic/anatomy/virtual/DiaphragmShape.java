@@ -59,7 +59,8 @@ final class DiaphragmShape implements Field {
         double dy = y - wall.y(z);
         double lateral = Math.abs(x) / Math.max(Math.sqrt(x * x + dy * dy), 1e-9);
         double turn = measures.midlineTurnRadiusMm()
-                + (measures.turnRadiusMm() - measures.midlineTurnRadiusMm()) * V3.smoothstep(lateral / 0.7);
+                + (measures.turnRadiusMm() - measures.midlineTurnRadiusMm())
+                        * V3.smoothstep(lateral / (dy > 0 ? 0.7 : 0.95));
         return V3.roundMax(above, outside, turn);
     }
 }

@@ -7,9 +7,9 @@ import org.phrenic.geometry.TriangleMesh;
  * rises to the left and to the back. How high that sheet stands is found from the volume wanted.
  */
 final class LiverShape {
-    private static final double EDGE_MM = 5;
+    private static final double EDGE_MM = 10;
     private static final double LEFT_END_MM = 14;
-    private static final double GRID_MM = 10;
+    private static final double GRID_MM = 9;
     private static final int SWEEPS = 6;
 
     private final VirtualThoraxParameters.Liver measures;
@@ -26,13 +26,15 @@ final class LiverShape {
 
     private double at(double x, double y, double z, double height) {
         double under = dome.at(x, y, z) + diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
-        double inside = wall.at(x, y, z) + measures.wallInsetMm();
         double slopeX = measures.visceralSlope()[0];
         double slopeY = measures.visceralSlope()[1];
         double bend = measures.visceralTwist() * Math.max(0, x) * Math.max(0, x);
         double above = height + slopeX * x + slopeY * y + bend - z;
         above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
-        double region = V3.roundMax(Math.max(under, inside), above, EDGE_MM);
+        double region = V3.roundMax(under, above, EDGE_MM);
+        double cut = measures.backCut()[1];
+        double behind = (y - measures.backCut()[0] + cut * x) / Math.sqrt(1 + cut * cut);
+        region = V3.roundMax(region, behind, LEFT_END_MM);
         return V3.roundMax(region, x - measures.leftEndX(), LEFT_END_MM);
     }
 
@@ -40,7 +42,8 @@ final class LiverShape {
         double height = height();
         Field field = (x, y, z) -> at(x, y, z, height);
         TriangleMesh rough = MarchingTetrahedra.surface(field, low(), high(), GRID_MM);
-        return Relaxation.relax(rough, SWEEPS, v -> field);
+        TriangleMesh even = Relaxation.relax(rough, SWEEPS, v -> field);
+        return Clearance.keep(even, dome, -1, diaphragm.muscleMm() / 2 + measures.diaphragmGapMm());
     }
 
     private double[] low() {

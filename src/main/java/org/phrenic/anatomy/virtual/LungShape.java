@@ -8,7 +8,7 @@ import org.phrenic.geometry.TriangleMesh;
  * border: the side (costal, mediastinal and apex) and the base.
  */
 final class LungShape implements Axis {
-    private static final double COSTAL_EDGE_MM = 7;
+    private static final double COSTAL_EDGE_MM = 18;
     private static final double APEX_EDGE_MM = 12;
     private static final double PIVOT_ABOVE_DOME_MM = 45;
     private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
@@ -17,6 +17,8 @@ final class LungShape implements Axis {
     private final VirtualThoraxParameters.Lungs measures;
     private final ChestWall wall;
     private final Field roof;
+    private final DiaphragmShape dome;
+    private final double lift;
     private final int sign;
     private final int index;
     private final double[] apex;
@@ -35,7 +37,8 @@ final class LungShape implements Axis {
         base = index == 0 ? measures.baseRight() : measures.baseLeft();
         VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
         baseZ = (index == 0 ? diaphragm.right() : diaphragm.left())[2];
-        double lift = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
+        this.dome = dome;
+        lift = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
         roof = (x, y, z) -> dome.at(x, y, z) - lift;
         double[][] border = new double[Meridians.AZIMUTHS][];
         for (int i = 0; i < border.length; i++) {
@@ -124,7 +127,8 @@ final class LungShape implements Axis {
         int inner = upper.vertexCount() - border;
         int upperCount = upper.vertexCount();
         Field side = this::side;
-        return Relaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
+        TriangleMesh even = Relaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
+        return Clearance.keep(even, dome, 1, lift);
     }
 
     private int count(double edge) {

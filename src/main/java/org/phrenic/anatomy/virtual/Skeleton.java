@@ -11,6 +11,9 @@ final class Skeleton {
     /** How far parts that join reach into each other, mm. */
     static final double OVERLAP_MM = 0.4;
 
+    private static final int PUSHES = 3;
+    private static final int SMOOTHING_PASSES = 6;
+
     private final VirtualThoraxParameters parameters;
     private final Spine spine;
     private final ChestWall wall;
@@ -57,25 +60,49 @@ final class Skeleton {
                 * wall.halfBreadth(nominalZ);
         List<double[]> knots = new ArrayList<>();
         knots.add(head);
-        knots.add(V3.add(V3.lerp(head, tubercle, 0.5), V3.of(0, 0, 1), 1));
-        knots.add(tubercle);
+        boolean floating = level >= 11;
+        if (!floating) {
+            knots.add(V3.add(V3.lerp(head, tubercle, 0.5), V3.of(0, 0, 1), 1));
+            knots.add(tubercle);
+        }
         double end = Math.PI * 0.985;
-        double first = tubercleAzimuth + StrictMath.toRadians(9);
+        double first = floating ? headAzimuth + StrictMath.toRadians(16) : tubercleAzimuth + StrictMath.toRadians(9);
         int steps = 60;
         for (int i = 0; i <= steps; i++) {
             double azimuth = first + (end - first) * i / steps;
             double drop = pump * reach * (StrictMath.cos(headAzimuth) - StrictMath.cos(azimuth))
                     + bucket * V3.smoothstep((azimuth - headAzimuth) / (Math.PI * 0.33));
-            knots.add(wall.surface(sign * azimuth, Math.min(tubercle[2], head[2]) - drop, offset));
+            knots.add(wall.bed(sign * azimuth, (floating ? head[2] : Math.min(tubercle[2], head[2])) - drop, offset));
         }
-        Course whole = Course.through(knots, 6);
+        Course whole = outside(Course.through(knots, 6), offset);
         return whole.piece(0, Math.min(arc, whole.length()), 120);
+    }
+
+    /** The same course, pushed away from the wall where it comes closer than this and smoothed; its ends stay. */
+    private Course outside(Course course, double offset) {
+        int n = (int) Math.ceil(course.length() / 2);
+        double[][] points = new double[n + 1][];
+        for (int i = 0; i <= n; i++) {
+            points[i] = course.at(course.length() * i / n);
+        }
+        for (int round = 0; round < PUSHES; round++) {
+            for (int i = 1; i < n; i++) {
+                double missing = offset * V3.smoothstep(i * 2 / 12.0) - wallOffset(points[i]);
+                points[i] = missing > 0 ? V3.add(points[i], wall.normal(points[i]), missing) : points[i];
+            }
+            for (int pass = 0; pass < SMOOTHING_PASSES; pass++) {
+                for (int i = 1; i < n; i++) {
+                    points[i] = V3.lerp(points[i], V3.lerp(points[i - 1], points[i + 1], 0.5), 0.6);
+                }
+            }
+        }
+        return new Course(List.of(points));
     }
 
     /** Course of a costal cartilage 1-7 from its rib to the sternum. */
     Course sternal(int level, Side side, Course rib) {
         double[] notch = sternum.edge(parameters.sternum().notchFraction()[level - 1], side.sign());
-        double[] end = V3.add(notch, V3.of(side.sign(), 0, 0), -1.5);
+        double[] end = V3.add(notch, V3.of(side.sign(), 0, 0), -0.5);
         return onWall(rib, end, side, StrictMath.toRadians(level <= 2 ? 5 : 12 + 6 * (level - 3)));
     }
 
@@ -116,7 +143,7 @@ final class Skeleton {
             double h = u * u * (3 - 2 * u);
             double azimuth = from + (to - from) * h + span / radius * (ribAzimuth * u * v * v - endAzimuth * u * u * v);
             double z = start[2] + (end[2] - start[2]) * h + span * (ribDrop * u * v * v - endRise * u * u * v);
-            points.add(wall.surface(side.sign() * azimuth, z, offsetFrom + (offsetTo - offsetFrom) * h));
+            points.add(wall.bed(side.sign() * azimuth, z, offsetFrom + (offsetTo - offsetFrom) * h));
         }
         points.set(0, start);
         points.set(n, end);

@@ -12,6 +12,7 @@ final class Spine {
     private final double endLean;
     private final double originY;
     private final Curve front;
+    private final Curve halfWidth;
 
     Spine(VirtualThoraxParameters.Spine measures) {
         this.measures = measures;
@@ -34,12 +35,15 @@ final class Spine {
         int n = middle.length;
         double[] z = new double[n];
         double[] y = new double[n];
+        double[] half = new double[n];
         for (int i = 0; i < n; i++) {
             double[] centre = centre(middle[n - 1 - i]);
             z[i] = centre[2];
+            half[i] = measures.bodyWidthMm()[n - 1 - i] / 2;
             y[i] = centre[1] - measures.bodyDepthMm()[n - 1 - i] / 2 / StrictMath.cos(lean(middle[n - 1 - i]));
         }
         front = new Curve(z, y);
+        halfWidth = new Curve(z, half);
     }
 
     /** How far the spine leans from upright at this path, rad; positive where going up means going back. */
@@ -75,6 +79,11 @@ final class Spine {
     /** y of the front of the bodies at this height, mm. */
     double frontY(double z) {
         return front.at(z);
+    }
+
+    /** Half the breadth of the bodies at this height, mm. */
+    double halfWidth(double z) {
+        return halfWidth.at(z);
     }
 
     /** A point given in a frame along the spine: across (left), back, up, from the middle line at this path. */

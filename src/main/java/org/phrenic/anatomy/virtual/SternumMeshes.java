@@ -97,6 +97,6 @@ final class SternumMeshes {
                                     (ribHeight + (m.heightMm() * slender - ribHeight) * in) / 2 * out,
                                     (ribThickness + (m.thicknessMm() - ribThickness) * in) / 2 * out);
                         },
-                        p -> wall.normal(p));
+                        wall::bedNormal);
     }
 }

@@ -3,6 +3,8 @@ package org.phrenic.anatomy.virtual;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -13,6 +15,7 @@ import org.phrenic.geometry.TriangleMesh;
 /** Grows a thorax at end-expiration from its measures. The same measures give the same bits. */
 public final class VirtualThorax {
     private static final double VERTEBRA_GRID_MM = 4.0;
+    private static final double RIGHT_LUNG_SHARE = 0.53;
     private static final int VERTEBRA_SWEEPS = 3;
     private static final Tube RIB = new Tube(12, 60, 2.4, 3);
     private static final Tube DISC = new Tube(28, 4, 2.3, 1);
@@ -87,26 +90,32 @@ public final class VirtualThorax {
                     double thickness = ribs.thicknessMm() * (1.12 - 0.12 * neck) * (0.9 + 0.1 * end);
                     return new Tube.Section(height / 2, thickness / 2);
                 },
-                p -> wall.normal(p));
+                wall::bedNormal);
     }
 
     private void spine() {
-        for (int level = 1; level <= vertebrae.length; level++) {
-            VertebraShape shape = vertebrae[level - 1];
-            double[] centre = spine.centre(spine.bodyPath(level));
-            TriangleMesh rough = MarchingTetrahedra.surface(
-                    shape,
-                    V3.add(centre, V3.of(-52, -30, -48), 1),
-                    V3.add(centre, V3.of(52, 78, 34), 1),
-                    VERTEBRA_GRID_MM);
-            TriangleMesh mesh = Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
-            structures.add(new Structure(
-                    "vertebra_" + vertebraName(level, "%02d"), StructureKind.VERTEBRA, level, Side.MIDLINE, mesh));
-        }
+        structures.addAll(IntStream.rangeClosed(1, vertebrae.length)
+                .parallel()
+                .mapToObj(level -> new Structure(
+                        "vertebra_" + vertebraName(level, "%02d"),
+                        StructureKind.VERTEBRA,
+                        level,
+                        Side.MIDLINE,
+                        vertebra(level)))
+                .toList());
         for (int level = 1; level < vertebrae.length; level++) {
             String name = "disc_" + vertebraName(level, "%d") + "_" + vertebraName(level + 1, "%d");
             structures.add(new Structure(name, StructureKind.DISC, level, Side.MIDLINE, disc(level)));
         }
+    }
+
+    private TriangleMesh vertebra(int level) {
+        VertebraShape shape = vertebrae[level - 1];
+        double[] centre = spine.centre(spine.bodyPath(level));
+        double[] low = V3.add(centre, V3.of(-52, -30, -48), 1);
+        double[] high = V3.add(centre, V3.of(52, 78, 34), 1);
+        TriangleMesh rough = MarchingTetrahedra.surface(shape, low, high, VERTEBRA_GRID_MM);
+        return Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
     }
 
     private TriangleMesh disc(int level) {
@@ -123,21 +132,27 @@ public final class VirtualThorax {
     }
 
     private void organs() {
-        DiaphragmSheet sheet = new DiaphragmSheet(parameters.diaphragm(), dome, wall);
-        single("diaphragm", StructureKind.DIAPHRAGM, Side.MIDLINE, sheet.mesh(resolution.diaphragmVertices()));
-        int right = (int) Math.round(resolution.lungVertices() * 0.53);
-        single("lung_R", StructureKind.LUNG, Side.RIGHT, new LungShape(parameters, wall, dome, Side.RIGHT).mesh(right));
-        single(
-                "lung_L",
-                StructureKind.LUNG,
-                Side.LEFT,
-                new LungShape(parameters, wall, dome, Side.LEFT).mesh(resolution.lungVertices() - right));
-        single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh());
-        single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh());
+        int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
+        int left = resolution.lungVertices() - right;
+        List<Supplier<Structure>> organs = List.of(
+                () -> single(
+                        "diaphragm",
+                        StructureKind.DIAPHRAGM,
+                        Side.MIDLINE,
+                        new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())),
+                () -> single("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)),
+                () -> single("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)),
+                () -> single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()),
+                () -> single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
+        structures.addAll(organs.parallelStream().map(Supplier::get).toList());
     }
 
-    private void single(String name, StructureKind kind, Side side, TriangleMesh mesh) {
-        structures.add(new Structure(name, kind, 0, side, mesh));
+    private TriangleMesh lung(Side side, int vertices) {
+        return new LungShape(parameters, wall, dome, side).mesh(vertices);
+    }
+
+    private static Structure single(String name, StructureKind kind, Side side, TriangleMesh mesh) {
+        return new Structure(name, kind, 0, side, mesh);
     }
 
     private void add(String name, StructureKind kind, int level, Side side, TriangleMesh mesh) {

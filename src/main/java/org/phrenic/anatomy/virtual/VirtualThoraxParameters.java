@@ -179,17 +179,17 @@ public record VirtualThoraxParameters(
     /**
      * @param volumeMl volume
      * @param diaphragmGapMm from the abdominal face of the diaphragm to the liver
-     * @param wallInsetMm from the inner wall to the liver, where it lies below the diaphragm
      * @param visceralSlope rise of the lower surface: to the left and to the back
      * @param visceralTwist extra rise to the left, growing over the midplane, per mm
+     * @param backCut the plane that ends the left lobe behind: y at the midplane, and how much it comes forward per mm to the left
      * @param leftEndX x of the tip of the left lobe
      */
     public record Liver(
             double volumeMl,
             double diaphragmGapMm,
-            double wallInsetMm,
             double[] visceralSlope,
             double visceralTwist,
+            double[] backCut,
             double leftEndX) {}
 
     /**

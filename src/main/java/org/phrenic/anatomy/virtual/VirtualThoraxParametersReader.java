@@ -182,9 +182,9 @@ public final class VirtualThoraxParametersReader {
         var liver = new VirtualThoraxParameters.Liver(
                 s.number("volume_ml"),
                 s.number("diaphragm_gap_mm"),
-                s.number("wall_inset_mm"),
                 s.numbers("visceral_slope", 2),
                 s.number("visceral_twist"),
+                s.numbers("back_cut", 2),
                 s.number("left_end_x_mm"));
         s.end();
         return liver;

@@ -15,6 +15,9 @@ public final class Attachments implements ForceField {
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
+    private final double refreshInterval;
+    private double refreshed = Double.NaN;
+    private double elapsed;
     private double factor = 1;
 
     /**
@@ -23,10 +26,17 @@ public final class Attachments implements ForceField {
      * @param stiffness of each, N/m
      * @param damping dashpot of each as a multiple of its stiffness, s; 0 for none
      * @param anchors where each is attached, in the same order
+     * @param refreshInterval simulated time after which anchors are asked for anew, s; in between they go on at their velocity. 0 asks at every
+     *     evaluation
      * @throws IllegalArgumentException if numbers differ, or a stiffness or the damping is negative or not finite
      */
     public Attachments(
-            NodeLayout layout, int[] callerNodes, double[] stiffness, double damping, PrescribedMotion anchors) {
+            NodeLayout layout,
+ int[] callerNodes,
+ double[] stiffness,
+ double damping,
+ PrescribedMotion anchors,
+ double refreshInterval) {
         if (stiffness.length != callerNodes.length || anchors.pointCount() != callerNodes.length) {
             throw new IllegalArgumentException("attachments: found " + callerNodes.length + " nodes, "
                     + stiffness.length + " stiffnesses and " + anchors.pointCount() + " anchors, expected as many");
@@ -44,6 +54,7 @@ public final class Attachments implements ForceField {
         this.stiffness = stiffness.clone();
         this.dampingRatio = damping;
         this.anchors = anchors;
+        this.refreshInterval = refreshInterval;
         this.anchor = new double[3 * callerNodes.length];
         this.anchorVelocity = new double[3 * callerNodes.length];
         anchors.at(0, anchor, anchorVelocity);
@@ -60,7 +71,12 @@ public final class Attachments implements ForceField {
 
     @Override
     public void prepare(double time) {
-        anchors.at(time, anchor, anchorVelocity);
+        // With slack, so that rounding of the time cannot shift a refresh by a step; going back in time refreshes too.
+        if (!(Math.abs(time - refreshed) < refreshInterval * (1 - 1e-9))) {
+            anchors.at(time, anchor, anchorVelocity);
+            refreshed = time;
+        }
+        elapsed = time - refreshed;
     }
 
     @Override
@@ -71,7 +87,7 @@ public final class Attachments implements ForceField {
             double k = factor * stiffness[nodes.item[i]];
             double c = k * dampingRatio;
             for (int axis = 0; axis < 3; axis++) {
-                force[n + axis] += k * (anchor[p + axis] - x[n + axis]) + c * (anchorVelocity[p + axis] - v[n + axis]);
+                force[n + axis] += k * (anchor[p + axis] + elapsed * anchorVelocity[p + axis] - x[n + axis]) + c * (anchorVelocity[p + axis] - v[n + axis]);
             }
         }
     }
@@ -82,7 +98,8 @@ public final class Attachments implements ForceField {
         for (int i = 0; i < nodes.count(); i++) {
             double squared = 0;
             for (int axis = 0; axis < 3; axis++) {
-                double d = x[nodes.node[i] + axis] - anchor[3 * nodes.item[i] + axis];
+                int p = 3 * nodes.item[i] + axis;
+                double d = x[nodes.node[i] + axis] - anchor[p] - elapsed * anchorVelocity[p];
                 squared += d * d;
             }
             sum += 0.5 * factor * stiffness[nodes.item[i]] * squared;

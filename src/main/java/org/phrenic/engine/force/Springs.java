@@ -276,7 +276,11 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** The length at these positions (caller's order, mm) as rest length. */
+        /**
+         * The length at these positions (caller's order, mm) as rest length.
+         *
+         * @throws IllegalArgumentException if both ends of a spring lie on one spot, where its force has no direction
+         */
         public Builder restAt(double[] positions) {
             rest = new double[nodeA.length];
             for (int e = 0; e < rest.length; e++) {
@@ -286,6 +290,10 @@ public final class Springs implements ForceField {
                     squared += d * d;
                 }
                 rest[e] = Math.sqrt(squared);
+                if (!(rest[e] > 0)) {
+                    throw new IllegalArgumentException("spring " + e + " between nodes " + nodeA[e] + " and " + nodeB[e]
+                            + ": found length " + rest[e] + " mm, expected more than 0");
+                }
             }
             return this;
         }

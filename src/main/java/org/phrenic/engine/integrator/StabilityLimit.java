@@ -51,8 +51,10 @@ public record StabilityLimit(
             }
         }
         double power = POWER_MARGIN * Math.sqrt(powerIteration(system));
+        // Also where the state at hand gives no number.
+        boolean usable = power <= Math.sqrt(bound);
         return new StabilityLimit(
-                Math.min(power, Math.sqrt(bound)),
+                usable ? power : Math.sqrt(bound),
                 Math.sqrt(bound),
                 least == Double.POSITIVE_INFINITY ? 0 : least,
                 most,

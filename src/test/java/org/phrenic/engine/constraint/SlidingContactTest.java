@@ -66,6 +66,24 @@ class SlidingContactTest {
         assertThat(system.positions()[2]).isCloseTo(0.1 - 2.5 - 500 * H * 0.1 / 2, within(1e-9));
     }
 
+    /** Beyond the wall but on its way back: it is put on the wall and keeps its speed; the wall does not hold it. */
+    @Test
+    void nodeOnItsWayBackKeepsItsSpeed() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        SlidingContact contact = contact(system, new Scenes.Ceiling(1, -20), 0.01);
+        system.positions()[2] = 1.5;
+        system.velocities()[2] = -30;
+        system.project(0, H);
+        assertThat(system.positions()[2]).isCloseTo(1, within(ROUNDING));
+        assertThat(system.velocities()[2]).isEqualTo(-30);
+        // Slower than the wall: it takes the wall's speed.
+        system.positions()[2] = 1.5;
+        system.velocities()[2] = -10;
+        system.project(0, H);
+        assertThat(system.velocities()[2]).isCloseTo(-20, within(ROUNDING));
+        assertThat(contact.touchingCount()).isEqualTo(1);
+    }
+
     /** Inside of a sphere about the origin. */
     private record Bowl(double radius) implements ContactSurface {
         @Override

@@ -3,6 +3,8 @@ package org.phrenic.engine.force;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.Motions;
@@ -112,6 +114,84 @@ class FieldsTest {
         assertThat(inward).isCloseTo(0.8 * 4 * Math.PI * radius * radius, within(0.03 * inward));
     }
 
+    /** On a surface of many blocks in Morton order: each triangle and each edge by itself, summed in the caller's order. */
+    @Test
+    void manyBlocksAddUpToTheSumOverTrianglesAndEdges() {
+        TriangleMesh sphere = Spheres.sphere(50, 5);
+        double[] x = sphere.positions();
+        int n = sphere.vertexCount();
+        NodeLayout layout = NodeLayout.morton(x);
+        assertThat(layout.blockCount()).isGreaterThan(6);
+        double[] v = new Random(2).doubles(3 * n, -5, 5).toArray();
+        double[] weight =
+                new Random(3).doubles(sphere.triangleCount(), 0.5, 1.5).toArray();
+        FacePressure pressure = new FacePressure(layout, sphere.triangles(), weight);
+        pressure.setPressure(0.3);
+        double[] expected = new double[3 * n];
+        for (int t = 0; t < sphere.triangleCount(); t++) {
+            int[] corner = Arrays.copyOfRange(sphere.triangles(), 3 * t, 3 * t + 3);
+            for (int axis = 0; axis < 3; axis++) {
+                int p = (axis + 1) % 3;
+                int q = (axis + 2) % 3;
+                double doubleArea = (x[3 * corner[1] + p] - x[3 * corner[0] + p])
+                                * (x[3 * corner[2] + q] - x[3 * corner[0] + q])
+                        - (x[3 * corner[1] + q] - x[3 * corner[0] + q]) * (x[3 * corner[2] + p] - x[3 * corner[0] + p]);
+                for (int c : corner) {
+                    expected[3 * c + axis] -= 0.3 * weight[t] * doubleArea / 6;
+                }
+            }
+        }
+        assertSum(pressure, layout, x, v, expected);
+        int[][] edges = Scenes.edgesOf(sphere.triangles());
+        double[] rest = new Random(4).doubles(edges[0].length, 0.5, 3).toArray();
+        for (double c : new double[] {0, 0.4}) {
+            for (double activation : new double[] {0, 0.25}) {
+                Springs springs = Springs.between(layout, edges[0], edges[1])
+                        .stiffness(7)
+                        .rest(rest)
+                        .contractile(rest)
+                        .damping(c)
+                        .build();
+                springs.setActivation(activation);
+                assertSum(springs, layout, x, v, springForces(edges, x, v, rest, c, activation));
+            }
+        }
+    }
+
+    /** Eq. 3 edge by edge, the share of each edge being as large as its rest length. */
+    private static double[] springForces(
+            int[][] edges, double[] x, double[] v, double[] rest, double c, double activation) {
+        double[] force = new double[x.length];
+        for (int e = 0; e < rest.length; e++) {
+            int a = 3 * edges[0][e];
+            int b = 3 * edges[1][e];
+            double[] d = {x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]};
+            double l = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+            double rate = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                rate += (v[b + axis] - v[a + axis]) * d[axis] / l;
+            }
+            double pull = 7 * (l - rest[e] * (1 - activation * rest[e])) + c * rate;
+            for (int axis = 0; axis < 3; axis++) {
+                force[a + axis] += pull * d[axis] / l;
+                force[b + axis] -= pull * d[axis] / l;
+            }
+        }
+        return force;
+    }
+
+    private static void assertSum(ForceField field, NodeLayout layout, double[] x, double[] v, double[] expected) {
+        double[] force = new double[x.length];
+        for (int block = 0; block < layout.blockCount(); block++) {
+            field.addForces(layout.toInternal(x), layout.toInternal(v), force, block);
+        }
+        double[] found = new double[x.length];
+        layout.toCaller(force, found);
+        for (int i = 0; i < found.length; i++) {
+            assertThat(found[i]).isCloseTo(expected[i], within(1e-10));
+        }
+    }
+
     /** A sheet of 12 mm x 9 mm at 0.5 kPa with weights 2: 108 mN down on the face that is seen from above. */
     @Test
     void pressureOnAPlanePatchIsPressureTimesArea() {
@@ -203,7 +283,7 @@ class FieldsTest {
         NodeLayout layout = NodeLayout.natural(n);
         ParticleSystem system = new ParticleSystem(layout, x, Scenes.masses(n, 0.01), Workers.of(1));
         double[] stretched = new double[n - 1];
-        java.util.Arrays.fill(stretched, 0.5);
+        Arrays.fill(stretched, 0.5);
         system.add(Springs.between(layout, a, b).stiffness(15).rest(stretched).build());
         system.add(new Attachments(layout, nodes, k, 0, Motions.swinging(x, 1, 2, Math.PI / 2)));
         system.setViscosity(0.3);

@@ -79,7 +79,12 @@ class ForceFieldTest {
     }
 
     static Stream<Arguments> fieldsWithStiffness() {
-        return Stream.concat(fieldsWithEnergy(), fieldsWithWholeStiffness());
+        // Springs pressed to half their length: what K would lose there is left out.
+        double[] longer = Scenes.gridPositions(3, 0, 1);
+        Arrays.setAll(longer, i -> 2 * longer[i]);
+        Arguments pressed = Arguments.of("pressed springs", (Supplier<ForceField>)
+                () -> springs().restAt(longer).build());
+        return Stream.concat(Stream.of(pressed), Stream.concat(fieldsWithEnergy(), fieldsWithWholeStiffness()));
     }
 
     private static double[] state() {
@@ -316,10 +321,14 @@ class ForceFieldTest {
         refused(
                 () -> Springs.between(LAYOUT, a, new int[] {1, 1})
                         .stiffness(1)
-                        .restAt(x)
+                        .rest(new double[2])
                         .build(),
                 "edge 1",
                 "node 1");
+        refused(
+                () -> Springs.between(LAYOUT, a, b).stiffness(1).restAt(new double[81]),
+                "spring 0 between nodes 0 and 1",
+                "found length 0.0 mm");
         refused(() -> new ActionLine(LAYOUT, a, x, 0, 0, 0), "radius of an action line", "found 0.0 mm");
         refused(() -> new FacePressure(LAYOUT, new int[] {0, 1, 2}, new double[2]), "3 corners", "2 weights");
         refused(() -> new ConstantLoad(LAYOUT, new double[2]), "load: found 2", "expected 81");

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.phrenic.engine.Motions;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Scenes;
+import org.phrenic.engine.force.Attachments;
 
 class BackwardEulerTest extends IntegratorContract {
     @Override
@@ -40,6 +42,16 @@ class BackwardEulerTest extends IntegratorContract {
                 before = after;
             }
         }
+    }
+
+    /** What is held stiffly is where its anchor is at the end of the step, not where it was. */
+    @Test
+    void takesAnchorsAtTheEndOfTheStep() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        system.add(new Attachments(
+                system.layout(), new int[] {0}, new double[] {1e9}, 0, Motions.swinging(new double[3], 0, 2, 3)));
+        kind().on(system).step(0, 0.3);
+        assertThat(system.positions()[0]).isCloseTo(2 * Math.sin(0.9), within(1e-6));
     }
 
     /** A hundred times the largest step of velocity Verlet on a net far from rest: it comes to rest instead of flying apart. */

@@ -173,6 +173,11 @@ class StabilityLimitTest {
         double h = (-rate + Math.sqrt(rate * rate + 4 * omega * omega)) / (omega * omega);
         assertThat(limit.largestStep(IntegratorKind.VERLET)).isCloseTo(h, within(NEAR * h));
         assertThat(limit.largestStep(IntegratorKind.BACKWARD_EULER)).isLessThan(10 / rate);
+        // Viscosity of other nodes is no help.
+        StabilityLimit mixed = new StabilityLimit(omega, omega, 0, 2 * rate, rate);
+        assertThat(mixed.largestStep(IntegratorKind.VERLET)).isLessThanOrEqualTo(h * (1 + NEAR));
+        double implicit = limit.largestStep(IntegratorKind.BACKWARD_EULER);
+        assertThat(mixed.largestStep(IntegratorKind.BACKWARD_EULER)).isCloseTo(implicit, within(NEAR * implicit));
         for (IntegratorKind kind : IntegratorKind.values()) {
             double step = limit.largestStep(kind);
             assertThat(dashedEnergy(kind, omega, rate, 0.98 * step))
@@ -272,6 +277,16 @@ class StabilityLimitTest {
                 .hasMessageContaining("rk2")
                 .hasMessageContaining("grows at every step")
                 .hasMessageContaining("40");
+    }
+
+    /** A spring pulled together to nothing has no direction, hence no K: the bound stands in. */
+    @Test
+    void stateWithoutStiffnessIsJudgedByTheBound() {
+        ParticleSystem system = chain(5);
+        System.arraycopy(system.positions(), 3, system.positions(), 6, 3);
+        StabilityLimit limit = StabilityLimit.of(system);
+        assertThat(limit.omegaMax()).isEqualTo(limit.omegaBound());
+        assertThat(limit.largestStep(IntegratorKind.VERLET)).isCloseTo(2 / limit.omegaBound(), within(1e-6));
     }
 
     @Test

@@ -1,0 +1,120 @@
+package org.phrenic.simulation;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.AcrossSheet;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.geometry.MeshTopology;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * The diaphragm as part of a scene: springs along its edges (contractile along the fibres in muscle), struts across its thickness, rigid links in the tendon, and the lists of nodes that bone holds, that slide
+ * on the chest wall, and of faces that the abdomen presses on.
+ */
+final class DiaphragmPart {
+    /** Farthest opposing vertex that is still across the sheet, mm: the sheet is 2 to 5 mm thick, segmentations of it up to four times that. */
+    private static final double REACH_MM = 20;
+
+    private static final int STRUTS = 3;
+    /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
+    private static final double STRUT_STIFFNESS = 0.3;
+
+    final Diaphragm diaphragm;
+    final int first;
+    final List<AcrossSheet.Pair> links;
+
+    DiaphragmPart(SceneParts parts, Diaphragm diaphragm, TissueLaw law, double tendonRatio, boolean struts, int linksPerNode) {
+        this.diaphragm = diaphragm;
+        TriangleMesh sheet = diaphragm.sheet();
+        double[] muscle = law.masses(sheet, 1);
+        double[] tendon = law.masses(sheet, tendonRatio);
+        for (int i = 0; i < muscle.length; i++) {
+            muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
+        }
+        first = parts.addNodes(sheet, muscle);
+        addEdges(parts.diaphragm, law, tendonRatio);
+        AcrossSheet across = AcrossSheet.of(diaphragm, REACH_MM);
+        if (struts) {
+            double[] p = sheet.positions();
+            for (AcrossSheet.Pair pair : across.nearest(STRUTS)) {
+                parts.diaphragm.add(
+                        first + pair.a(),
+                        first + pair.b(),
+                        law.edgeStiffness(2, STRUT_STIFFNESS),
+                        SceneParts.distance(p, pair.a(), p, pair.b()),
+                        0);
+            }
+        }
+        links = across.matched(diaphragm::isTendon, linksPerNode);
+    }
+
+    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio) {
+        TriangleMesh sheet = diaphragm.sheet();
+        MeshTopology topology = diaphragm.topology();
+        double[] p = sheet.positions();
+        double[] fibre = diaphragm.fibreDirections();
+        for (int e = 0; e < topology.edgeCount(); e++) {
+            int a = topology.edges()[2 * e];
+            int b = topology.edges()[2 * e + 1];
+            boolean stiff = diaphragm.isTendon(a) && diaphragm.isTendon(b);
+            double share = 0;
+            int sides = 0;
+            for (int s = 2 * e; s < 2 * e + 2; s++) {
+                int t = topology.edgeTriangles()[s];
+                if (t >= 0) {
+                    sides++;
+                    share += alongFibre(p, a, b, fibre, t);
+                }
+            }
+            springs.add(
+                    first + a,
+                    first + b,
+                    law.edgeStiffness(sides, stiff ? tendonRatio : 1),
+                    SceneParts.distance(p, a, p, b),
+                    stiff ? 0 : share / sides);
+        }
+    }
+
+    /** cos² of the angle between an edge and the fibres of a triangle; 0 in the tendon. */
+    private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
+        double dot = 0;
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double d = p[3 * b + axis] - p[3 * a + axis];
+            dot += d * fibre[3 * triangle + axis];
+            squared += d * d;
+        }
+        return dot * dot / squared;
+    }
+
+    /** Vertices of the sheet that bone holds. */
+    int[] inserted() {
+        return IntStream.range(0, diaphragm.sheet().vertexCount())
+                .filter(diaphragm::isInserted)
+                .toArray();
+    }
+
+    /** Vertices of the sheet that slide on the chest wall: the thoracic face of the muscle. */
+    int[] sliding() {
+        return IntStream.range(0, diaphragm.sheet().vertexCount())
+                .filter(i -> diaphragm.isThoracic(i) && !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+                .toArray();
+    }
+
+    /** Vertices of the muscle. */
+    int[] muscle() {
+        return IntStream.range(0, diaphragm.sheet().vertexCount())
+                .filter(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+                .toArray();
+    }
+
+    /** Triangles that the abdomen presses on, as nodes of the scene. */
+    int[] abdominalTriangles() {
+        int[] t = diaphragm.sheet().triangles();
+        return IntStream.range(0, diaphragm.sheet().triangleCount())
+                .filter(i -> !diaphragm.isThoracicTriangle(i))
+                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
+                .map(i -> first + t[i])
+                .toArray();
+    }
+}

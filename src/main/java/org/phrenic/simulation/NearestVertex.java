@@ -1,0 +1,94 @@
+package org.phrenic.simulation;
+
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import org.phrenic.geometry.TriangleMesh;
+
+/** Finds the nearest of some vertices of a mesh: cells of a grid, searched shell by shell. One thread at a time. */
+final class NearestVertex {
+    private static final double CELL_MM = 10;
+
+    private final TriangleMesh mesh;
+    private final double[] low;
+    private final int[] cells;
+    private final int[] start;
+    private final int[] vertex;
+    private double distance;
+
+    NearestVertex(TriangleMesh mesh, IntPredicate chosen) {
+        this.mesh = mesh;
+        double[] box = mesh.bounds();
+        low = box;
+        cells = new int[] {
+            (int) ((box[3] - box[0]) / CELL_MM) + 1,
+            (int) ((box[4] - box[1]) / CELL_MM) + 1,
+            (int) ((box[5] - box[2]) / CELL_MM) + 1
+        };
+        start = new int[cells[0] * cells[1] * cells[2] + 1];
+        int[] picked = IntStream.range(0, mesh.vertexCount()).filter(chosen).toArray();
+        for (int v : picked) {
+            start[cellOf(v) + 1]++;
+        }
+        for (int c = 1; c < start.length; c++) {
+            start[c] += start[c - 1];
+        }
+        vertex = new int[picked.length];
+        int[] next = start.clone();
+        for (int v : picked) {
+            vertex[next[cellOf(v)]++] = v;
+        }
+    }
+
+    private int cellOf(int v) {
+        return (index(mesh.x(v), 0) * cells[1] + index(mesh.y(v), 1)) * cells[2] + index(mesh.z(v), 2);
+    }
+
+    private int index(double value, int axis) {
+        return Math.max(0, Math.min(cells[axis] - 1, (int) ((value - low[axis]) / CELL_MM)));
+    }
+
+    /** Number of the nearest chosen vertex, -1 if none was chosen. */
+    int find(double x, double y, double z) {
+        int cx = index(x, 0);
+        int cy = index(y, 1);
+        int cz = index(z, 2);
+        int most = Math.max(cells[0], Math.max(cells[1], cells[2]));
+        int best = -1;
+        double bestSquared = Double.POSITIVE_INFINITY;
+        // A point outside the box is clamped into it, so a shell can hold nearer vertices than its number says; one more shell settles it.
+        for (int shell = 0; shell <= most; shell++) {
+            if (best >= 0 && bestSquared < (shell - 1.0) * (shell - 1.0) * CELL_MM * CELL_MM) {
+                break;
+            }
+            for (int i = Math.max(0, cx - shell); i <= Math.min(cells[0] - 1, cx + shell); i++) {
+                for (int j = Math.max(0, cy - shell); j <= Math.min(cells[1] - 1, cy + shell); j++) {
+                    boolean inner = Math.abs(i - cx) < shell && Math.abs(j - cy) < shell;
+                    for (int k = Math.max(0, cz - shell); k <= Math.min(cells[2] - 1, cz + shell); k++) {
+                        if (inner && Math.abs(k - cz) < shell) {
+                            continue;
+                        }
+                        int cell = (i * cells[1] + j) * cells[2] + k;
+                        for (int n = start[cell]; n < start[cell + 1]; n++) {
+                            int v = vertex[n];
+                            double dx = mesh.x(v) - x;
+                            double dy = mesh.y(v) - y;
+                            double dz = mesh.z(v) - z;
+                            double squared = dx * dx + dy * dy + dz * dz;
+                            if (squared < bestSquared) {
+                                bestSquared = squared;
+                                best = v;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        distance = Math.sqrt(bestSquared);
+        return best;
+    }
+
+    /** Distance of the last one found, mm. */
+    double distance() {
+        return distance;
+    }
+}

@@ -1,0 +1,91 @@
+package org.phrenic.simulation;
+
+import org.phrenic.breathing.BreathState;
+
+/** Looks at a scene and writes down what there is to see. */
+final class Observer {
+    /** Places in the plan of the sheet ({@link Patch}): the dome is measured at its back third, where M-mode ultrasound looks. */
+    private static final double[][] PLACES = {
+        {-0.45, 0.25}, {0.45, 0.25}, {0, -0.2},
+        {-0.45, -0.45}, {-0.45, 0.1}, {-0.45, 0.5},
+        {0.45, -0.45}, {0.45, 0.1}, {0.45, 0.5},
+        {-0.65, 0.1}, {-0.2, 0.1}, {0.65, 0.1}, {0.2, 0.1},
+    };
+
+    private final Scene scene;
+    private final Patch[] patches = new Patch[PLACES.length];
+    private final FibreStretch fibres;
+    private final CageMeasure cage;
+    private final LungMeasure lungs;
+    private final double[] now;
+
+    Observer(Scene scene) {
+        this.scene = scene;
+        for (int i = 0; i < PLACES.length; i++) {
+            patches[i] = new Patch(scene.diaphragm(), PLACES[i][0], PLACES[i][1]);
+        }
+        fibres = new FibreStretch(scene.diaphragm());
+        scene.pose().update(0);
+        cage = new CageMeasure(scene.thorax(), scene.pose());
+        lungs = new LungMeasure(scene);
+        now = new double[scene.rest().length];
+    }
+
+    LungMeasure lungs() {
+        return lungs;
+    }
+
+    /** What is seen at a time, which is that of the scene's state. */
+    Observation at(double time) {
+        double[] rest = scene.rest();
+        scene.system().layout().toCaller(scene.system().positions(), now);
+        scene.pose().update(time);
+        BreathState breath = scene.drive().stateAt(time);
+        double[] row = new double[Observation.COLUMNS.size()];
+        int c = 0;
+        row[c++] = time;
+        row[c++] = breath.breath;
+        row[c++] = breath.phase;
+        row[c++] = breath.activation;
+        row[c++] = scene.drive().pressureAt(breath);
+        row[c++] = scene.pose().amplitude();
+        for (Patch patch : patches) {
+            row[c++] = patch.displacement(rest, now, 2);
+        }
+        row[c++] = fibres.shorteningPercent(rest, now);
+        row[c++] = lungs.volume(time, rest, now);
+        double[] sternum = cage.sternumMotion();
+        row[c++] = -sternum[1];
+        row[c++] = cage.transverseChange();
+        row[c++] = sternum[2];
+        row[c++] = -sternum[1];
+        double[] liver = liverMotion(rest);
+        row[c++] = liver[2];
+        row[c++] = liver[1];
+        row[c++] = liver[0];
+        row[c++] = rms(rest);
+        row[c] = scene.links().map(l -> l.error(scene.system())).orElse(0.0);
+        return new Observation(row);
+    }
+
+    /** Mean displacement of the liver's surface: to the left, posterior, superior, mm. */
+    private double[] liverMotion(double[] rest) {
+        double[] mean = new double[3];
+        scene.liver().ifPresent(liver -> {
+            double[] start = liver.structure.mesh().positions();
+            double[] moved = liver.positions(rest, now);
+            for (int i = 0; i < start.length; i++) {
+                mean[i % 3] += (moved[i] - start[i]) / (start.length / 3);
+            }
+        });
+        return mean;
+    }
+
+    private double rms(double[] rest) {
+        double sum = 0;
+        for (int i = 0; i < rest.length; i++) {
+            sum += (now[i] - rest[i]) * (now[i] - rest[i]);
+        }
+        return Math.sqrt(3 * sum / rest.length);
+    }
+}

@@ -1,0 +1,46 @@
+package org.phrenic.simulation;
+
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.RibCagePose;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.constraint.RigidLinks;
+import org.phrenic.engine.constraint.SlidingContact;
+
+/**
+ * A thorax put together for a run: the nodes and what pulls on them, and which nodes belong to which organ.
+ *
+ * @param thorax as it was loaded or generated
+ * @param system the nodes
+ * @param rest positions of all nodes at end-expiration, caller's order, mm; written once, when the scene has settled
+ * @param pose of the rib cage
+ * @param drive from the breathing pattern
+ * @param diaphragm always there
+ * @param sternum where it is a mass-spring system
+ * @param lungs where they are a mass-spring system
+ * @param embeddedLungs where they are carried instead
+ * @param liver where the scene has one
+ * @param links the tendon's rigid links, if switched on
+ * @param contact with the chest wall, if switched on
+ * @param springs how many
+ * @param attachments how many nodes are held by bone, directly or by springs
+ * @param prestressResidual share of the load at rest that the sheet's tensions do not carry
+ */
+record Scene(
+        Thorax thorax,
+        ParticleSystem system,
+        double[] rest,
+        RibCagePose pose,
+        BreathDrive drive,
+        DiaphragmPart diaphragm,
+        Optional<SternumPart> sternum,
+        Optional<LungPart> lungs,
+        List<Structure> embeddedLungs,
+        Optional<LiverPart> liver,
+        Optional<RigidLinks> links,
+        Optional<SlidingContact> contact,
+        int springs,
+        int attachments,
+        double prestressResidual) {}

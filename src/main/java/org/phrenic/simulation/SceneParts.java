@@ -1,0 +1,77 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.geometry.TriangleMesh;
+
+/** Nodes and springs of a scene while its parts are put together, one part after the other. */
+final class SceneParts {
+    private final List<TriangleMesh> meshes = new ArrayList<>();
+    private final List<Integer> firstNode = new ArrayList<>();
+    private double[] mass = new double[0];
+    private int nodes;
+
+    /** Springs that contract with the muscle's activation, and the diaphragm's passive ones, held in shape by one prestress. */
+    final SpringList diaphragm = new SpringList();
+    /** All others. */
+    final SpringList passive = new SpringList();
+
+    /** Attachments to bone: node, stiffness (N/m). */
+    private final List<Integer> attachedNode = new ArrayList<>();
+
+    private final List<Double> attachedStiffness = new ArrayList<>();
+
+    /**
+     * Adds the vertices of a surface as nodes.
+     *
+     * @param masses one a vertex, kg
+     * @return number of the first
+     */
+    int addNodes(TriangleMesh mesh, double[] masses) {
+        int first = nodes;
+        meshes.add(mesh);
+        firstNode.add(first);
+        nodes += mesh.vertexCount();
+        mass = Arrays.copyOf(mass, nodes);
+        System.arraycopy(masses, 0, mass, first, masses.length);
+        return first;
+    }
+
+    void attach(int node, double stiffness) {
+        attachedNode.add(node);
+        attachedStiffness.add(stiffness);
+    }
+
+    int nodeCount() {
+        return nodes;
+    }
+
+    double[] masses() {
+        return mass;
+    }
+
+    double[] positions() {
+        double[] out = new double[3 * nodes];
+        for (int i = 0; i < meshes.size(); i++) {
+            double[] p = meshes.get(i).positions();
+            System.arraycopy(p, 0, out, 3 * firstNode.get(i), p.length);
+        }
+        return out;
+    }
+
+    int[] attachedNodes() {
+        return attachedNode.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    double[] attachedStiffnesses() {
+        return attachedStiffness.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    static double distance(double[] p, int a, double[] q, int b) {
+        double x = p[3 * a] - q[3 * b];
+        double y = p[3 * a + 1] - q[3 * b + 1];
+        double z = p[3 * a + 2] - q[3 * b + 2];
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+}

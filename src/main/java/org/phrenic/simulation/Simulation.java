@@ -1,0 +1,129 @@
+package org.phrenic.simulation;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import org.phrenic.anatomy.RibAxisTable;
+import org.phrenic.anatomy.RibCage;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Workers;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StepPolicy;
+import org.phrenic.engine.integrator.Stepper;
+
+/**
+ * A thorax that breathes: a scenario and a body put together, settled at end-expiration, and stepped. Positions are those of all nodes that springs move, in the order diaphragm, sternum and cartilages,
+ * lungs.
+ */
+public final class Simulation implements AutoCloseable {
+    /** What the prestress leaves open settles in this time under strong damping; then the shape is the rest shape. */
+    private static final double SETTLE_S = 0.4;
+
+    private static final double SETTLE_DAMPING = 25;
+
+    private final Scene scene;
+    private final Stepper stepper;
+    private final Workers workers;
+    private final double settledBy;
+
+    private Simulation(Scene scene, Stepper stepper, Workers workers, double settledBy) {
+        this.scene = scene;
+        this.stepper = stepper;
+        this.workers = workers;
+        this.settledBy = settledBy;
+    }
+
+    /**
+     * Puts a simulation together.
+     *
+     * @param scenario what to simulate
+     * @param thorax the body, already at hand
+     */
+    public static Simulation of(Scenario scenario, Thorax thorax) {
+        BreathingPattern pattern = Patterns.of(scenario);
+        BreathDrive drive = new BreathDrive(
+                pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
+        RibCage cage;
+        try {
+            cage = RibCage.of(thorax, RibAxisTable.preset(RibAxisTable.WILSON_CT));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        Workers workers = Workers.of(scenario.threads());
+        try {
+            Scene scene = SceneAssembly.assemble(scenario, thorax, drive, cage, workers);
+            double moved = settle(scenario, scene);
+            Stepper stepper = new Stepper(
+                    scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy());
+            return new Simulation(scene, stepper, workers, moved);
+        } catch (RuntimeException e) {
+            workers.close();
+            throw e;
+        }
+    }
+
+    /** Lets the scene come to rest at end-expiration and takes that as its rest shape; returns how far it went, rms mm. */
+    private static double settle(Scenario scenario, Scene scene) {
+        if (scenario.material() == Material.PAPER) {
+            // Rest lengths are those of the given shape and nothing pulls at end-expiration: it is at rest as it stands.
+            return 0;
+        }
+        ParticleSystem system = scene.system();
+        double[] viscosity = system.viscosities().clone();
+        system.setViscosityPerMass(SETTLE_DAMPING);
+        scene.drive().hold(true);
+        Stepper stepper = new Stepper(
+                IntegratorKind.VERLET.on(system),
+                scenario.timeStepS(),
+                StepPolicy.SUBSTEP);
+        long steps = Math.round(SETTLE_S / scenario.timeStepS());
+        for (long i = 0; i < steps; i++) {
+            stepper.step();
+        }
+        scene.drive().hold(false);
+        System.arraycopy(viscosity, 0, system.viscosities(), 0, viscosity.length);
+        Arrays.fill(system.velocities(), 0);
+        double[] before = scene.rest().clone();
+        system.layout().toCaller(system.positions(), scene.rest());
+        double sum = 0;
+        for (int i = 0; i < before.length; i++) {
+            sum += (scene.rest()[i] - before[i]) * (scene.rest()[i] - before[i]);
+        }
+        return Math.sqrt(3 * sum / before.length);
+    }
+
+    /** Carries the thorax over one time step. */
+    public void step() {
+        stepper.step();
+    }
+
+    /** Simulated time, s. */
+    public double time() {
+        return stepper.time();
+    }
+
+    public Stepper stepper() {
+        return stepper;
+    }
+
+    public ParticleSystem system() {
+        return scene.system();
+    }
+
+    /** How far the given shape moved until it was in equilibrium, rms mm. */
+    public double settledBy() {
+        return settledBy;
+    }
+
+    Scene scene() {
+        return scene;
+    }
+
+    /** Ends the worker threads. */
+    @Override
+    public void close() {
+        workers.close();
+    }
+}

@@ -1,0 +1,147 @@
+package org.phrenic.simulation;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
+import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.format.Hashes;
+
+/** A scenario from beginning to end without a screen: body, simulation, observables, files. */
+public final class SimulationRun {
+    /** Told how far a run is. */
+    public interface Progress {
+        void at(double simulatedS, double totalS, double stepsPerS);
+
+        /** Something worth saying once: what was repaired, that steps are split. */
+        default void note(String sentence) {}
+    }
+
+    private static final double PROGRESS_EVERY_S = 0.1;
+
+    private SimulationRun() {}
+
+    /** The body a scenario names. */
+    public static Thorax thorax(Scenario scenario) {
+        if (scenario.isVirtual()) {
+            String preset = scenario.anatomy().substring("virtual/".length());
+            return VirtualThorax.generate(
+                    VirtualThoraxParametersReader.preset(preset), scenario.resolution());
+        }
+        return ThoraxFolder.load(Path.of(scenario.anatomy()));
+    }
+
+    /**
+     * Runs a scenario.
+     *
+     * @param out folder for summary.json, observables.csv, scenario.yaml and meshes; null to write nothing
+     * @return the summary, in the order in which it is written
+     */
+    public static Map<String, Object> execute(Scenario scenario, Path out, Progress progress) {
+        long begun = System.nanoTime();
+        Thorax thorax = thorax(scenario);
+        for (String note : thorax.notes()) {
+            progress.note(note);
+        }
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+            Stepper stepper = simulation.stepper();
+            if (stepper.substeps() > 1) {
+                progress.note(stepper.limit().sentence(scenario.integrator(), scenario.timeStepS())
+                        + ": split into " + stepper.substeps() + " substeps");
+            }
+            double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
+            Recorder recorder = new Recorder(scenario, simulation, out);
+            double total = scenario.durationS(simulation.scene().drive().pattern().periodS());
+            List<Observation> samples = new ArrayList<>();
+            double stepping = advance(scenario, simulation, total, samples, recorder, progress);
+            Map<String, Object> summary =
+                    summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
+            recorder.finish(summary, samples);
+            return summary;
+        }
+    }
+
+    /** Steps to the end, looking at the scene every so many steps; returns the seconds that stepping took. */
+    private static double advance(
+            Scenario scenario,
+            Simulation simulation,
+            double total,
+            List<Observation> samples,
+            Recorder recorder,
+            Progress progress) {
+        double dt = scenario.timeStepS();
+        long steps = Math.max(1, Math.round(total / dt));
+        long every = Math.max(1, Math.round(scenario.recordEveryS() / dt));
+        Observer observer = new Observer(simulation.scene());
+        samples.add(observer.at(0));
+        recorder.at(0, 0, observer);
+        long stepping = 0;
+        long told = System.nanoTime();
+        for (long done = 0; done < steps; ) {
+            long chunk = Math.min(every, steps - done);
+            long start = System.nanoTime();
+            for (long i = 0; i < chunk; i++) {
+                simulation.step();
+            }
+            long now = System.nanoTime();
+            stepping += now - start;
+            done += chunk;
+            samples.add(observer.at(simulation.time()));
+            recorder.at(done, simulation.time(), observer);
+            if ((now - told) * 1e-9 > PROGRESS_EVERY_S || done == steps) {
+                told = now;
+                progress.at(simulation.time(), steps * dt, done / (stepping * 1e-9));
+            }
+        }
+        return stepping * 1e-9;
+    }
+
+    private static Map<String, Object> summary(
+            Scenario scenario,
+            Simulation simulation,
+            Thorax thorax,
+            List<Observation> samples,
+            double stepping,
+            double untilFirstStep) {
+        Scene scene = simulation.scene();
+        Stepper stepper = simulation.stepper();
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("scenario", scenario.name());
+        map.put("anatomy", thorax.name());
+        map.put("material", scenario.material().label());
+        map.put("resolution", scenario.resolution().name().toLowerCase(java.util.Locale.ROOT));
+        map.put("integrator", scenario.integrator().label());
+        map.put("nodes", scene.system().nodeCount());
+        map.put("springs", scene.springs());
+        map.put("rigid_links", scene.links().map(l -> l.count()).orElse(0));
+        map.put("attachments", scene.attachments());
+        map.put("steps", stepper.steps());
+        map.put("substeps", stepper.substeps());
+        map.put("dt_s", stepper.dt());
+        map.put("stability_limit_s", stepper.limit().largestStep(scenario.integrator()));
+        map.put("until_first_step_s", untilFirstStep);
+        map.put("wall_s", stepping);
+        map.put("steps_per_s", stepper.steps() / stepping);
+        map.put("realtime_factor", stepper.time() / stepping);
+        map.put("prestress_residual", scene.prestressResidual());
+        map.put("settled_by_rms_mm", simulation.settledBy());
+        map.putAll(new Summary(samples).values());
+        map.put("threads", scenario.threads());
+        map.put("state_sha256", hash(scene));
+        map.put("notice", "For research and training only. Not for clinical use.");
+        return map;
+    }
+
+    private static String hash(Scene scene) {
+        double[] x = new double[scene.rest().length];
+        double[] v = new double[scene.rest().length];
+        scene.system().layout().toCaller(scene.system().positions(), x);
+        scene.system().layout().toCaller(scene.system().velocities(), v);
+        return Hashes.sha256(x, v);
+    }
+}

@@ -1,0 +1,107 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.AcrossSheet;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.RibCage;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.force.FallOff;
+import org.phrenic.geometry.TriangleMesh;
+
+/**
+ * Sternum and costal cartilages as a very stiff mass-spring system that follows the ribs (Villard, Bourne and Bello 2009): springs along the edges of each part and across it, ties where two parts meet, and
+ * attachments to the ribs that are strong at a rib's end and fade along the cartilage to a low elasticity.
+ */
+final class SternumPart {
+    /** Against relaxed muscle: as stiff as the tendon, which keeps the wave speed and so the time step of the scene. */
+    static final double STIFFNESS = 10;
+
+    private static final double REACH_MM = 30;
+    private static final int BRACES = 3;
+    private static final double TIE_MM = 6;
+    /** A spring needs a length; where parts touch, the next vertex ties them as well. */
+    private static final double CLOSEST_TIE_MM = 0.5;
+
+    /** Attachment stiffness at a rib's end and far from it, as shares of an edge's. */
+    private static final double HELD = 0.5;
+
+    private static final double LOOSE = 0.05;
+    private static final double FADE_MM = 40;
+
+    final List<Structure> structures = new ArrayList<>();
+    final List<Integer> firsts = new ArrayList<>();
+
+    SternumPart(SceneParts parts, Thorax thorax, RibCage cage, Resolution resolution, TissueLaw law) {
+        List<Structure> given = new ArrayList<>(thorax.all(StructureKind.STERNUM));
+        given.addAll(thorax.all(StructureKind.COSTAL_CARTILAGE));
+        List<Structure> meshed = Remeshing.toBudget(given, resolution.sternumVertices());
+        double edge = law.edgeStiffness(2, STIFFNESS);
+        for (Structure s : meshed) {
+            TriangleMesh mesh = s.mesh();
+            int first = parts.addNodes(mesh, law.masses(mesh, STIFFNESS));
+            structures.add(s);
+            firsts.add(first);
+            law.addEdges(parts.passive, mesh, first, STIFFNESS);
+            double[] p = mesh.positions();
+            for (AcrossSheet.Pair pair : AcrossSheet.of(mesh, REACH_MM).nearest(BRACES)) {
+                parts.passive.add(
+                        first + pair.a(),
+                        first + pair.b(),
+                        0.3 * edge,
+                        SceneParts.distance(p, pair.a(), p, pair.b()),
+                        0);
+            }
+            for (int i = 0; i < mesh.vertexCount(); i++) {
+                parts.attach(first + i, edge * (LOOSE + (HELD - LOOSE) * FallOff.at(toRib(cage, s, p, i), FADE_MM)));
+            }
+        }
+        tie(parts, edge);
+    }
+
+    private static double toRib(RibCage cage, Structure s, double[] p, int vertex) {
+        int rib = s.kind() == StructureKind.COSTAL_CARTILAGE ? cage.rib(s.level(), s.side()) : -1;
+        if (rib < 0) {
+            return FADE_MM;
+        }
+        return SceneParts.distance(p, vertex, cage.bodies().get(rib).ends().orElseThrow().anterior(), 0);
+    }
+
+    /** Ties each part to the nearest vertices of the parts it touches. */
+    private void tie(SceneParts parts, double edge) {
+        for (int i = 0; i < structures.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                TriangleMesh a = structures.get(i).mesh();
+                TriangleMesh b = structures.get(j).mesh();
+                if (!near(a.bounds(), b.bounds())) {
+                    continue;
+                }
+                for (int v = 0; v < a.vertexCount(); v++) {
+                    int nearest = -1;
+                    double best = TIE_MM;
+                    for (int w = 0; w < b.vertexCount(); w++) {
+                        double d = SceneParts.distance(a.positions(), v, b.positions(), w);
+                        if (d < best && d > CLOSEST_TIE_MM) {
+                            best = d;
+                            nearest = w;
+                        }
+                    }
+                    if (nearest >= 0) {
+                        parts.passive.add(firsts.get(i) + v, firsts.get(j) + nearest, 0.3 * edge, best, 0);
+                    }
+                }
+            }
+        }
+    }
+
+    private static boolean near(double[] p, double[] q) {
+        for (int axis = 0; axis < 3; axis++) {
+            if (p[axis] > q[3 + axis] + TIE_MM || q[axis] > p[3 + axis] + TIE_MM) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
