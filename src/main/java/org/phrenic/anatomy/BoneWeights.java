@@ -21,8 +21,14 @@ public final class BoneWeights {
     /** How much farther than the nearest sample a sample may be and still count, mm: half the space between two ribs. */
     private static final double REACH_MM = 14;
 
-    /** Body and weight of points, {@link #MOST_BODIES} entries a point, unused ones with weight 0. */
-    public record Blend(int[] body, double[] weight) {}
+    /**
+     * What carries some points.
+     *
+     * @param body {@link #MOST_BODIES} entries a point
+     * @param weight of each entry, 0 for one not used
+     * @param distance of each point from the nearest bone, mm
+     */
+    public record Blend(int[] body, double[] weight, double[] distance) {}
 
     private final int bodies;
     private final List<double[]> points = new ArrayList<>();
@@ -151,6 +157,7 @@ public final class BoneWeights {
         int n = where.length / 3;
         int[] body = new int[n * MOST_BODIES];
         double[] weight = new double[n * MOST_BODIES];
+        double[] distance = new double[n];
         int count = points.size();
         double[] d = new double[count];
         for (int i = 0; i < n; i++) {
@@ -159,6 +166,7 @@ public final class BoneWeights {
                 d[j] = distance(where, 3 * i, points.get(j), 0);
                 nearest = Math.min(nearest, d[j]);
             }
+            distance[i] = nearest;
             double[] sum = new double[bodies];
             for (int j = 0; j < count; j++) {
                 if (d[j] < nearest + REACH_MM) {
@@ -171,7 +179,7 @@ public final class BoneWeights {
             }
             keepLargest(sum, body, weight, i * MOST_BODIES);
         }
-        return new Blend(body, weight);
+        return new Blend(body, weight, distance);
     }
 
     private static void keepLargest(double[] sum, int[] body, double[] weight, int at) {

@@ -8,7 +8,7 @@ import org.phrenic.engine.constraint.ContactSurface;
  *
  * <p>A point of the current state is taken back to rest by the displacement of the wall near it; there the signed distance to the radius surface is formed, G = r_wall(φ, z) - r, and its gradient gives the plane.
  */
-public final class ChestWall implements ContactSurface {
+public final class ChestWall {
     private static final int SECTORS = 96;
     private static final double LAYER_MM = 5;
     private static final int SMOOTHINGS = 2;
@@ -18,11 +18,11 @@ public final class ChestWall implements ContactSurface {
     private final double bottom;
     private final int layers;
     private final double[] radius;
-    private final double[] allowance;
     private final BlendedMotion motion;
     private final double[] restPoint;
     private final double[] displaced;
     private final double[] velocity;
+    private double time = Double.NaN;
 
     /**
      * @param contents points at rest (three numbers each, mm) whose envelope is the wall: lungs and thoracic face of the diaphragm
@@ -30,15 +30,13 @@ public final class ChestWall implements ContactSurface {
      * @param centreY of the vertical line, mm
      * @param bones what carries the wall
      * @param pose of the rib cage
-     * @param contactNodes points at rest of the nodes that will touch it: a node that lies beyond the smoothed envelope at rest keeps that much allowance
      */
     public ChestWall(
             double[] contents,
             double centreX,
             double centreY,
             BoneWeights bones,
-            RibCagePose pose,
-            double[] contactNodes) {
+            RibCagePose pose) {
         this.centreX = centreX;
         this.centreY = centreY;
         double low = Double.POSITIVE_INFINITY;
@@ -63,14 +61,45 @@ public final class ChestWall implements ContactSurface {
         motion = new BlendedMotion(pose, restPoint, bones.at(restPoint));
         displaced = new double[restPoint.length];
         velocity = new double[restPoint.length];
-        allowance = new double[contactNodes.length / 3];
+    }
+
+    /**
+     * The wall as some nodes feel it.
+     *
+     * @param points the nodes at rest, mm
+     * @param adhering whether they keep their distance from the wall, whatever it is; else a node that lies beyond the smoothed envelope at rest keeps that much allowance
+     */
+    public ContactSurface feltBy(double[] points, boolean adhering) {
+        double[] allowance = new double[points.length / 3];
         for (int i = 0; i < allowance.length; i++) {
-            double x = contactNodes[3 * i] - centreX;
-            double y = contactNodes[3 * i + 1] - centreY;
-            double beyond =
-                    Math.sqrt(x * x + y * y) - radiusAt(sectorOf(x, y), (contactNodes[3 * i + 2] - bottom) / LAYER_MM);
-            allowance[i] = Math.max(0, beyond);
+            double beyond = -depth(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+            allowance[i] = adhering ? beyond : Math.max(0, beyond);
         }
+        return new ContactSurface() {
+            @Override
+            public void prepare(double now) {
+                moveTo(now);
+            }
+
+            @Override
+            public void planeNear(int node, double x, double y, double z, double[] plane, int at) {
+                plane(allowance[node], x, y, z, plane, at);
+            }
+        };
+    }
+
+    /** How far inside the wall a point lies at rest, along the radius, mm; negative beyond it. */
+    public double depth(double px, double py, double pz) {
+        double x = px - centreX;
+        double y = py - centreY;
+        return radiusAt(sectorOf(x, y), (pz - bottom) / LAYER_MM) - Math.sqrt(x * x + y * y);
+    }
+
+    /** How far a direction at a point looks outward, -1 to 1. */
+    public double outward(double px, double py, double nx, double ny) {
+        double x = px - centreX;
+        double y = py - centreY;
+        return (nx * x + ny * y) / Math.max(1e-9, Math.sqrt(x * x + y * y));
     }
 
     private static double sectorOf(double x, double y) {
@@ -160,16 +189,18 @@ public final class ChestWall implements ContactSurface {
         return (1 - fl) * lower + fl * upper;
     }
 
-    @Override
-    public void prepare(double time) {
-        motion.at(time, displaced, velocity);
+    private void moveTo(double now) {
+        if (now == time) {
+            return;
+        }
+        time = now;
+        motion.at(now, displaced, velocity);
         for (int i = 0; i < displaced.length; i++) {
             displaced[i] -= restPoint[i];
         }
     }
 
-    @Override
-    public void planeNear(int node, double px, double py, double pz, double[] plane, int at) {
+    private void plane(double allowance, double px, double py, double pz, double[] plane, int at) {
         double x = px - centreX;
         double y = py - centreY;
         int cell = nearestCell(sectorOf(x, y), (pz - bottom) / LAYER_MM);
@@ -193,7 +224,7 @@ public final class ChestWall implements ContactSurface {
         double gy = slopeAngle * x / (r * r) - y / r;
         double gz = slopeHeight;
         double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
-        double gap = (wall + allowance[node] - r) / length;
+        double gap = (wall + allowance - r) / length;
         gx /= length;
         gy /= length;
         gz /= length;

@@ -28,6 +28,7 @@ public final class ParticleSystem {
     private PrescribedMotion prescribed = PrescribedMotion.still(new double[0]);
     private double[] prescribedPosition = {};
     private double[] prescribedVelocity = {};
+    private boolean stillInPlace;
 
     private double[] taskX;
     private double[] taskV;
@@ -195,6 +196,7 @@ public final class ParticleSystem {
             inverseMass[node] = 1 / mass[node];
         }
         prescribed = motion;
+        stillInPlace = false;
         prescribedNode = new int[callerNodes.length];
         prescribedPosition = new double[3 * callerNodes.length];
         prescribedVelocity = new double[3 * callerNodes.length];
@@ -213,19 +215,27 @@ public final class ParticleSystem {
         prescribe(callerNodes, PrescribedMotion.still(here));
     }
 
-    /** Puts the nodes of given motion where they are at a time, in the arrays given. */
+    /** Puts the nodes of given motion where they are at a time, in the arrays given; nodes that are still are put there once. */
     public void applyPrescribed(double time, double[] position, double[] velocity) {
-        if (prescribedNode.length == 0) {
+        if (prescribedNode.length == 0 || (stillInPlace && position == x && velocity == v)) {
             return;
         }
-        prescribed.at(time, prescribedPosition, prescribedVelocity);
-        for (int i = 0; i < prescribedNode.length; i++) {
-            int at = 3 * prescribedNode[i];
-            for (int axis = 0; axis < 3; axis++) {
-                position[at + axis] = prescribedPosition[3 * i + axis];
-                velocity[at + axis] = prescribedVelocity[3 * i + axis];
-            }
+        double[] givenX = prescribedPosition;
+        double[] givenV = prescribedVelocity;
+        int[] node = prescribedNode;
+        prescribed.at(time, givenX, givenV);
+        for (int i = 0; i < node.length; i++) {
+            int at = 3 * node[i];
+            int from = 3 * i;
+            position[at] = givenX[from];
+            position[at + 1] = givenX[from + 1];
+            position[at + 2] = givenX[from + 2];
+            velocity[at] = givenV[from];
+            velocity[at + 1] = givenV[from + 1];
+            velocity[at + 2] = givenV[from + 2];
         }
+        // Nothing moves a node without inverse mass and without speed, so it need not be put back every step.
+        stillInPlace = prescribed.isStill() && position == x && velocity == v;
     }
 
     /**

@@ -15,6 +15,11 @@ public interface PrescribedMotion {
      */
     void at(double time, double[] position, double[] velocity);
 
+    /** Whether the points are at the same places, at rest, at all times: they are then asked for once. */
+    default boolean isStill() {
+        return false;
+    }
+
     /** Points that stay where they are. */
     static PrescribedMotion still(double[] positions) {
         double[] fixed = positions.clone();
@@ -22,6 +27,11 @@ public interface PrescribedMotion {
             @Override
             public int pointCount() {
                 return fixed.length / 3;
+            }
+
+            @Override
+            public boolean isStill() {
+                return true;
             }
 
             @Override

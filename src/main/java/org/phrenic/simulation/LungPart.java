@@ -2,14 +2,19 @@ package org.phrenic.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.anatomy.BoneWeights;
+import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm, elsewhere attachments of low elasticity to the chest wall, which fade toward the base so
- * that the lung can follow the dome down.
+ * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm; where they lie against the ribs they slide on the pleura and cannot leave it, and attachments of low elasticity
+ * to the chest wall, which fade toward the base so that the lung can follow the dome down, keep them from sliding off.
+ *
+ * <p>{@code wall} is null in scenes without a chest wall (the paper's): then the attachments alone hold the lungs.
  */
 final class LungPart {
     /** A lung's vertex nearer than this to the diaphragm belongs to the base. */
@@ -21,16 +26,31 @@ final class LungPart {
     /** A spring needs a length. */
     private static final double SHORTEST_MM = 0.2;
 
-    private static final double WALL = 0.6;
+    /** A vertex farther from every bone faces the mediastinum, which holds it to nothing. */
+    private static final double COSTAL_MM = 25;
+
+    /** A vertex this near to the wall that looks outward lies on the pleura. */
+    private static final double PLEURAL_MM = 8;
+
+    private static final double LATERAL = 0.5;
+    private static final double WALL = 0.3;
     private static final double LINK = 4;
 
     final List<Structure> structures;
     final List<Integer> firsts = new ArrayList<>();
+    private final List<Integer> onWall = new ArrayList<>();
 
     /**
      * @param stiffness of the lungs as a multiple of relaxed muscle's
      */
-    LungPart(SceneParts parts, List<Structure> lungs, DiaphragmPart diaphragm, TissueLaw law, double stiffness) {
+    LungPart(
+            SceneParts parts,
+            List<Structure> lungs,
+            DiaphragmPart diaphragm,
+            BoneWeights bones,
+            ChestWall wall,
+            TissueLaw law,
+            double stiffness) {
         structures = lungs;
         NearestVertex thoracic = thoracicFace(diaphragm.diaphragm);
         double edge = law.edgeStiffness(2, stiffness);
@@ -39,16 +59,30 @@ final class LungPart {
             int first = parts.addNodes(mesh, law.masses(mesh, stiffness));
             firsts.add(first);
             law.addEdges(parts.passive, mesh, first, stiffness);
+            double[] normals = MeshMeasure.vertexNormals(mesh);
+            double[] toBone = bones.at(mesh.positions()).distance();
             for (int i = 0; i < mesh.vertexCount(); i++) {
                 int near = thoracic.find(mesh.x(i), mesh.y(i), mesh.z(i));
                 double distance = thoracic.distance();
-                if (distance < BASE_MM && distance > SHORTEST_MM) {
+                boolean costal = wall != null
+                        && wall.depth(mesh.x(i), mesh.y(i), mesh.z(i)) < PLEURAL_MM
+                        && wall.outward(mesh.x(i), mesh.y(i), normals[3 * i], normals[3 * i + 1]) > LATERAL;
+                if (costal) {
+                    onWall.add(first + i);
+                }
+                if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
                     parts.passive.add(first + i, diaphragm.first + near, LINK * edge, distance, 0);
-                } else {
+                } else if (toBone[i] < COSTAL_MM && distance > BASE_MM) {
                     parts.attach(first + i, WALL * edge * (1 - FallOff.at(distance - BASE_MM, FADE_MM)));
                 }
             }
         }
+        Ties.between(parts, lungs, firsts, edge);
+    }
+
+    /** Nodes that slide on the chest wall and cannot leave it. */
+    int[] pleural() {
+        return onWall.stream().mapToInt(Integer::intValue).toArray();
     }
 
     /** Finds vertices of the diaphragm's thoracic face. */

@@ -26,7 +26,7 @@ final class Observation {
             "lateral_left_mm",
             "medial_left_mm",
             "fibre_shortening_percent",
-            "lung_volume_ml",
+            "lung_volume_change_ml",
             "ap_change_mm",
             "transverse_change_mm",
             "sternum_cranial_mm",

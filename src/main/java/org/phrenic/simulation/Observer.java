@@ -53,7 +53,7 @@ final class Observer {
             row[c++] = patch.displacement(rest, now, 2);
         }
         row[c++] = fibres.shorteningPercent(rest, now);
-        row[c++] = lungs.volume(time, rest, now);
+        row[c++] = lungs.volumeChange(time, rest, now);
         double[] sternum = cage.sternumMotion();
         row[c++] = -sternum[1];
         row[c++] = cage.transverseChange();

@@ -18,6 +18,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
+import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
@@ -87,8 +88,9 @@ final class SceneAssembly {
                 ? List.of()
                 : Remeshing.toBudget(thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
+        ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
         Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
-                ? Optional.of(new LungPart(parts, lungStructures, diaphragm, law, lungShare))
+                ? Optional.of(new LungPart(parts, lungStructures, diaphragm, bones, wall, law, lungShare))
                 : Optional.empty();
 
         double[] positions = parts.positions();
@@ -106,10 +108,10 @@ final class SceneAssembly {
         if (physical) {
             int[] sliding = diaphragm.sliding();
             double[] slidingRest = points(positions, diaphragm.first, sliding);
-            ChestWall wall = wall(lungStructures, diaphragm, bones, pose, positions, slidingRest);
-            residual = prestress(system, drive, diaphragm, wall, sliding, slidingRest, positions);
+            ContactSurface felt = wall.feltBy(slidingRest, false);
+            residual = prestress(system, drive, diaphragm, felt, sliding, slidingRest, positions);
             if (scenario.contact()) {
-                contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), wall, REFRESH_S));
+                contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, REFRESH_S));
             }
         }
         addSprings(system, drive, diaphragm, positions);
@@ -119,6 +121,11 @@ final class SceneAssembly {
             system.add(links.get());
         }
         contact.ifPresent(system::add);
+        if (wall != null && lungs.isPresent()) {
+            int[] pleural = lungs.get().pleural();
+            system.add(SlidingContact.adhering(
+                    layout, pleural, wall.feltBy(points(positions, 0, pleural), true), REFRESH_S));
+        }
         Optional<LiverPart> liver = scenario.liver()
                 ? thorax.all(StructureKind.LIVER).stream()
                         .findFirst()
@@ -220,15 +227,13 @@ final class SceneAssembly {
             List<Structure> lungs,
             DiaphragmPart diaphragm,
             BoneWeights bones,
-            RibCagePose pose,
-            double[] positions,
-            double[] slidingRest) {
+            RibCagePose pose) {
         Diaphragm sheet = diaphragm.diaphragm;
         int[] thoracic = IntStream.range(0, sheet.sheet().vertexCount())
                 .filter(sheet::isThoracic)
                 .toArray();
         double[] contents = DoubleStream.concat(
-                        Arrays.stream(points(positions, diaphragm.first, thoracic)),
+                        Arrays.stream(points(sheet.sheet().positions(), 0, thoracic)),
                         lungs.stream().flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
                 .toArray();
         double[] box = sheet.sheet().bounds();
@@ -237,8 +242,7 @@ final class SceneAssembly {
                 0.5 * (box[0] + box[3]),
                 0.5 * (box[1] + box[4]),
                 bones,
-                pose,
-                slidingRest);
+                pose);
     }
 
     /** Rest lengths that hold the sheet in its given shape against the pressure at rest; what they leave is carried by a dead load. */
@@ -246,7 +250,7 @@ final class SceneAssembly {
             ParticleSystem system,
             BreathDrive drive,
             DiaphragmPart diaphragm,
-            ChestWall wall,
+            ContactSurface wall,
             int[] sliding,
             double[] slidingRest,
             double[] positions) {
@@ -304,7 +308,7 @@ final class SceneAssembly {
         return all > 0 ? Math.sqrt(squares / all) : 0;
     }
 
-    private static void lean(ChestWall wall, int[] sliding, double[] rest, int first, double[] normals) {
+    private static void lean(ContactSurface wall, int[] sliding, double[] rest, int first, double[] normals) {
         double[] plane = new double[5];
         wall.prepare(0);
         for (int i = 0; i < sliding.length; i++) {

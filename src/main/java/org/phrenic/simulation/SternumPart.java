@@ -21,9 +21,6 @@ final class SternumPart {
 
     private static final double REACH_MM = 30;
     private static final int BRACES = 3;
-    private static final double TIE_MM = 6;
-    /** A spring needs a length; where parts touch, the next vertex ties them as well. */
-    private static final double CLOSEST_TIE_MM = 0.5;
 
     /** Attachment stiffness at a rib's end and far from it, as shares of an edge's. */
     private static final double HELD = 0.5;
@@ -58,7 +55,7 @@ final class SternumPart {
                 parts.attach(first + i, edge * (LOOSE + (HELD - LOOSE) * FallOff.at(toRib(cage, s, p, i), FADE_MM)));
             }
         }
-        tie(parts, edge);
+        Ties.between(parts, structures, firsts, 0.3 * edge);
     }
 
     private static double toRib(RibCage cage, Structure s, double[] p, int vertex) {
@@ -67,41 +64,5 @@ final class SternumPart {
             return FADE_MM;
         }
         return SceneParts.distance(p, vertex, cage.bodies().get(rib).ends().orElseThrow().anterior(), 0);
-    }
-
-    /** Ties each part to the nearest vertices of the parts it touches. */
-    private void tie(SceneParts parts, double edge) {
-        for (int i = 0; i < structures.size(); i++) {
-            for (int j = 0; j < i; j++) {
-                TriangleMesh a = structures.get(i).mesh();
-                TriangleMesh b = structures.get(j).mesh();
-                if (!near(a.bounds(), b.bounds())) {
-                    continue;
-                }
-                for (int v = 0; v < a.vertexCount(); v++) {
-                    int nearest = -1;
-                    double best = TIE_MM;
-                    for (int w = 0; w < b.vertexCount(); w++) {
-                        double d = SceneParts.distance(a.positions(), v, b.positions(), w);
-                        if (d < best && d > CLOSEST_TIE_MM) {
-                            best = d;
-                            nearest = w;
-                        }
-                    }
-                    if (nearest >= 0) {
-                        parts.passive.add(firsts.get(i) + v, firsts.get(j) + nearest, 0.3 * edge, best, 0);
-                    }
-                }
-            }
-        }
-    }
-
-    private static boolean near(double[] p, double[] q) {
-        for (int axis = 0; axis < 3; axis++) {
-            if (p[axis] > q[3 + axis] + TIE_MM || q[axis] > p[3 + axis] + TIE_MM) {
-                return false;
-            }
-        }
-        return true;
     }
 }

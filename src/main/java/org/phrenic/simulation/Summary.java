@@ -80,7 +80,7 @@ final class Summary {
             map.put(place + "_excursion_right_mm", -change(place + "_right_mm"));
             map.put(place + "_excursion_left_mm", -change(place + "_left_mm"));
         }
-        map.put("lung_volume_change_ml", change("lung_volume_ml"));
+        map.put("lung_volume_change_ml", change("lung_volume_change_ml"));
         map.put("ap_change_mm", change("ap_change_mm"));
         map.put("transverse_change_mm", change("transverse_change_mm"));
         map.put("sternum_cranial_mm", change("sternum_cranial_mm"));

@@ -17,32 +17,47 @@ final class ChestWall implements Axis, Field {
     /** How much of the bodies' half-breadth the flat in front of them covers. */
     private static final double SPINE_FLAT = 0.5;
 
-    private final Spine spine;
-    private final double axisFraction;
+    private static final double LOW_MM = -160;
+    private static final double HIGH_MM = 320;
+    private static final double STEP_MM = 0.25;
+
     private final double exponentFront;
     private final double exponentBack;
     private final double leftFactor;
-    private final Curve halfBreadth;
-    private final Curve front;
-    private final Curve back;
-    private final Curve gutter;
+    /** Measures of the section at heights {@code LOW_MM + i * STEP_MM}: see {@link Section}. */
+    private final double[][] table;
 
     ChestWall(VirtualThoraxParameters.ChestWall measures, Spine spine) {
-        this.spine = spine;
-        axisFraction = measures.axisFraction();
+        double axisFraction = measures.axisFraction();
         exponentFront = measures.exponentFront();
         exponentBack = measures.exponentBack();
         leftFactor = measures.leftBreadthFactor();
-        List<double[]> rows = measures.sections();
+        List<Values> rows = measures.sections();
         double[] z = column(rows, 0);
-        halfBreadth = new Curve(z, column(rows, 1));
-        front = new Curve(z, column(rows, 2));
-        back = new Curve(z, column(rows, 3));
-        gutter = new Curve(z, column(rows, 4));
+        Curve halfBreadth = new Curve(z, column(rows, 1));
+        Curve front = new Curve(z, column(rows, 2));
+        Curve back = new Curve(z, column(rows, 3));
+        Curve gutter = new Curve(z, column(rows, 4));
+        int count = (int) ((HIGH_MM - LOW_MM) / STEP_MM) + 1;
+        table = new double[count][];
+        for (int i = 0; i < count; i++) {
+            double height = LOW_MM + i * STEP_MM;
+            double spineY = spine.frontY(height) - SPINE_COVER_MM;
+            double axisY = axisFraction * front.at(height) + (1 - axisFraction) * spineY;
+            table[i] = new double[] {
+                axisY,
+                Math.max(axisY - front.at(height), 2),
+                Math.max(back.at(height) - axisY, 2),
+                Math.max(halfBreadth.at(height), 2),
+                spineY - axisY,
+                StrictMath.atan2(SPINE_FLAT * spine.halfWidth(height), spineY - axisY),
+                StrictMath.toRadians(gutter.at(height))
+            };
+        }
     }
 
-    private static double[] column(List<double[]> rows, int index) {
-        return rows.stream().mapToDouble(row -> row[index]).toArray();
+    private static double[] column(List<Values> rows, int index) {
+        return rows.stream().mapToDouble(row -> row.at(index)).toArray();
     }
 
     @Override
@@ -52,19 +67,16 @@ final class ChestWall implements Axis, Field {
 
     @Override
     public double y(double z) {
-        return axisFraction * front.at(z) + (1 - axisFraction) * spineFront(z);
-    }
-
-    private double spineFront(double z) {
-        return spine.frontY(z) - SPINE_COVER_MM;
+        return new Section(z).axisY;
     }
 
     double frontY(double z) {
-        return front.at(z);
+        Section section = new Section(z);
+        return section.axisY - section.frontDepth;
     }
 
     double halfBreadth(double z) {
-        return halfBreadth.at(z);
+        return new Section(z).breadth;
     }
 
     /** Half-breadth, depths and spine at one height, from which the section's curve follows. */
@@ -78,15 +90,18 @@ final class ChestWall implements Axis, Field {
         private final double slope;
 
         Section(double z) {
-            double frontY = front.at(z);
-            double spineY = spineFront(z);
-            axisY = axisFraction * frontY + (1 - axisFraction) * spineY;
-            frontDepth = Math.max(axisY - frontY, 2);
-            backDepth = Math.max(back.at(z) - axisY, 2);
-            breadth = Math.max(halfBreadth.at(z), 2);
-            toSpine = spineY - axisY;
-            inner = StrictMath.atan2(SPINE_FLAT * spine.halfWidth(z), toSpine);
-            slope = StrictMath.toRadians(gutter.at(z));
+            double at = Math.max(0, Math.min(table.length - 1.000001, (z - LOW_MM) / STEP_MM));
+            int low = (int) at;
+            double t = at - low;
+            double[] a = table[low];
+            double[] b = table[low + 1];
+            axisY = a[0] + t * (b[0] - a[0]);
+            frontDepth = a[1] + t * (b[1] - a[1]);
+            backDepth = a[2] + t * (b[2] - a[2]);
+            breadth = a[3] + t * (b[3] - a[3]);
+            toSpine = a[4] + t * (b[4] - a[4]);
+            inner = a[5] + t * (b[5] - a[5]);
+            slope = a[6] + t * (b[6] - a[6]);
         }
 
         /** Radius at the azimuth with this sine and cosine, and in {@code steepness[0]} its derivative over itself. */

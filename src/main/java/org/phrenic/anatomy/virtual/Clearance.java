@@ -4,7 +4,7 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Keeps a surface at a distance from a region: the last touch where a blend of surfaces is no true distance. */
 final class Clearance {
-    private static final int STEPS = 4;
+    private static final int STEPS = 10;
 
     private Clearance() {}
 

@@ -14,8 +14,8 @@ final class DiaphragmShape implements Field {
         this.measures = measures;
         this.wall = wall;
         rim = new Curve(
-                measures.rim().stream().mapToDouble(row -> row[0]).toArray(),
-                measures.rim().stream().mapToDouble(row -> row[1]).toArray());
+                measures.rim().stream().mapToDouble(row -> row.at(0)).toArray(),
+                measures.rim().stream().mapToDouble(row -> row.at(1)).toArray());
     }
 
     /** Height of the line of insertion at this azimuth (rad, -pi to pi). */
@@ -28,10 +28,10 @@ final class DiaphragmShape implements Field {
         return measures.gapMm() + measures.muscleMm() / 2;
     }
 
-    private static double cap(double[] top, double x, double y, double radiusX, double radiusY) {
-        double u = x - top[0];
-        double v = y - top[1];
-        return top[2] - u * u / (2 * radiusX) - v * v / (2 * radiusY);
+    private static double cap(Values top, double x, double y, double radiusX, double radiusY) {
+        double u = x - top.at(0);
+        double v = y - top.at(1);
+        return top.at(2) - u * u / (2 * radiusX) - v * v / (2 * radiusY);
     }
 
     @Override
@@ -46,13 +46,13 @@ final class DiaphragmShape implements Field {
         double h = StrictMath.exp((heart - most) / k);
         double sum = r + l + h;
         double roof = most + k * StrictMath.log(sum);
-        double slopeX = (r * (x - measures.right()[0]) / measures.domeRadiusXMm()
-                        + l * (x - measures.left()[0]) / measures.domeRadiusXMm()
-                        + h * (x - measures.heart()[0]) / measures.heartRadiusXMm())
+        double slopeX = (r * (x - measures.right().at(0)) / measures.domeRadiusXMm()
+                        + l * (x - measures.left().at(0)) / measures.domeRadiusXMm()
+                        + h * (x - measures.heart().at(0)) / measures.heartRadiusXMm())
                 / sum;
-        double slopeY = (r * (y - measures.right()[1]) / measures.domeRadiusYMm()
-                        + l * (y - measures.left()[1]) / measures.domeRadiusYMm()
-                        + h * (y - measures.heart()[1]) / measures.heartRadiusYMm())
+        double slopeY = (r * (y - measures.right().at(1)) / measures.domeRadiusYMm()
+                        + l * (y - measures.left().at(1)) / measures.domeRadiusYMm()
+                        + h * (y - measures.heart().at(1)) / measures.heartRadiusYMm())
                 / sum;
         double above = (z - roof) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
         double outside = wall.at(x, y, z) + wallInset();

@@ -83,13 +83,17 @@ final class DiaphragmSheet {
     }
 
     private double tendonEdge(double x, double y, double z) {
-        if (z < Math.min(measures.left()[2], measures.heart()[2]) - 25) {
+        if (z < Math.min(measures.left().at(2), measures.heart().at(2)) - 25) {
             return TENDON_EDGE_MM;
         }
         double radius = Math.sqrt(measures.tendonAreaCm2() * 100 / (3 * Math.PI)) * 0.92;
-        double right = StrictMath.hypot((x - measures.right()[0] * 0.72) / 1.15, (y - measures.right()[1] - 12) / 1.0);
-        double left = StrictMath.hypot((x - measures.left()[0] * 0.72) / 1.1, (y - measures.left()[1] - 12) / 0.85);
-        double front = StrictMath.hypot((x - measures.heart()[0]) / 1.1, (y - measures.heart()[1] + 4) / 0.95);
+        double right = StrictMath.hypot(
+                (x - measures.right().at(0) * 0.72) / 1.15,
+                (y - measures.right().at(1) - 12) / 1.0);
+        double left = StrictMath.hypot(
+                (x - measures.left().at(0) * 0.72) / 1.1, (y - measures.left().at(1) - 12) / 0.85);
+        double front = StrictMath.hypot(
+                (x - measures.heart().at(0)) / 1.1, (y - measures.heart().at(1) + 4) / 0.95);
         return V3.smoothMin(V3.smoothMin(right, left, 20), front, 20) - radius;
     }
 }

@@ -3,8 +3,8 @@ package org.phrenic.anatomy.virtual;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a bent sheet that
- * rises to the left and to the back. How high that sheet stands is found from the volume wanted.
+ * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a plane that
+ * rises to the left and to the back. How high that plane stands is found from the volume wanted.
  */
 final class LiverShape {
     private static final double EDGE_MM = 10;
@@ -26,14 +26,13 @@ final class LiverShape {
 
     private double at(double x, double y, double z, double height) {
         double under = dome.at(x, y, z) + diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
-        double slopeX = measures.visceralSlope()[0];
-        double slopeY = measures.visceralSlope()[1];
-        double bend = measures.visceralTwist() * Math.max(0, x) * Math.max(0, x);
-        double above = height + slopeX * x + slopeY * y + bend - z;
+        double slopeX = measures.visceralSlope().at(0);
+        double slopeY = measures.visceralSlope().at(1);
+        double above = height + slopeX * x + slopeY * y - z;
         above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
         double region = V3.roundMax(under, above, EDGE_MM);
-        double cut = measures.backCut()[1];
-        double behind = (y - measures.backCut()[0] + cut * x) / Math.sqrt(1 + cut * cut);
+        double cut = measures.backCut().at(1);
+        double behind = (y - measures.backCut().at(0) + cut * x) / Math.sqrt(1 + cut * cut);
         region = V3.roundMax(region, behind, LEFT_END_MM);
         return V3.roundMax(region, x - measures.leftEndX(), LEFT_END_MM);
     }
@@ -51,12 +50,12 @@ final class LiverShape {
     }
 
     private double[] high() {
-        return V3.of(measures.leftEndX() + 10, 105, diaphragm.right()[2] + 10);
+        return V3.of(measures.leftEndX() + 10, 105, diaphragm.right().at(2) + 10);
     }
 
     /** Height of the visceral surface at the axis, by bisection on the volume counted on a grid. */
     private double height() {
-        double high = diaphragm.right()[2];
+        double high = diaphragm.right().at(2);
         double low = high - 250;
         for (int i = 0; i < 9; i++) {
             double middle = (low + high) / 2;

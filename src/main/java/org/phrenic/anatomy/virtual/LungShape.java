@@ -27,16 +27,15 @@ final class LungShape implements Axis {
     private final Meridians sideLines;
     private final Meridians baseLines;
 
-    /** @param dome the diaphragm's middle surface; @param measures of the body */
     LungShape(VirtualThoraxParameters parameters, ChestWall wall, DiaphragmShape dome, Side side) {
         measures = parameters.lungs();
         this.wall = wall;
         sign = side.sign();
         index = side == Side.RIGHT ? 0 : 1;
-        apex = index == 0 ? measures.apexRight() : measures.apexLeft();
-        base = index == 0 ? measures.baseRight() : measures.baseLeft();
+        apex = index == 0 ? measures.apexRight().toArray() : measures.apexLeft().toArray();
+        base = index == 0 ? measures.baseRight().toArray() : measures.baseLeft().toArray();
         VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
-        baseZ = (index == 0 ? diaphragm.right() : diaphragm.left())[2];
+        baseZ = (index == 0 ? diaphragm.right() : diaphragm.left()).at(2);
         this.dome = dome;
         lift = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
         roof = (x, y, z) -> dome.at(x, y, z) - lift;
@@ -65,15 +64,17 @@ final class LungShape implements Axis {
     /** The region of the lung but for its base. */
     private double side(double x, double y, double z) {
         double costal = wall.at(x, y, z) + measures.wallInsetMm();
-        double bulge = measures.heartMm()[index] - measures.mediastinumMm()[index];
-        double back = (y - measures.heartCentre()[0]) / measures.heartRadiiMm()[0];
-        double up = Math.max(0, (z - measures.heartCentre()[1]) / measures.heartRadiiMm()[1]);
+        double bulge = measures.heartMm().at(index) - measures.mediastinumMm().at(index);
+        double back =
+                (y - measures.heartCentre().at(0)) / measures.heartRadiiMm().at(0);
+        double up = Math.max(
+                0, (z - measures.heartCentre().at(1)) / measures.heartRadiiMm().at(1));
         double across = StrictMath.exp(-back * back);
         if (back < 0) {
-            double share = measures.heartFrontShare()[index];
+            double share = measures.heartFrontShare().at(index);
             across = share + (1 - share) * across;
         }
-        double medial = measures.mediastinumMm()[index] + bulge * across * StrictMath.exp(-up * up) - sign * x;
+        double medial = measures.mediastinumMm().at(index) + bulge * across * StrictMath.exp(-up * up) - sign * x;
         double dx = x - apex[0];
         double dy = y - apex[1];
         double cap = z - apex[2] + (dx * dx + dy * dy) / (2 * measures.apexRadiusMm());

@@ -1,6 +1,8 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.function.IntFunction;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -9,14 +11,24 @@ import org.phrenic.geometry.TriangleMesh;
  * the middle of its neighbours and back on to its surface. The number of vertices and triangles stays.
  */
 final class Relaxation {
+    /** Share of the way to the neighbours' middle gone in a sweep. */
+    private static final double STEP = 0.7;
+    /** Edges shorter than this share of the mean push their ends apart. */
+    private static final double LEAST_EDGE = 0.65;
+
+    private static final double REPULSION = 2.0;
+    private static final double MOST_PUSH = 1.5;
+
     private final double[] positions;
     private final int[] triangles;
     private final IntFunction<Field> surface;
+    private final double meanEdge;
 
     private Relaxation(TriangleMesh mesh, IntFunction<Field> surface) {
         positions = mesh.positions().clone();
         triangles = mesh.triangles().clone();
         this.surface = surface;
+        meanEdge = meanEdge(positions, triangles);
     }
 
     /** @param surface what each vertex stays on; null for a vertex that stays where it is */
@@ -42,9 +54,7 @@ final class Relaxation {
             for (int k = 0; k < 3; k++) {
                 int a = triangles[t + k];
                 int b = triangles[t + (k + 1) % 3];
-                for (int axis = 0; axis < 3; axis++) {
-                    sum[3 * a + axis] += positions[3 * b + axis];
-                }
+                pull(a, b, sum);
                 count[a]++;
             }
         }
@@ -53,10 +63,35 @@ final class Relaxation {
             if (field == null) {
                 continue;
             }
-            double[] mean = V3.of(sum[3 * v] / count[v], sum[3 * v + 1] / count[v], sum[3 * v + 2] / count[v]);
-            double[] moved = V3.lerp(vertex(v), mean, 0.7);
+            double[] move = V3.of(sum[3 * v], sum[3 * v + 1], sum[3 * v + 2]);
+            double[] moved = V3.add(vertex(v), move, STEP / count[v]);
             System.arraycopy(field.project(moved, steps), 0, positions, 3 * v, 3);
         }
+    }
+
+    /** Adds to vertex a's move: towards its neighbour b, or away from it where they stand too close. */
+    private void pull(int a, int b, double[] sum) {
+        double[] way = V3.minus(vertex(b), vertex(a));
+        double length = Math.max(V3.length(way), 1e-9);
+        double least = LEAST_EDGE * meanEdge;
+        double weight = length < least ? 1 - REPULSION * (least / length - 1) : 1;
+        weight = Math.max(weight, -MOST_PUSH * least / length);
+        for (int axis = 0; axis < 3; axis++) {
+            sum[3 * a + axis] += weight * way[axis];
+        }
+    }
+
+    private static double meanEdge(double[] positions, int[] triangles) {
+        double sum = 0;
+        for (int c = 0; c < triangles.length; c++) {
+            int a = 3 * triangles[c];
+            int b = 3 * triangles[next(c)];
+            double dx = positions[a] - positions[b];
+            double dy = positions[a + 1] - positions[b + 1];
+            double dz = positions[a + 2] - positions[b + 2];
+            sum += Math.sqrt(dx * dx + dy * dy + dz * dz);
+        }
+        return sum / triangles.length;
     }
 
     /** Flips every inner edge whose opposite angles add up to more than 180 degrees, no triangle twice. */
@@ -70,13 +105,18 @@ final class Relaxation {
         }
         Arrays.sort(edges);
         boolean[] touched = new boolean[corners / 3];
+        Set<Long> made = new HashSet<>();
         for (int i = 0; i + 1 < corners; i++) {
             if (edges[i] >>> 21 != edges[i + 1] >>> 21) {
                 continue;
             }
             int c = (int) (edges[i] & 0x1FFFFF);
             int d = (int) (edges[i + 1] & 0x1FFFFF);
-            if (!touched[c / 3] && !touched[d / 3] && wantsFlip(c, d) && absent(edges, c, d)) {
+            if (!touched[c / 3]
+                    && !touched[d / 3]
+                    && wantsFlip(c, d)
+                    && absent(edges, c, d)
+                    && made.add(opposite(c, d))) {
                 int a = triangles[c];
                 int b = triangles[next(c)];
                 int p = triangles[next(next(c))];
@@ -99,11 +139,16 @@ final class Relaxation {
         triangles[3 * triangle + 2] = c;
     }
 
-    /** True if the edge a flip would make is not there yet. */
-    private boolean absent(long[] edges, int c, int d) {
+    /** The edge a flip would make, as its ends sit in a sorted edge's upper bits. */
+    private long opposite(int c, int d) {
         long p = triangles[next(next(c))];
         long q = triangles[next(next(d))];
-        long key = (Math.min(p, q) << 42) | (Math.max(p, q) << 21);
+        return (Math.min(p, q) << 42) | (Math.max(p, q) << 21);
+    }
+
+    /** True if the edge a flip would make is not there yet. */
+    private boolean absent(long[] edges, int c, int d) {
+        long key = opposite(c, d);
         int at = Arrays.binarySearch(edges, key);
         int from = at >= 0 ? at : -at - 1;
         return from >= edges.length || edges[from] >>> 21 != key >>> 21;

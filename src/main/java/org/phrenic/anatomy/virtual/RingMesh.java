@@ -98,7 +98,7 @@ final class RingMesh {
         int i = 0;
         int j = 0;
         while (i < countA || j < countB) {
-            boolean stepB = i == countA || j < countB && (j + 0.5) / countB <= (i + 0.5) / countA;
+            boolean stepB = i == countA || (j < countB && (j + 0.5) / countB <= (i + 0.5) / countA);
             if (stepB) {
                 triangles.add(new int[] {a + i % countA, b + (j + 1) % countB, b + j % countB});
                 j++;

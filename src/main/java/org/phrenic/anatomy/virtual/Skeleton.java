@@ -38,25 +38,27 @@ final class Skeleton {
         int sign = side.sign();
         VertebraShape vertebra = vertebrae[level - 1];
         double path = spine.bodyPath(level);
-        double[] height = parameters.spine().bodyHeightMm();
+        Values height = parameters.spine().bodyHeightMm();
         double up = level >= 2 && level <= 9 ? 0.40 : level == 1 ? 0.2 : 0.15;
-        double depth = parameters.spine().bodyDepthMm()[level - 1];
-        double width = parameters.spine().bodyWidthMm()[level - 1];
+        double depth = parameters.spine().bodyDepthMm().at(level - 1);
+        double width = parameters.spine().bodyWidthMm().at(level - 1);
         double[] tip = vertebra.transverseTip(sign);
         double[] tubercle = V3.add(tip, V3.of(sign * 2.0, -9.5, 1.0), 1);
 
-        double[] inward = spine.local(path, sign * 0.6 * width / 2, depth * 0.15, up * height[level - 1]);
+        double[] inward = spine.local(path, sign * 0.6 * width / 2, depth * 0.15, up * height.at(level - 1));
         double[] head = vertebra.fromInside(inward, V3.unit(V3.minus(tubercle, inward)), -OVERLAP_MM);
 
-        double arc = parameters.ribs().arcMm()[level - 1]
+        double arc = parameters.ribs().arcMm().at(level - 1)
                 * (side == Side.LEFT ? parameters.ribs().leftArcFactor() : 1);
         double offset = CLEARANCE_MM + parameters.ribs().thicknessMm() / 2;
         double headAzimuth = Math.abs(wall.azimuth(head));
         double tubercleAzimuth = Math.abs(wall.azimuth(tubercle));
         double nominalZ = head[2] - 30;
         double reach = wall.frontY(nominalZ) * -0.5 + 45;
-        double pump = StrictMath.tan(StrictMath.toRadians(parameters.ribs().pumpDeg()[level - 1]));
-        double bucket = StrictMath.tan(StrictMath.toRadians(parameters.ribs().bucketDeg()[level - 1]))
+        double pump =
+                StrictMath.tan(StrictMath.toRadians(parameters.ribs().pumpDeg().at(level - 1)));
+        double bucket = StrictMath.tan(
+                        StrictMath.toRadians(parameters.ribs().bucketDeg().at(level - 1)))
                 * wall.halfBreadth(nominalZ);
         List<double[]> knots = new ArrayList<>();
         knots.add(head);
@@ -101,14 +103,14 @@ final class Skeleton {
 
     /** Course of a costal cartilage 1-7 from its rib to the sternum. */
     Course sternal(int level, Side side, Course rib) {
-        double[] notch = sternum.edge(parameters.sternum().notchFraction()[level - 1], side.sign());
+        double[] notch = sternum.edge(parameters.sternum().notchFraction().at(level - 1), side.sign());
         double[] end = V3.add(notch, V3.of(side.sign(), 0, 0), -0.5);
         return onWall(rib, end, side, StrictMath.toRadians(level <= 2 ? 5 : 12 + 6 * (level - 3)));
     }
 
     /** Course of cartilages 8-10 from the rib to the cartilage above. */
     Course marginal(int level, Side side, Course rib, Course above) {
-        double path = parameters.cartilages().joinFraction()[level - 8] * above.length();
+        double path = parameters.cartilages().joinFraction().at(level - 8) * above.length();
         double[] on = above.at(path);
         double[] along = above.direction(path);
         double[] out = wall.normal(on);

@@ -16,11 +16,11 @@ final class SkinShape {
     }
 
     TriangleMesh mesh() {
-        List<double[]> rows = measures.sections();
-        double[] z = rows.stream().mapToDouble(row -> row[0]).toArray();
-        Curve breadth = new Curve(z, rows.stream().mapToDouble(row -> row[1]).toArray());
-        Curve front = new Curve(z, rows.stream().mapToDouble(row -> row[2]).toArray());
-        Curve back = new Curve(z, rows.stream().mapToDouble(row -> row[3]).toArray());
+        List<Values> rows = measures.sections();
+        double[] z = rows.stream().mapToDouble(row -> row.at(0)).toArray();
+        Curve breadth = new Curve(z, rows.stream().mapToDouble(row -> row.at(1)).toArray());
+        Curve front = new Curve(z, rows.stream().mapToDouble(row -> row.at(2)).toArray());
+        Curve back = new Curve(z, rows.stream().mapToDouble(row -> row.at(3)).toArray());
         double bottom = z[0];
         double top = z[z.length - 1];
         double[][] middle = new double[60][];

@@ -16,17 +16,17 @@ final class Spine {
 
     Spine(VirtualThoraxParameters.Spine measures) {
         this.measures = measures;
-        double[] height = measures.bodyHeightMm();
-        double[] disc = measures.discHeightMm();
-        double path = disc[11] / 2;
+        Values height = measures.bodyHeightMm();
+        Values disc = measures.discHeightMm();
+        double path = disc.at(11) / 2;
         for (int i = 11; i >= 0; i--) {
-            middle[i] = path + height[i] / 2;
-            path += height[i] + (i > 0 ? disc[i - 1] : 0);
+            middle[i] = path + height.at(i) / 2;
+            path += height.at(i) + (i > 0 ? disc.at(i - 1) : 0);
         }
-        path = -disc[11] / 2;
+        path = -disc.at(11) / 2;
         for (int i = 12; i < middle.length; i++) {
-            middle[i] = path - height[i] / 2;
-            path -= height[i] + (i < disc.length ? disc[i] : 0);
+            middle[i] = path - height.at(i) / 2;
+            path -= height.at(i) + (i < disc.size() ? disc.at(i) : 0);
         }
         double radius = measures.kyphosisRadiusMm();
         endLean = measures.kyphosisApexMm() / radius;
@@ -39,8 +39,8 @@ final class Spine {
         for (int i = 0; i < n; i++) {
             double[] centre = centre(middle[n - 1 - i]);
             z[i] = centre[2];
-            half[i] = measures.bodyWidthMm()[n - 1 - i] / 2;
-            y[i] = centre[1] - measures.bodyDepthMm()[n - 1 - i] / 2 / StrictMath.cos(lean(middle[n - 1 - i]));
+            half[i] = measures.bodyWidthMm().at(n - 1 - i) / 2;
+            y[i] = centre[1] - measures.bodyDepthMm().at(n - 1 - i) / 2 / StrictMath.cos(lean(middle[n - 1 - i]));
         }
         front = new Curve(z, y);
         halfWidth = new Curve(z, half);
@@ -68,7 +68,9 @@ final class Spine {
 
     /** Path of the middle of the disc under this vertebra, mm. */
     double discPath(int level) {
-        return middle[level - 1] - measures.bodyHeightMm()[level - 1] / 2 - measures.discHeightMm()[level - 1] / 2;
+        return middle[level - 1]
+                - measures.bodyHeightMm().at(level - 1) / 2
+                - measures.discHeightMm().at(level - 1) / 2;
     }
 
     /** Height z of the middle of the body of this vertebra, mm. */

@@ -44,14 +44,6 @@ final class SternumShape {
         return V3.add(middle(fraction), V3.of(sign, 0, 0), halfWidth.at(fraction) * widthFactor);
     }
 
-    double[] jugularNotch() {
-        return notch;
-    }
-
-    double[] xiphisternalJoint() {
-        return joint;
-    }
-
     TriangleMesh manubrium(Tube tube) {
         return bar(tube, notch, angle, 0, measures.manubriumMm(), measures.thicknessMm() * 1.1);
     }

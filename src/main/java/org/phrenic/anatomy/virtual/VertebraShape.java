@@ -26,18 +26,20 @@ final class VertebraShape implements Field {
         VirtualThoraxParameters.Spine m = spine.measures();
         int i = level - 1;
         path = spine.bodyPath(level);
-        halfWidth = m.bodyWidthMm()[i] / 2;
-        halfDepth = m.bodyDepthMm()[i] / 2;
-        height = m.bodyHeightMm()[i];
+        halfWidth = m.bodyWidthMm().at(i) / 2;
+        halfDepth = m.bodyDepthMm().at(i) / 2;
+        height = m.bodyHeightMm().at(i);
         lumbar = level > 12;
-        double drop = StrictMath.toRadians(m.spinousDropDeg()[i]);
-        double length = m.spinousLengthMm()[i];
+        double drop = StrictMath.toRadians(m.spinousDropDeg().at(i));
+        double length = m.spinousLengthMm().at(i);
         pedicleFrom = V3.of(halfWidth * 0.62, halfDepth * 0.6, height * 0.18);
         pedicleTo = V3.of(13, halfDepth + 10, height * 0.10);
         laminaTo = V3.of(0, halfDepth + 21, -height * 0.12);
         spinousTo = V3.add(laminaTo, V3.of(0, StrictMath.cos(drop), -StrictMath.sin(drop)), length - 4);
         transverse = V3.of(
-                m.transverseReachMm()[i] - 4.5, halfDepth + m.transverseBackMm()[i], height * (lumbar ? 0 : 0.25));
+                m.transverseReachMm().at(i) - 4.5,
+                halfDepth + m.transverseBackMm().at(i),
+                height * (lumbar ? 0 : 0.25));
         articularUp = V3.of(14, halfDepth + 11, height * 0.62);
         articularDown = V3.of(11, halfDepth + 16, -height * 0.60);
     }

@@ -42,6 +42,8 @@ public final class VirtualThorax {
     }
 
     /**
+     * Grows the thorax.
+     *
      * @param resolution how finely what springs move is meshed; rigid parts are the same at every resolution
      * @throws IllegalStateException if the measures do not fit together, such as a dome above the lung's apex
      */
@@ -120,14 +122,14 @@ public final class VirtualThorax {
 
     private TriangleMesh disc(int level) {
         VirtualThoraxParameters.Spine m = parameters.spine();
-        double half = m.discHeightMm()[level - 1] / 2 + Skeleton.OVERLAP_MM / 2;
+        double half = m.discHeightMm().at(level - 1) / 2 + Skeleton.OVERLAP_MM / 2;
         double path = spine.discPath(level);
         List<double[]> middle = new ArrayList<>();
         for (int i = -2; i <= 2; i++) {
             middle.add(spine.centre(path + half * i / 2));
         }
-        double width = (m.bodyWidthMm()[level - 1] + m.bodyWidthMm()[level]) / 4;
-        double depth = (m.bodyDepthMm()[level - 1] + m.bodyDepthMm()[level]) / 4;
+        double width = (m.bodyWidthMm().at(level - 1) + m.bodyWidthMm().at(level)) / 4;
+        double depth = (m.bodyDepthMm().at(level - 1) + m.bodyDepthMm().at(level)) / 4;
         return DISC.mesh(new Course(middle), t -> new Tube.Section(width, depth), p -> V3.of(0, -1, 0));
     }
 

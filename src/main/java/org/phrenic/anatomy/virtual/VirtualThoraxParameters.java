@@ -24,6 +24,8 @@ public record VirtualThoraxParameters(
     public static final int VERTEBRAE = 15;
 
     /**
+     * The column T1 to L3.
+     *
      * @param kyphosisRadiusMm radius of the thoracic curve
      * @param kyphosisApexMm path from the disc T12/L1 up to where the spine stands upright
      * @param apexYMm y of the bodies' middle there
@@ -42,14 +44,14 @@ public record VirtualThoraxParameters(
             double kyphosisApexMm,
             double apexYMm,
             double lordosisRadiusMm,
-            double[] bodyHeightMm,
-            double[] bodyWidthMm,
-            double[] bodyDepthMm,
-            double[] discHeightMm,
-            double[] transverseReachMm,
-            double[] transverseBackMm,
-            double[] spinousLengthMm,
-            double[] spinousDropDeg) {}
+            Values bodyHeightMm,
+            Values bodyWidthMm,
+            Values bodyDepthMm,
+            Values discHeightMm,
+            Values transverseReachMm,
+            Values transverseBackMm,
+            Values spinousLengthMm,
+            Values spinousDropDeg) {}
 
     /**
      * The inner surface of the chest wall.
@@ -66,9 +68,11 @@ public record VirtualThoraxParameters(
             double exponentFront,
             double exponentBack,
             double leftBreadthFactor,
-            List<double[]> sections) {}
+            List<Values> sections) {}
 
     /**
+     * The twelve pairs of ribs.
+     *
      * @param arcMm length along the rib, ribs 1-12
      * @param pumpDeg how far the rib falls from back to front
      * @param bucketDeg how far it falls from the middle to the side
@@ -77,22 +81,26 @@ public record VirtualThoraxParameters(
      * @param thicknessMm its thickness
      */
     public record Ribs(
-            double[] arcMm,
-            double[] pumpDeg,
-            double[] bucketDeg,
+            Values arcMm,
+            Values pumpDeg,
+            Values bucketDeg,
             double leftArcFactor,
             double heightMm,
             double thicknessMm) {}
 
     /**
+     * The costal cartilages.
+     *
      * @param joinFraction where along the cartilage above it the end of cartilages 8, 9 and 10 lies (0 at the rib, 1 at the
      *     other end)
      * @param heightMm height of the section
      * @param thicknessMm its thickness
      */
-    public record Cartilages(double[] joinFraction, double heightMm, double thicknessMm) {}
+    public record Cartilages(Values joinFraction, double heightMm, double thicknessMm) {}
 
     /**
+     * The sternum.
+     *
      * @param manubriumMm length from the jugular notch to the sternal angle
      * @param bodyMm length from there to the xiphisternal joint
      * @param xiphoidMm length of the xiphoid
@@ -112,9 +120,11 @@ public record VirtualThoraxParameters(
             double jointY,
             int jointLevel,
             double thicknessMm,
-            double[] notchFraction) {}
+            Values notchFraction) {}
 
     /**
+     * The diaphragm.
+     *
      * @param right dome: x, y, z of its top
      * @param left the same of the left dome
      * @param heart the same of the plateau under the heart
@@ -132,9 +142,9 @@ public record VirtualThoraxParameters(
      * @param rim azimuth in degrees (0 back, positive left) and height z of points of the line of insertion, from -180 to 180
      */
     public record Diaphragm(
-            double[] right,
-            double[] left,
-            double[] heart,
+            Values right,
+            Values left,
+            Values heart,
             double domeRadiusXMm,
             double domeRadiusYMm,
             double heartRadiusXMm,
@@ -146,9 +156,11 @@ public record VirtualThoraxParameters(
             double muscleMm,
             double tendonMm,
             double tendonAreaCm2,
-            List<double[]> rim) {}
+            List<Values> rim) {}
 
     /**
+     * The lungs and the space for the heart.
+     *
      * @param wallInsetMm from the inner chest wall to the lung
      * @param diaphragmGapMm from the diaphragm to the lung's base
      * @param apexRight x, y, z of the right apex
@@ -165,36 +177,34 @@ public record VirtualThoraxParameters(
     public record Lungs(
             double wallInsetMm,
             double diaphragmGapMm,
-            double[] apexRight,
-            double[] apexLeft,
+            Values apexRight,
+            Values apexLeft,
             double apexRadiusMm,
-            double[] baseRight,
-            double[] baseLeft,
-            double[] mediastinumMm,
-            double[] heartMm,
-            double[] heartCentre,
-            double[] heartRadiiMm,
-            double[] heartFrontShare) {}
+            Values baseRight,
+            Values baseLeft,
+            Values mediastinumMm,
+            Values heartMm,
+            Values heartCentre,
+            Values heartRadiiMm,
+            Values heartFrontShare) {}
 
     /**
+     * The liver.
+     *
      * @param volumeMl volume
      * @param diaphragmGapMm from the abdominal face of the diaphragm to the liver
      * @param visceralSlope rise of the lower surface: to the left and to the back
-     * @param visceralTwist extra rise to the left, growing over the midplane, per mm
      * @param backCut the plane that ends the left lobe behind: y at the midplane, and how much it comes forward per mm to the left
      * @param leftEndX x of the tip of the left lobe
      */
     public record Liver(
-            double volumeMl,
-            double diaphragmGapMm,
-            double[] visceralSlope,
-            double visceralTwist,
-            double[] backCut,
-            double leftEndX) {}
+            double volumeMl, double diaphragmGapMm, Values visceralSlope, Values backCut, double leftEndX) {}
 
     /**
+     * The skin of the trunk.
+     *
      * @param exponent exponent of the section
      * @param sections rows of height z, half-breadth, y of the front, y of the back; from below upward
      */
-    public record Skin(double exponent, List<double[]> sections) {}
+    public record Skin(double exponent, List<Values> sections) {}
 }

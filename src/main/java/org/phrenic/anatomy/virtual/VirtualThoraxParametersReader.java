@@ -45,6 +45,8 @@ public final class VirtualThoraxParametersReader {
     }
 
     /**
+     * Measures from a YAML text.
+     *
      * @param source what to call the text in messages
      * @throws IllegalArgumentException with one sentence naming source and key if the text is no full set of measures
      */
@@ -183,7 +185,6 @@ public final class VirtualThoraxParametersReader {
                 s.number("volume_ml"),
                 s.number("diaphragm_gap_mm"),
                 s.numbers("visceral_slope", 2),
-                s.number("visceral_twist"),
                 s.numbers("back_cut", 2),
                 s.number("left_end_x_mm"));
         s.end();
@@ -241,25 +242,26 @@ public final class VirtualThoraxParametersReader {
             return number.doubleValue();
         }
 
-        double[] numbers(String key, int count) {
+        Values numbers(String key, int count) {
             return numbers(key, take(key), count);
         }
 
-        private double[] numbers(String key, Object value, int count) {
+        private Values numbers(String key, Object value, int count) {
             if (!(value instanceof List<?> list) || list.size() != count) {
                 throw bad(path + "." + key, value, "a list of " + count + " numbers");
             }
-            return list.stream().mapToDouble(item -> number(key, item)).toArray();
+            return Values.of(
+                    list.stream().mapToDouble(item -> number(key, item)).toArray());
         }
 
-        List<double[]> rows(String key, int columns) {
+        List<Values> rows(String key, int columns) {
             if (!(take(key) instanceof List<?> list) || list.size() < 2) {
                 throw bad(path + "." + key, map.get(key), "a list of at least two rows of " + columns + " numbers");
             }
-            List<double[]> rows =
+            List<Values> rows =
                     list.stream().map(row -> numbers(key, row, columns)).toList();
             for (int i = 1; i < rows.size(); i++) {
-                if (!(rows.get(i)[0] > rows.get(i - 1)[0])) {
+                if (!(rows.get(i).at(0) > rows.get(i - 1).at(0))) {
                     throw bad(path + "." + key, "row " + (i + 1), "rows with a rising first number");
                 }
             }

@@ -6,8 +6,10 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
 /**
- * One-sided contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
+ * Contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
  * the wall's own. Sliding along the wall, and leaving it, are free.
+ *
+ * <p>An adhering contact holds from both sides: the node slides along the wall but cannot leave it, as the lung's surface does on the pleura.
  *
  * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
  * millimetre, so the plane is as good as the wall and costs a tenth.
@@ -15,15 +17,19 @@ import org.phrenic.engine.Workers;
 public final class SlidingContact implements Constraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
+    /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
+    private static final double RETURN_SPEED = 500;
 
     private final int[] node;
     private final ContactSurface surface;
     private final double refreshInterval;
+    private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
     private double planeTime = Double.NaN;
     private double now = Double.NaN;
     private ParticleSystem system;
+    private double step;
     private boolean refresh;
     private final Workers.Task task = this::piece;
 
@@ -34,6 +40,18 @@ public final class SlidingContact implements Constraint {
      * @param refreshInterval simulated time after which tangent planes are taken anew, s
      */
     public SlidingContact(NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        this(layout, callerNodes, surface, refreshInterval, false);
+    }
+
+    /** A contact that nodes cannot leave; parameters as for the one-sided one. */
+    public static SlidingContact adhering(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        return new SlidingContact(layout, callerNodes, surface, refreshInterval, true);
+    }
+
+    private SlidingContact(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
+        this.adhering = adhering;
         node = new int[callerNodes.length];
         for (int i = 0; i < node.length; i++) {
             node[i] = 3 * layout.internal(callerNodes[i]);
@@ -73,6 +91,7 @@ public final class SlidingContact implements Constraint {
     @Override
     public void project(ParticleSystem particles, double h) {
         system = particles;
+        step = h;
         particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, task);
     }
 
@@ -83,6 +102,7 @@ public final class SlidingContact implements Constraint {
         double[] planes = plane;
         int[] nodes = node;
         double elapsed = now - planeTime;
+        double farthest = RETURN_SPEED * step;
         int from = piece * NODES_A_PIECE;
         int to = Math.min(nodes.length, from + NODES_A_PIECE);
         if (refresh) {
@@ -99,14 +119,15 @@ public final class SlidingContact implements Constraint {
             double nz = planes[p + 2];
             double wallSpeed = planes[p + 4];
             double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - planes[p + 3] - wallSpeed * elapsed;
-            boolean held = gap < 0 && w[n / 3] > 0;
+            boolean held = (adhering || gap < 0) && w[n / 3] > 0;
             touching[i] = held;
             if (held) {
-                x[n] -= gap * nx;
-                x[n + 1] -= gap * ny;
-                x[n + 2] -= gap * nz;
+                double shift = Math.max(-farthest, Math.min(farthest, gap));
+                x[n] -= shift * nx;
+                x[n + 1] -= shift * ny;
+                x[n + 2] -= shift * nz;
                 double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - wallSpeed;
-                if (into < 0) {
+                if (adhering || into < 0) {
                     v[n] -= into * nx;
                     v[n + 1] -= into * ny;
                     v[n + 2] -= into * nz;

@@ -1,0 +1,32 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+
+/** The two bodies that come with the program, each grown once for all tests. */
+final class Bodies {
+    private static final Map<String, Thorax> GROWN = new ConcurrentHashMap<>();
+
+    private Bodies() {}
+
+    static Thorax grow(String preset, Resolution resolution) {
+        return GROWN.computeIfAbsent(
+                preset + resolution,
+                key -> VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), resolution));
+    }
+
+    static Surface surface(Thorax thorax, String name) {
+        return new Surface(thorax.find(name).orElseThrow().mesh());
+    }
+
+    static int vertices(Thorax thorax, StructureKind... kinds) {
+        return thorax.structures().stream()
+                .filter(s -> List.of(kinds).contains(s.kind()))
+                .mapToInt(s -> s.mesh().vertexCount())
+                .sum();
+    }
+}

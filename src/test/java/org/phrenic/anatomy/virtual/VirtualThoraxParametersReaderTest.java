@@ -1,0 +1,69 @@
+package org.phrenic.anatomy.virtual;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+
+class VirtualThoraxParametersReaderTest {
+    private static String male() throws IOException {
+        try (InputStream in =
+                VirtualThoraxParametersReader.class.getResourceAsStream("/org/phrenic/data/thorax/adult-male.yaml")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    private static void assertRefused(String text, String... words) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> VirtualThoraxParametersReader.read("body.yaml", new StringReader(text)))
+                .withMessageStartingWith("body.yaml: ")
+                .satisfies(e -> assertThat(e.getMessage()).contains(words).doesNotContain("\n"));
+    }
+
+    @Test
+    void bothBodiesAreThere() {
+        assertThat(VirtualThoraxParametersReader.preset("adult-male").sternum().bodyMm())
+                .isEqualTo(101.1);
+        assertThat(VirtualThoraxParametersReader.preset("adult-female")
+                        .ribs()
+                        .arcMm()
+                        .size())
+                .isEqualTo(12);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> VirtualThoraxParametersReader.preset("child"))
+                .withMessageContaining("child");
+    }
+
+    @Test
+    void aMisspelledKeyIsNamed() throws IOException {
+        assertRefused(male().replace("  xiphoid_mm:", "  xyphoid_mm:"), "sternum", "xiphoid_mm");
+    }
+
+    @Test
+    void anUnknownKeyIsNamed() throws IOException {
+        assertRefused(male().replace("skin:\n", "skin:\n  colour: 3\n"), "skin", "colour");
+    }
+
+    @Test
+    void aWordForANumberIsNamed() throws IOException {
+        assertRefused(male().replace("gap_mm: 1 ", "gap_mm: wide "), "gap_mm", "wide", "a number");
+    }
+
+    @Test
+    void aListOfTheWrongLengthIsNamed() throws IOException {
+        assertRefused(
+                male().replace("join_fraction: [0.5, 0.45, 0.45]", "join_fraction: [0.5]"),
+                "join_fraction",
+                "a list of 3 numbers");
+    }
+
+    @Test
+    void textThatIsNoYamlIsRefused() {
+        assertRefused("name: [", "YAML");
+        assertRefused("just a sentence", "expected keys with values");
+    }
+}
