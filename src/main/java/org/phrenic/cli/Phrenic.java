@@ -1,15 +1,87 @@
 package org.phrenic.cli;
 
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.phrenic.simulation.Scenario;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
 
-/** The {@code phrenic} command. */
-@Command(name = "phrenic", mixinStandardHelpOptions = true)
-public final class Phrenic implements Runnable {
-    @Override
-    public void run() {}
+/** The {@code phrenic} command: without a subcommand it simulates a quiet breath. */
+@Command(
+        name = "phrenic",
+        mixinStandardHelpOptions = true,
+        scope = ScopeType.INHERIT,
+        versionProvider = VersionProvider.class,
+        subcommands = {RunCommand.class, InfoCommand.class, BenchCommand.class},
+        synopsisSubcommandLabel = "[COMMAND]",
+        usageHelpWidth = 110,
+        description =
+                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: a quiet breath.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic                                   a quiet breath into ./phrenic-out",
+            "  phrenic run --preset deep --out result    a deep one into ./result",
+            "  phrenic info scenario.yaml liver.stl      what files hold",
+            "",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input. Results go to stdout, log and progress to stderr.",
+            Notice.TEXT
+        })
+public final class Phrenic implements Callable<Integer> {
+    private static final Path DEFAULT_OUT = Path.of("phrenic-out");
 
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--debug",
+            scope = ScopeType.INHERIT,
+            description = "After the sentence that says what went wrong, print where.")
+    private boolean debug;
+
+    /** Ends the process with the exit code of {@link #execute}. */
     public static void main(String[] args) {
-        System.exit(new CommandLine(new Phrenic()).execute(args));
+        PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+        PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+        int code = execute(out, err, args);
+        out.flush();
+        err.flush();
+        System.exit(code);
+    }
+
+    /**
+     * Does what {@code args} say.
+     *
+     * @param out for results
+     * @param err for log, progress and the one sentence of a failure
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input
+     */
+    public static int execute(PrintWriter out, PrintWriter err, String... args) {
+        Phrenic phrenic = new Phrenic();
+        CommandLine line = new CommandLine(phrenic);
+        Failures failures = new Failures(() -> phrenic.debug);
+        line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
+        try {
+            return line.execute(args);
+        } catch (OutOfMemoryError full) {
+            err.println("phrenic: not enough memory; give Java more, as in java -Xmx4g -jar phrenic.jar");
+            return ExitCode.FAILURE;
+        }
+    }
+
+    @Override
+    public Integer call() {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("This version has no window: running the default quiet breath without one, into " + DEFAULT_OUT
+                + " (phrenic --help lists the commands).");
+        RunReport.run(
+                Scenario.defaults(), DEFAULT_OUT, false, spec.commandLine().getOut(), err);
+        return ExitCode.DONE;
     }
 }

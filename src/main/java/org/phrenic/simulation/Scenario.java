@@ -143,11 +143,16 @@ public record Scenario(
      * @throws BadInputException with one sentence that names where the value was given and the key
      */
     public Scenario with(List<Assignment> assignments) {
-        YamlMap changes = YamlDocument.parse("", "");
-        for (Assignment assignment : assignments) {
-            changes = changes.overlaidWith(assignment.toYaml());
+        try {
+            YamlMap changes = YamlDocument.parse("", "");
+            for (Assignment assignment : assignments) {
+                changes = changes.overlaidWith(assignment.toYaml());
+            }
+            return ScenarioReader.read(this, changes, Path.of(""), givenName);
+        } catch (BadInputException e) {
+            // A value that comes from no file stands in no line.
+            throw new BadInputException(e.getMessage().replaceFirst(": line 1, key", ": key"), e);
         }
-        return ScenarioReader.read(this, changes, Path.of(""), givenName);
     }
 
     /** This scenario with other values, each as {@code key=value}. */

@@ -1,0 +1,109 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.Json;
+import org.phrenic.study.BareResult;
+import org.phrenic.study.BareScene;
+import org.phrenic.study.BareSettings;
+import org.phrenic.study.BareWorkload;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic bench}: how many steps a second the engine does on a bare mesh. */
+@Command(
+        name = "bench",
+        description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
+        footer = {
+            "",
+            "Example:",
+            "  phrenic bench --mesh dome.obj --fixed dome.fixed.txt --loaded dome.loaded.txt --threads 2",
+            "",
+            "Index files hold vertex numbers from 0, one a line; --links two a line."
+        })
+final class BenchCommand implements Callable<Integer> {
+    private static final int MOST_THREADS = 256;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--mesh", required = true, paramLabel = "FILE", description = "Surface: obj, ply, stl, vtk, vtp.")
+    private Path mesh;
+
+    @Option(names = "--fixed", required = true, paramLabel = "FILE", description = "Vertices that are held still.")
+    private Path fixed;
+
+    @Option(names = "--loaded", required = true, paramLabel = "FILE", description = "Vertices that carry the load.")
+    private Path loaded;
+
+    @Option(names = "--links", paramLabel = "FILE", description = "Pairs of vertices held at their distance.")
+    private Path links;
+
+    @Option(names = "--steps", paramLabel = "N", description = "Steps of each timed run (default ${DEFAULT-VALUE}).")
+    private int steps = BareSettings.DEFAULT.steps();
+
+    @Option(names = "--integrator", paramLabel = "NAME", description = "Scheme (default ${DEFAULT-VALUE}).")
+    private String integrator = BareSettings.DEFAULT.integrator().label();
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads (default ${DEFAULT-VALUE}).")
+    private int threads = BareSettings.DEFAULT.threads();
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        if (threads > MOST_THREADS) {
+            throw new BadInputException("threads: found " + threads + ", expected 1 to " + MOST_THREADS);
+        }
+        BareSettings settings = BareSettings.DEFAULT
+                .withIntegrator(IntegratorKind.of(integrator))
+                .withThreads(threads)
+                .withSteps(steps);
+        BareScene scene = BareScene.read(mesh, fixed, loaded, links);
+        if (scene.loaded().length == 0) {
+            throw new BadInputException(loaded + ": found no vertex index, expected at least one");
+        }
+        BareResult result = BareWorkload.run(scene, settings);
+        if (!Double.isFinite(result.meanDz200())) {
+            spec.commandLine()
+                    .getErr()
+                    .println("phrenic: the workload diverged within " + BareWorkload.CHECKED_STEPS
+                            + " steps of integrator " + result.integrator());
+            return ExitCode.FAILURE;
+        }
+        print(result);
+        return ExitCode.DONE;
+    }
+
+    private void print(BareResult result) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("steps_per_s", result.stepsPerSecond());
+        values.put("min", result.min());
+        values.put("max", result.max());
+        values.put("nodes", result.nodes());
+        values.put("edges", result.edges());
+        values.put("links", result.links());
+        values.put("threads", result.threads());
+        values.put("integrator", result.integrator());
+        values.put("kernel", result.kernel());
+        values.put("mean_dz_200", result.meanDz200());
+        values.put("state_sha256", result.stateSha256());
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            out.print(Json.format(values));
+        } else {
+            Table table = new Table(false, false);
+            values.forEach((key, value) -> table.row(key, String.valueOf(value)));
+            out.print(table.text());
+        }
+        out.flush();
+    }
+}

@@ -1,0 +1,10 @@
+package org.phrenic.cli;
+
+/** What a command leaves for whoever started it. */
+final class ExitCode {
+    static final int DONE = 0;
+    static final int FAILURE = 1;
+    static final int BAD_INPUT = 2;
+
+    private ExitCode() {}
+}

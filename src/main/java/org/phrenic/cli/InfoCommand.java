@@ -1,0 +1,78 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.Json;
+import org.phrenic.format.MeshFiles;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic info}: what files hold. */
+@Command(
+        name = "info",
+        description = "Say what meshes, scenarios and thorax folders hold.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic info diaphragm.ply liver.stl",
+            "  phrenic info scenario.yaml",
+            "  phrenic info my-thorax --json"
+        })
+final class InfoCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "FILE",
+            description = "A mesh (stl, obj, ply, vtk, vtp), a scenario (yaml) or a folder of meshes.")
+    private List<Path> files;
+
+    @Option(names = "--json", description = "Print JSON: a list 'files'.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        List<Map<String, Object>> all = new ArrayList<>();
+        for (Path file : files) {
+            all.add(describe(file));
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            out.print(Json.format(Map.of("files", all)));
+        } else {
+            out.print(String.join("\n", all.stream().map(InfoText::of).toList()));
+        }
+        out.flush();
+        return ExitCode.DONE;
+    }
+
+    private static Map<String, Object> describe(Path file) {
+        if (Files.isDirectory(file)) {
+            return ThoraxInfo.of(file);
+        }
+        if (!Files.exists(file)) {
+            throw new BadInputException(file + ": no such file, expected a mesh, a scenario or a folder of meshes");
+        }
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        if (name.endsWith(".yaml") || name.endsWith(".yml")) {
+            return ScenarioInfo.of(file);
+        }
+        if (!MeshFiles.isMesh(file)) {
+            throw new BadInputException(
+                    file + ": found no mesh, scenario or folder, expected a name that ends in yaml or "
+                            + String.join(", ", MeshFiles.READABLE));
+        }
+        return MeshInfo.of(file);
+    }
+}

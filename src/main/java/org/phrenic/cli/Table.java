@@ -1,0 +1,40 @@
+package org.phrenic.cli;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Columns of text, aligned: the first to the left, numbers to the right. */
+final class Table {
+    private final List<String[]> rows = new ArrayList<>();
+    private final boolean[] right;
+
+    /** @param right for each column, whether it is aligned to the right */
+    Table(boolean... right) {
+        this.right = right.clone();
+    }
+
+    Table row(String... cells) {
+        rows.add(cells);
+        return this;
+    }
+
+    /** The lines, each ended; blanks at their ends are left out. */
+    String text() {
+        int[] width = new int[right.length];
+        for (String[] row : rows) {
+            Arrays.setAll(width, c -> Math.max(width[c], row[c].length()));
+        }
+        return rows.stream().map(row -> line(row, width)).collect(Collectors.joining());
+    }
+
+    private String line(String[] row, int[] width) {
+        StringBuilder line = new StringBuilder();
+        for (int c = 0; c < row.length; c++) {
+            String fill = " ".repeat(width[c] - row[c].length());
+            line.append(c == 0 ? "" : "  ").append(right[c] ? fill + row[c] : row[c] + fill);
+        }
+        return line.toString().stripTrailing() + "\n";
+    }
+}
