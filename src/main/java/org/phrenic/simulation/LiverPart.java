@@ -11,7 +11,7 @@ import org.phrenic.geometry.TriangleMesh;
  * edge (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1). It is carried, not stepped.
  */
 final class LiverPart {
-    /** The bare area and the ligaments: what of the roof lies this near to the liver at rest carries it. */
+    /** The bare area and the coronary ligament lie behind: what of the back half of the roof is this near to the liver at rest carries it. */
     private static final double ATTACHED_MM = 10;
 
     /** The abdominal face of the roof looks down. */
@@ -39,19 +39,20 @@ final class LiverPart {
             distance[i] = surface.distance();
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);
-        int[] near = roof(d, normals, distance, ATTACHED_MM);
-        attached = near.length >= FEWEST ? near : roof(d, normals, distance, 3 * ATTACHED_MM);
-        double[] box = mesh.bounds();
+        double[] liverBox = mesh.bounds();
+        double middle = 0.5 * (liverBox[1] + liverBox[4]);
+        int[] near = roof(d, normals, distance, middle, ATTACHED_MM);
+        attached = near.length >= FEWEST ? near : roof(d, normals, distance, middle, 3 * ATTACHED_MM);
         share = new double[mesh.vertexCount()];
         for (int i = 0; i < share.length; i++) {
-            double height = (mesh.z(i) - box[2]) / (box[5] - box[2]);
+            double height = (mesh.z(i) - liverBox[2]) / (liverBox[5] - liverBox[2]);
             share[i] = LOWEST_SHARE + (1 - LOWEST_SHARE) * height * height * (3 - 2 * height);
         }
     }
 
-    private static int[] roof(Diaphragm d, double[] normals, double[] distance, double reach) {
+    private static int[] roof(Diaphragm d, double[] normals, double[] distance, double middle, double reach) {
         return IntStream.range(0, distance.length)
-                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && normals[3 * i + 2] < ROOF && distance[i] < reach)
+                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && d.sheet().y(i) > middle && normals[3 * i + 2] < ROOF && distance[i] < reach)
                 .toArray();
     }
 
