@@ -11,6 +11,8 @@ final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
     private static final int SWEEPS = 20;
     private static final int NORMAL_PASSES = 6;
+    private static final double SHARP_COSINE = 0.87;
+    private static final int SOFTENING_PASSES = 8;
     private static final double TENDON_EDGE_MM = 8;
 
     private final VirtualThoraxParameters.Diaphragm measures;
@@ -41,7 +43,47 @@ final class DiaphragmSheet {
         int inner = RingMesh.total(counts) - counts[counts.length - 1];
         TriangleMesh middle = RingMesh.mesh(meridians, counts, true);
         middle = Relaxation.relax(middle, SWEEPS, v -> v < inner ? shape : null);
-        return thicken(middle, inner);
+        return thicken(soften(middle, inner), inner);
+    }
+
+    /** Rounds the crura's edges, where the sheet bends more sharply than its thickness allows; above, the liver lies close. */
+    private TriangleMesh soften(TriangleMesh middle, int firstRim) {
+        int n = middle.vertexCount();
+        int[] face = middle.triangles();
+        double[][] p = new double[n][];
+        double[][] normals = new double[n][];
+        for (int v = 0; v < n; v++) {
+            p[v] = V3.of(middle.x(v), middle.y(v), middle.z(v));
+            normals[v] = shape.normal(p[v]);
+        }
+        double[] share = new double[n];
+        for (int c = 0; c < face.length; c++) {
+            int a = face[c];
+            int b = face[c % 3 == 2 ? c - 2 : c + 1];
+            if (p[a][2] < PIVOT_Z && V3.dot(normals[a], normals[b]) < SHARP_COSINE) {
+                share[a] = a < firstRim ? 0.5 : 0;
+                share[b] = b < firstRim ? 0.5 : 0;
+            }
+        }
+        for (int pass = 0; pass < SOFTENING_PASSES; pass++) {
+            double[][] sums = new double[n][3];
+            int[] count = new int[n];
+            for (int c = 0; c < face.length; c++) {
+                int a = face[c];
+                sums[a] = V3.add(sums[a], p[face[c % 3 == 2 ? c - 2 : c + 1]], 1);
+                count[a]++;
+            }
+            for (int v = 0; v < n; v++) {
+                if (share[v] > 0) {
+                    p[v] = V3.lerp(p[v], V3.add(V3.of(0, 0, 0), sums[v], 1.0 / count[v]), share[v]);
+                }
+            }
+        }
+        double[] positions = new double[3 * n];
+        for (int v = 0; v < n; v++) {
+            System.arraycopy(p[v], 0, positions, 3 * v, 3);
+        }
+        return middle.withPositions(positions);
     }
 
     private TriangleMesh thicken(TriangleMesh middle, int firstRim) {
