@@ -17,6 +17,9 @@ final class Trefoil {
     /** The roof: what is not steeper than this cosine of the normal to the vertical. */
     private static final double ROOF = 0.25;
 
+    /** and higher than this share of the height of the sheet: crura hang far down, and the floor behind them is level too. */
+    private static final double UPPER = 0.65;
+
     private Trefoil() {}
 
     /**
@@ -34,7 +37,7 @@ final class Trefoil {
         for (int i = 0; i < n; i++) {
             double u = (sheet.x(i) - 0.5 * (box[0] + box[3])) / (0.5 * (box[3] - box[0]));
             double v = (sheet.y(i) - 0.5 * (box[1] + box[4])) / (0.5 * (box[4] - box[1]));
-            boolean upper = sheet.z(i) > 0.5 * (box[2] + box[5]);
+            boolean upper = sheet.z(i) > box[2] + UPPER * (box[5] - box[2]);
             level[i] = upper && Math.abs(normals[3 * i + 2]) > ROOF ? level(u, v) : Double.POSITIVE_INFINITY;
         }
         Integer[] order = new Integer[n];

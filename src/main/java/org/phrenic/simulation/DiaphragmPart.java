@@ -84,7 +84,8 @@ final class DiaphragmPart {
             dot += d * fibre[3 * triangle + axis];
             squared += d * d;
         }
-        return dot * dot / squared;
+        double cosine2 = dot * dot / squared;
+        return cosine2 * cosine2;
     }
 
     /** Vertices of the sheet that bone holds. */

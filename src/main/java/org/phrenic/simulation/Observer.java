@@ -6,7 +6,7 @@ import org.phrenic.breathing.BreathState;
 final class Observer {
     /** Places in the plan of the sheet ({@link Patch}): the dome is measured at its back third, where M-mode ultrasound looks. */
     private static final double[][] PLACES = {
-        {-0.45, 0.25}, {0.45, 0.25}, {0, -0.2},
+        {-0.5, 0.33}, {0.5, 0.33}, {0, -0.2},
         {-0.45, -0.45}, {-0.45, 0.1}, {-0.45, 0.5},
         {0.45, -0.45}, {0.45, 0.1}, {0.45, 0.5},
         {-0.65, 0.1}, {-0.2, 0.1}, {0.65, 0.1}, {0.2, 0.1},
