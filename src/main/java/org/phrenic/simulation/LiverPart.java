@@ -3,16 +3,19 @@ package org.phrenic.simulation;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
-import org.phrenic.geometry.RigidMotion;
+import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The liver, hung from the underside of the diaphragm by its ligaments: it follows the rigid motion that best fits the part of the abdominal face it lies against, wholly at its top and less toward its lower
+ * The liver, hung from the underside of the diaphragm by its ligaments: it follows the mean motion of the roof of the dome it lies under (the viscera beneath keep it from turning with the roof), wholly at its top and less toward its lower
  * edge (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1). It is carried, not stepped.
  */
 final class LiverPart {
-    /** The bare area and the ligaments: what lies this near to the diaphragm at rest hangs from it. */
+    /** The bare area and the coronary ligament lie behind: what of the back half of the roof is this near to the liver at rest carries it. */
     private static final double ATTACHED_MM = 10;
+
+    /** The abdominal face of the roof looks down. */
+    private static final double ROOF = -0.5;
 
     private static final double LOWEST_SHARE = 0.65;
     private static final int FEWEST = 12;
@@ -35,19 +38,21 @@ final class LiverPart {
             surface.find(sheet.x(i), sheet.y(i), sheet.z(i));
             distance[i] = surface.distance();
         }
-        int[] near = abdominal(d, distance, ATTACHED_MM);
-        attached = near.length >= FEWEST ? near : abdominal(d, distance, 3 * ATTACHED_MM);
-        double[] box = mesh.bounds();
+        double[] normals = MeshMeasure.vertexNormals(sheet);
+        double[] liverBox = mesh.bounds();
+        double middle = 0.5 * (liverBox[1] + liverBox[4]);
+        int[] near = roof(d, normals, distance, middle, ATTACHED_MM);
+        attached = near.length >= FEWEST ? near : roof(d, normals, distance, middle, 3 * ATTACHED_MM);
         share = new double[mesh.vertexCount()];
         for (int i = 0; i < share.length; i++) {
-            double height = (mesh.z(i) - box[2]) / (box[5] - box[2]);
+            double height = (mesh.z(i) - liverBox[2]) / (liverBox[5] - liverBox[2]);
             share[i] = LOWEST_SHARE + (1 - LOWEST_SHARE) * height * height * (3 - 2 * height);
         }
     }
 
-    private static int[] abdominal(Diaphragm d, double[] distance, double reach) {
+    private static int[] roof(Diaphragm d, double[] normals, double[] distance, double middle, double reach) {
         return IntStream.range(0, distance.length)
-                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && distance[i] < reach)
+                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && d.sheet().y(i) > middle && normals[3 * i + 2] < ROOF && distance[i] < reach)
                 .toArray();
     }
 
@@ -67,16 +72,15 @@ final class LiverPart {
         if (attached.length < FEWEST) {
             return p;
         }
-        double[] from = new double[3 * attached.length];
-        double[] to = new double[3 * attached.length];
-        for (int i = 0; i < attached.length; i++) {
-            System.arraycopy(rest, 3 * (diaphragm.first + attached[i]), from, 3 * i, 3);
-            System.arraycopy(now, 3 * (diaphragm.first + attached[i]), to, 3 * i, 3);
+        double[] mean = new double[3];
+        for (int node : attached) {
+            int at = 3 * (diaphragm.first + node);
+            for (int axis = 0; axis < 3; axis++) {
+                mean[axis] += (now[at + axis] - rest[at + axis]) / attached.length;
+            }
         }
-        double[] moved = p.clone();
-        RigidMotion.fit(from, to).apply(moved);
         for (int i = 0; i < p.length; i++) {
-            p[i] += share[i / 3] * (moved[i] - p[i]);
+            p[i] += share[i / 3] * mean[i % 3];
         }
         return p;
     }

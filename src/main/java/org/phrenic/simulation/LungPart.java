@@ -33,6 +33,10 @@ final class LungPart {
     private static final double PLEURAL_MM = 8;
 
     private static final double LATERAL = 0.5;
+    /** Against wrinkling, as shares of an edge's stiffness: bending of the surface, and the tissue behind it that tethers every vertex a little. */
+    private static final double BENDING = 0.5;
+
+    private static final double PARENCHYMA = 0.03;
     private static final double WALL = 0.3;
     private static final double LINK = 4;
 
@@ -58,7 +62,7 @@ final class LungPart {
             TriangleMesh mesh = s.mesh();
             int first = parts.addNodes(mesh, law.masses(mesh, stiffness));
             firsts.add(first);
-            law.addEdges(parts.passive, mesh, first, stiffness);
+            law.addEdges(parts.passive, mesh, first, stiffness, BENDING);
             double[] normals = MeshMeasure.vertexNormals(mesh);
             double[] toBone = bones.at(mesh.positions()).distance();
             for (int i = 0; i < mesh.vertexCount(); i++) {
@@ -72,8 +76,9 @@ final class LungPart {
                 }
                 if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
                     parts.passive.add(first + i, diaphragm.first + near, LINK * edge, distance, 0);
-                } else if (toBone[i] < COSTAL_MM && distance > BASE_MM) {
-                    parts.attach(first + i, WALL * edge * (1 - FallOff.at(distance - BASE_MM, FADE_MM)));
+                } else {
+                    double costalShare = toBone[i] < COSTAL_MM ? WALL * (1 - FallOff.at(distance, FADE_MM)) : 0;
+                    parts.attach(first + i, edge * Math.max(PARENCHYMA, costalShare));
                 }
             }
         }

@@ -21,7 +21,7 @@ public final class Simulation implements AutoCloseable {
     /** What the prestress leaves open settles in this time under strong damping; then the shape is the rest shape. */
     private static final double SETTLE_S = 0.4;
 
-    private static final double SETTLE_DAMPING = 25;
+    private static final double SETTLE_DAMPING = 20;
 
     private final Scene scene;
     private final Stepper stepper;

@@ -41,7 +41,7 @@ final class SternumPart {
             int first = parts.addNodes(mesh, law.masses(mesh, STIFFNESS));
             structures.add(s);
             firsts.add(first);
-            law.addEdges(parts.passive, mesh, first, STIFFNESS);
+            law.addEdges(parts.passive, mesh, first, STIFFNESS, 0);
             double[] p = mesh.positions();
             for (AcrossSheet.Pair pair : AcrossSheet.of(mesh, REACH_MM).nearest(BRACES)) {
                 parts.passive.add(

@@ -9,7 +9,10 @@ import org.phrenic.geometry.TriangleMesh;
  */
 final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
-    private static final int SWEEPS = 14;
+    private static final int SWEEPS = 20;
+    private static final int NORMAL_PASSES = 6;
+    private static final double SHARP_COSINE = 0.87;
+    private static final int SOFTENING_PASSES = 8;
     private static final double TENDON_EDGE_MM = 8;
 
     private final VirtualThoraxParameters.Diaphragm measures;
@@ -40,18 +43,58 @@ final class DiaphragmSheet {
         int inner = RingMesh.total(counts) - counts[counts.length - 1];
         TriangleMesh middle = RingMesh.mesh(meridians, counts, true);
         middle = Relaxation.relax(middle, SWEEPS, v -> v < inner ? shape : null);
-        return thicken(middle, inner);
+        return thicken(soften(middle, inner), inner);
+    }
+
+    /** Rounds the crura's edges, where the sheet bends more sharply than its thickness allows; above, the liver lies close. */
+    private TriangleMesh soften(TriangleMesh middle, int firstRim) {
+        int n = middle.vertexCount();
+        int[] face = middle.triangles();
+        double[][] p = new double[n][];
+        double[][] normals = new double[n][];
+        for (int v = 0; v < n; v++) {
+            p[v] = V3.of(middle.x(v), middle.y(v), middle.z(v));
+            normals[v] = shape.normal(p[v]);
+        }
+        double[] share = new double[n];
+        for (int c = 0; c < face.length; c++) {
+            int a = face[c];
+            int b = face[c % 3 == 2 ? c - 2 : c + 1];
+            if (p[a][2] < PIVOT_Z && V3.dot(normals[a], normals[b]) < SHARP_COSINE) {
+                share[a] = a < firstRim ? 0.5 : 0;
+                share[b] = b < firstRim ? 0.5 : 0;
+            }
+        }
+        for (int pass = 0; pass < SOFTENING_PASSES; pass++) {
+            double[][] sums = new double[n][3];
+            int[] count = new int[n];
+            for (int c = 0; c < face.length; c++) {
+                int a = face[c];
+                sums[a] = V3.add(sums[a], p[face[c % 3 == 2 ? c - 2 : c + 1]], 1);
+                count[a]++;
+            }
+            for (int v = 0; v < n; v++) {
+                if (share[v] > 0) {
+                    p[v] = V3.lerp(p[v], V3.add(V3.of(0, 0, 0), sums[v], 1.0 / count[v]), share[v]);
+                }
+            }
+        }
+        double[] positions = new double[3 * n];
+        for (int v = 0; v < n; v++) {
+            System.arraycopy(p[v], 0, positions, 3 * v, 3);
+        }
+        return middle.withPositions(positions);
     }
 
     private TriangleMesh thicken(TriangleMesh middle, int firstRim) {
         int n = middle.vertexCount();
         double[] positions = new double[6 * n];
+        double[][] normals = smoothNormals(middle);
         for (int v = 0; v < n; v++) {
             double[] p = V3.of(middle.x(v), middle.y(v), middle.z(v));
-            double[] normal = shape.normal(p);
             double half = thickness(p) / 2;
-            System.arraycopy(V3.add(p, normal, half), 0, positions, 3 * v, 3);
-            System.arraycopy(V3.add(p, normal, -half), 0, positions, 3 * (n + v), 3);
+            System.arraycopy(V3.add(p, normals[v], half), 0, positions, 3 * v, 3);
+            System.arraycopy(V3.add(p, normals[v], -half), 0, positions, 3 * (n + v), 3);
         }
         int[] face = middle.triangles();
         int rim = n - firstRim;
@@ -73,6 +116,30 @@ final class DiaphragmSheet {
             }
         }
         return new TriangleMesh(positions, triangles);
+    }
+
+    /** Normals averaged over neighbours, so that the inner face does not fold where the sheet bends round the spine. */
+    private double[][] smoothNormals(TriangleMesh middle) {
+        int n = middle.vertexCount();
+        double[][] normals = new double[n][];
+        for (int v = 0; v < n; v++) {
+            normals[v] = shape.normal(V3.of(middle.x(v), middle.y(v), middle.z(v)));
+        }
+        int[] face = middle.triangles();
+        for (int pass = 0; pass < NORMAL_PASSES; pass++) {
+            double[][] sums = new double[n][3];
+            for (int t = 0; t < face.length; t += 3) {
+                for (int k = 0; k < 3; k++) {
+                    int v = face[t + k];
+                    sums[v] = V3.add(sums[v], normals[face[t + (k + 1) % 3]], 1);
+                    sums[v] = V3.add(sums[v], normals[face[t + (k + 2) % 3]], 1);
+                }
+            }
+            for (int v = 0; v < n; v++) {
+                normals[v] = V3.unit(V3.add(normals[v], V3.unit(sums[v]), 1));
+            }
+        }
+        return normals;
     }
 
     /** Thinner within the central tendon: a trefoil of the stated area about the domes and the plateau. */
