@@ -7,15 +7,18 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.format.MeshFiles;
 import org.phrenic.simulation.Scenario;
@@ -163,5 +166,29 @@ class CommandsTest {
         assertThat(Scenario.keys())
                 .allMatch(key -> usage.contains("`" + key + "`") || parameters.contains("`" + key + "`"));
         assertThat(usage).contains("phrenic run", "phrenic info", "phrenic bench");
+    }
+
+    static Stream<String> documentedLines() throws IOException {
+        return Stream.of("README.md", "docs/usage.md")
+                .flatMap(document -> {
+                    try {
+                        return Files.readAllLines(Path.of(document)).stream();
+                    } catch (IOException e) {
+                        throw new UncheckedIOException(e);
+                    }
+                })
+                .filter(line -> line.startsWith("phrenic "));
+    }
+
+    @ParameterizedTest
+    @MethodSource("documentedLines")
+    void everyDocumentedLineIsUnderstood(String line) {
+        String[] args = line.substring("phrenic ".length()).split(" ");
+        assertThat(new CommandLine(new Phrenic()).parseArgs(args).errors()).isEmpty();
+        for (String arg : args) {
+            if (arg.startsWith("data/")) {
+                assertThat(Path.of(arg)).isRegularFile();
+            }
+        }
     }
 }
