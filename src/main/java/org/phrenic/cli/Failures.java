@@ -3,12 +3,14 @@ package org.phrenic.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
-import java.util.List;
+import java.nio.file.FileSystemException;
+import java.util.Collection;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.format.BadInputException;
+import org.phrenic.format.KeySuggestion;
 import org.phrenic.format.OutputException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -28,13 +30,9 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
     @Override
     public int handleParseException(ParameterException failure, String[] args) {
         CommandLine line = failure.getCommandLine();
-        String sentence = failure.getMessage();
-        if (failure instanceof UnmatchedArgumentException unmatched) {
-            List<String> near = unmatched.getSuggestions();
-            sentence += near.isEmpty()
-                    ? ""
-                    : ", did you mean " + near.stream().limit(3).collect(Collectors.joining(" or ")) + "?";
-        }
+        String sentence = failure instanceof UnmatchedArgumentException unmatched
+                ? unmatched(unmatched, line)
+                : failure.getMessage();
         print(line.getErr(), sentence + " (" + line.getCommandSpec().qualifiedName() + " --help)", failure);
         return ExitCode.BAD_INPUT;
     }
@@ -56,6 +54,18 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
         return ExitCode.FAILURE;
     }
 
+    private static String unmatched(UnmatchedArgumentException failure, CommandLine line) {
+        String found = failure.getUnmatched().get(0);
+        Set<String> commands = line.getSubcommands().keySet();
+        Collection<String> known =
+                found.startsWith("-") ? line.getCommandSpec().optionsMap().keySet() : commands;
+        String kind = found.startsWith("-") ? "option" : commands.isEmpty() ? "argument" : "command";
+        return "found an unknown " + kind + " '" + found + "'"
+                + KeySuggestion.nearest(found, known)
+                        .map(near -> ", did you mean '" + near + "'?")
+                        .orElse(kind.equals("command") ? ", expected one of " + String.join(", ", commands) : "");
+    }
+
     private static boolean isInput(Exception failure) {
         return failure instanceof BadInputException
                 || failure instanceof OutputException
@@ -67,7 +77,7 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
     /** The messages of file-system exceptions are a bare path: their kind is said too. */
     private static String sentence(Exception failure) {
         Throwable cause = failure instanceof UncheckedIOException ? failure.getCause() : failure;
-        if (!(cause instanceof java.nio.file.FileSystemException)) {
+        if (!(cause instanceof FileSystemException)) {
             return cause.getMessage();
         }
         String kind = cause.getClass().getSimpleName().replaceFirst("Exception$", "");
@@ -76,7 +86,7 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
     }
 
     private void print(PrintWriter err, String sentence, Exception failure) {
-        err.println("phrenic: " + String.valueOf(sentence).strip().replaceAll("\\s*\\R\\s*", " "));
+        err.println("phrenic: " + sentence.strip().replaceAll("\\s*\\R\\s*", " "));
         if (debug.getAsBoolean()) {
             failure.printStackTrace(err);
         }

@@ -22,6 +22,7 @@ final class ProgressPrinter implements SimulationRun.Progress {
     }
 
     /** Whether someone looks at a terminal that can draw over a line. */
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22, asked from there on
     static boolean isTerminal() {
         Console console = System.console();
         String kind = System.getenv("TERM");
@@ -29,7 +30,6 @@ final class ProgressPrinter implements SimulationRun.Progress {
             return false;
         }
         try {
-            // From Java 22 on there is a console even where there is no terminal, and it can be asked.
             return (boolean) Console.class.getMethod("isTerminal").invoke(console);
         } catch (NoSuchMethodException before22) {
             return true;

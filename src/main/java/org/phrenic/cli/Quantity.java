@@ -23,8 +23,10 @@ record Quantity(String label, String unit) {
             Map.entry("_s", "s"));
 
     static Quantity of(String key) {
-        String ending =
-                UNITS.keySet().stream().filter(key::endsWith).reduce("", (a, b) -> b.length() > a.length() ? b : a);
+        // A rate keeps its name whole: "steps per s".
+        String ending = key.endsWith("_per_s")
+                ? ""
+                : UNITS.keySet().stream().filter(key::endsWith).findFirst().orElse("");
         return new Quantity(
                 key.substring(0, key.length() - ending.length()).replace('_', ' '), UNITS.getOrDefault(ending, ""));
     }

@@ -307,7 +307,8 @@ public enum Parameter {
         return plain(minimum) + " to " + plain(maximum) + (unit.equals("1") ? "" : " " + unit);
     }
 
-    private static String plain(double value) {
+    /** A number for people: without a fraction where it has none. */
+    static String plain(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e9
                 ? String.format(Locale.ROOT, "%.0f", value)
                 : Double.toString(value);

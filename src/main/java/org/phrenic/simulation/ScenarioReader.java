@@ -207,7 +207,10 @@ final class ScenarioReader {
         }
         double value = yaml.number(key);
         if (!(value > 0) || !(value <= most)) {
-            throw yaml.bad(key, "found " + value + ", expected more than 0, at most " + most + " s");
+            throw yaml.bad(
+                    key,
+                    "found " + Parameter.plain(value) + ", expected more than 0, at most " + Parameter.plain(most)
+                            + " s");
         }
         return value;
     }

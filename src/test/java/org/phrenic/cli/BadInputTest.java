@@ -161,8 +161,9 @@ class BadInputTest {
 
     static Stream<Arguments> options() {
         return Stream.of(
-                bad("unknown command", "nope", f -> List.of("nope")),
-                bad("unknown option", "did you mean --threads?", options("--theads", "2")),
+                bad("unknown command", "run, info, bench", f -> List.of("nope")),
+                bad("mistyped command", "did you mean 'bench'?", f -> List.of("bensh")),
+                bad("unknown option", "did you mean '--threads'?", options("--theads", "2")),
                 bad("option without value", "--threads", options("--threads")),
                 bad("threads 0", "--threads 0", options("--threads", "0")),
                 bad("threads a word", "expected a whole number", options("--threads", "all")),
