@@ -34,8 +34,7 @@ public final class AcrossSheet {
      * @param reach the suitable distance, mm
      */
     public static AcrossSheet of(Diaphragm diaphragm, double reach) {
-        return new AcrossSheet(
-                diaphragm.sheet(), reach, (i, j) -> diaphragm.isThoracic(i) != diaphragm.isThoracic(j));
+        return new AcrossSheet(diaphragm.sheet(), reach, (i, j) -> diaphragm.isThoracic(i) != diaphragm.isThoracic(j));
     }
 
     /**
@@ -71,10 +70,7 @@ public final class AcrossSheet {
                 }
                 for (int j : near) {
                     double d = distance(sheet, i, j);
-                    if (d <= reach
-                            && d > SHORTEST_MM
-                            && opposite.test(i, j)
-                            && dot(normals, i, j) < OPPOSING) {
+                    if (d <= reach && d > SHORTEST_MM && opposite.test(i, j) && dot(normals, i, j) < OPPOSING) {
                         found.add(new double[] {d, j});
                     }
                 }

@@ -31,12 +31,7 @@ public final class ChestWall {
      * @param bones what carries the wall
      * @param pose of the rib cage
      */
-    public ChestWall(
-            double[] contents,
-            double centreX,
-            double centreY,
-            BoneWeights bones,
-            RibCagePose pose) {
+    public ChestWall(double[] contents, double centreX, double centreY, BoneWeights bones, RibCagePose pose) {
         this.centreX = centreX;
         this.centreY = centreY;
         double low = Double.POSITIVE_INFINITY;

@@ -23,7 +23,13 @@ final class DiaphragmPart {
     final int first;
     final List<AcrossSheet.Pair> links;
 
-    DiaphragmPart(SceneParts parts, Diaphragm diaphragm, TissueLaw law, double tendonRatio, boolean struts, int linksPerNode) {
+    DiaphragmPart(
+            SceneParts parts,
+            Diaphragm diaphragm,
+            TissueLaw law,
+            double tendonRatio,
+            boolean struts,
+            int linksPerNode) {
         this.diaphragm = diaphragm;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);

@@ -25,7 +25,6 @@ final class LiverPart {
     private final int[] attached;
     private final double[] share;
 
-
     LiverPart(Structure liver, DiaphragmPart part) {
         structure = liver;
         diaphragm = part;
@@ -52,7 +51,11 @@ final class LiverPart {
 
     private static int[] roof(Diaphragm d, double[] normals, double[] distance, double middle, double reach) {
         return IntStream.range(0, distance.length)
-                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && d.sheet().y(i) > middle && normals[3 * i + 2] < ROOF && distance[i] < reach)
+                .filter(i -> !d.isThoracic(i)
+                        && !d.isInserted(i)
+                        && d.sheet().y(i) > middle
+                        && normals[3 * i + 2] < ROOF
+                        && distance[i] < reach)
                 .toArray();
     }
 

@@ -26,12 +26,16 @@ final class LungMeasure {
         structures = stepped ? scene.lungs().get().structures : scene.embeddedLungs();
         int n = structures.size();
         firsts = stepped
-                ? scene.lungs().get().firsts.stream().mapToInt(Integer::intValue).toArray()
+                ? scene.lungs().get().firsts.stream()
+                        .mapToInt(Integer::intValue)
+                        .toArray()
                 : null;
         walls = new BlendedMotion[n];
         carrier = new int[n][];
         carried = new double[n][];
-        BoneWeights bones = stepped || n == 0 ? null : BoneWeights.of(scene.thorax(), scene.pose().cage());
+        BoneWeights bones = stepped || n == 0
+                ? null
+                : BoneWeights.of(scene.thorax(), scene.pose().cage());
         for (int s = 0; s < n; s++) {
             TriangleMesh mesh = structures.get(s).mesh();
             if (!stepped) {

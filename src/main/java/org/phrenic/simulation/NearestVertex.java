@@ -55,7 +55,8 @@ final class NearestVertex {
         int most = Math.max(cells[0], Math.max(cells[1], cells[2]));
         int best = -1;
         double bestSquared = Double.POSITIVE_INFINITY;
-        // A point outside the box is clamped into it, so a shell can hold nearer vertices than its number says; one more shell settles it.
+        // A point outside the box is clamped into it, so a shell can hold nearer vertices than its number says; one
+        // more shell settles it.
         for (int shell = 0; shell <= most; shell++) {
             if (best >= 0 && bestSquared < (shell - 1.0) * (shell - 1.0) * CELL_MM * CELL_MM) {
                 break;

@@ -6,10 +6,19 @@ import org.phrenic.breathing.BreathState;
 final class Observer {
     /** Places in the plan of the sheet ({@link Patch}): the dome is measured at its back third, where M-mode ultrasound looks. */
     private static final double[][] PLACES = {
-        {-0.5, 0.33}, {0.5, 0.33}, {0, -0.2},
-        {-0.45, -0.45}, {-0.45, 0.1}, {-0.45, 0.5},
-        {0.45, -0.45}, {0.45, 0.1}, {0.45, 0.5},
-        {-0.65, 0.1}, {-0.2, 0.1}, {0.65, 0.1}, {0.2, 0.1},
+        {-0.5, 0.33},
+        {0.5, 0.33},
+        {0, -0.2},
+        {-0.45, -0.45},
+        {-0.45, 0.1},
+        {-0.45, 0.5},
+        {0.45, -0.45},
+        {0.45, 0.1},
+        {0.45, 0.5},
+        {-0.65, 0.1},
+        {-0.2, 0.1},
+        {0.65, 0.1},
+        {0.2, 0.1},
     };
 
     private final Scene scene;
@@ -75,7 +84,7 @@ final class Observer {
             double[] start = liver.structure.mesh().positions();
             double[] moved = liver.positions(rest, now);
             for (int i = 0; i < start.length; i++) {
-                mean[i % 3] += (moved[i] - start[i]) / (start.length / 3);
+                mean[i % 3] += 3 * (moved[i] - start[i]) / start.length;
             }
         });
         return mean;

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.phrenic.anatomy.RibCagePose;
 import org.phrenic.anatomy.Structure;
@@ -47,8 +48,9 @@ final class Recorder {
         double[] now = new double[scene.rest().length];
         scene.system().layout().toCaller(scene.system().positions(), now);
         int part = 0;
-        for (Map.Entry<String, TriangleMesh> entry : surfaces(scene, observer, time, now).entrySet()) {
-            Path file = out.resolve("meshes").resolve(String.format("%s_%05d.vtp", entry.getKey(), frame));
+        for (Map.Entry<String, TriangleMesh> entry :
+                surfaces(scene, observer, time, now).entrySet()) {
+            Path file = out.resolve("meshes").resolve(String.format(Locale.ROOT, "%s_%05d.vtp", entry.getKey(), frame));
             VtpWriter.write(file, entry.getValue(), pointData(scene, entry.getKey(), now));
             series.add(time, part++, file);
         }
@@ -88,14 +90,11 @@ final class Recorder {
         for (int i = 0; i < lungs.size(); i++) {
             map.put(
                     lungs.get(i).name(),
-                    lungs.get(i)
-                            .mesh()
-                            .withPositions(observer.lungs().positions(i, time, scene.rest(), now)));
+                    lungs.get(i).mesh().withPositions(observer.lungs().positions(i, time, scene.rest(), now)));
         }
         scene.liver()
-                .ifPresent(l -> map.put(
-                        l.structure.name(),
-                        l.structure.mesh().withPositions(l.positions(scene.rest(), now))));
+                .ifPresent(l ->
+                        map.put(l.structure.name(), l.structure.mesh().withPositions(l.positions(scene.rest(), now))));
         for (Structure s : scene.thorax().structures()) {
             map.putIfAbsent(s.name(), rigid(s, scene.pose()));
         }

@@ -22,7 +22,8 @@ final class Remeshing {
         if (Math.abs(present - vertices) <= NEAR_ENOUGH * vertices) {
             return structures;
         }
-        double area = structures.stream().mapToDouble(s -> MeshMeasure.area(s.mesh())).sum();
+        double area =
+                structures.stream().mapToDouble(s -> MeshMeasure.area(s.mesh())).sum();
         return structures.parallelStream()
                 .map(s -> {
                     int share = (int) Math.round(vertices * MeshMeasure.area(s.mesh()) / area);

@@ -25,6 +25,7 @@ import org.phrenic.engine.force.ActionLine;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.force.FacePressure;
+import org.phrenic.engine.force.FallOff;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.format.BadInputException;
 import org.phrenic.geometry.MeshMeasure;
@@ -86,7 +87,8 @@ final class SceneAssembly {
                 : Optional.empty();
         List<Structure> lungStructures = scenario.lungs() == LungModel.OFF
                 ? List.of()
-                : Remeshing.toBudget(thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
+                : Remeshing.toBudget(
+                        thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
         ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
         Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
@@ -127,9 +129,7 @@ final class SceneAssembly {
                     layout, pleural, wall.feltBy(points(positions, 0, pleural), true), REFRESH_S));
         }
         Optional<LiverPart> liver = scenario.liver()
-                ? thorax.all(StructureKind.LIVER).stream()
-                        .findFirst()
-                        .map(s -> new LiverPart(s, diaphragm))
+                ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))
                 : Optional.empty();
         return new Scene(
                 thorax,
@@ -201,7 +201,7 @@ final class SceneAssembly {
         if (scenario.material() == Material.PAPER) {
             Diaphragm sheet = diaphragm.diaphragm;
             for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
-                double fade = org.phrenic.engine.force.FallOff.at(sheet.distanceFromInsertion(i), ATTACHMENT_MM);
+                double fade = FallOff.at(sheet.distanceFromInsertion(i), ATTACHMENT_MM);
                 if (fade > 0 && !sheet.isInserted(i)) {
                     parts.attach(diaphragm.first + i, ATTACHMENT_SHARE * value(Parameter.SPRING_STIFFNESS) * fade);
                 }
@@ -215,34 +215,26 @@ final class SceneAssembly {
                     attached,
                     parts.attachedStiffnesses(),
                     0,
-                    new BlendedMotion(pose, anchors, bones.at(anchors)),
-                    REFRESH_S);
+                    new BlendedMotion(pose, anchors, bones.at(anchors)));
+            springs.setRefreshInterval(REFRESH_S);
             springs.setFactor(value(Parameter.STERNUM_COUPLING));
             system.add(springs);
         }
         return inserted.length + attached.length;
     }
 
-    private ChestWall wall(
-            List<Structure> lungs,
-            DiaphragmPart diaphragm,
-            BoneWeights bones,
-            RibCagePose pose) {
+    private ChestWall wall(List<Structure> lungs, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose) {
         Diaphragm sheet = diaphragm.diaphragm;
         int[] thoracic = IntStream.range(0, sheet.sheet().vertexCount())
                 .filter(sheet::isThoracic)
                 .toArray();
         double[] contents = DoubleStream.concat(
                         Arrays.stream(points(sheet.sheet().positions(), 0, thoracic)),
-                        lungs.stream().flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
+                        lungs.stream()
+                                .flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
                 .toArray();
         double[] box = sheet.sheet().bounds();
-        return new ChestWall(
-                contents,
-                0.5 * (box[0] + box[3]),
-                0.5 * (box[1] + box[4]),
-                bones,
-                pose);
+        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose);
     }
 
     /** Rest lengths that hold the sheet in its given shape against the pressure at rest; what they leave is carried by a dead load. */
@@ -348,28 +340,24 @@ final class SceneAssembly {
     }
 
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */
-    private void addActionLines(
-            ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
+    private void addActionLines(ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
         double[] box = diaphragm.diaphragm.sheet().bounds();
         int[] muscle = shifted(diaphragm.muscle(), diaphragm.first);
         ActionLine[] lines = new ActionLine[2];
         for (int side = 0; side < 2; side++) {
             double x = 0.5 * (box[0] + box[3]) + (side == 0 ? -1 : 1) * 0.25 * (box[3] - box[0]);
             double y = 0.5 * (box[1] + box[4]);
-            lines[side] = new ActionLine(
-                    system.layout(), muscle, positions, x, y, value(Parameter.ACTION_RADIUS));
+            lines[side] = new ActionLine(system.layout(), muscle, positions, x, y, value(Parameter.ACTION_RADIUS));
             system.add(lines[side]);
         }
         drive.drives(lines, value(Parameter.MUSCLE_FORCE));
     }
 
     private static RigidLinks links(NodeLayout layout, DiaphragmPart diaphragm, double[] positions) {
-        int[] a = diaphragm.links.stream()
-                .mapToInt(p -> diaphragm.first + p.a())
-                .toArray();
-        int[] b = diaphragm.links.stream()
-                .mapToInt(p -> diaphragm.first + p.b())
-                .toArray();
+        int[] a =
+                diaphragm.links.stream().mapToInt(p -> diaphragm.first + p.a()).toArray();
+        int[] b =
+                diaphragm.links.stream().mapToInt(p -> diaphragm.first + p.b()).toArray();
         return RigidLinks.sweeping(layout, a, b, positions, LINK_TOLERANCE, LINK_SWEEPS);
     }
 }

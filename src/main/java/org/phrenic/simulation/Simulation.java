@@ -43,8 +43,7 @@ public final class Simulation implements AutoCloseable {
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
         BreathingPattern pattern = Patterns.of(scenario);
-        BreathDrive drive = new BreathDrive(
-                pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
+        BreathDrive drive = new BreathDrive(pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
         RibCage cage;
         try {
             cage = RibCage.of(thorax, RibAxisTable.preset(RibAxisTable.WILSON_CT));
@@ -55,8 +54,8 @@ public final class Simulation implements AutoCloseable {
         try {
             Scene scene = SceneAssembly.assemble(scenario, thorax, drive, cage, workers);
             double moved = settle(scenario, scene);
-            Stepper stepper = new Stepper(
-                    scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy());
+            Stepper stepper =
+                    new Stepper(scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy());
             return new Simulation(scene, stepper, workers, moved);
         } catch (RuntimeException e) {
             workers.close();
@@ -67,17 +66,15 @@ public final class Simulation implements AutoCloseable {
     /** Lets the scene come to rest at end-expiration and takes that as its rest shape; returns how far it went, rms mm. */
     private static double settle(Scenario scenario, Scene scene) {
         if (scenario.material() == Material.PAPER) {
-            // Rest lengths are those of the given shape and nothing pulls at end-expiration: it is at rest as it stands.
+            // Rest lengths are those of the given shape and nothing pulls at end-expiration: it is at rest as it
+            // stands.
             return 0;
         }
         ParticleSystem system = scene.system();
         double[] viscosity = system.viscosities().clone();
         system.setViscosityPerMass(SETTLE_DAMPING);
         scene.drive().hold(true);
-        Stepper stepper = new Stepper(
-                IntegratorKind.VERLET.on(system),
-                scenario.timeStepS(),
-                StepPolicy.SUBSTEP);
+        Stepper stepper = new Stepper(IntegratorKind.VERLET.on(system), scenario.timeStepS(), StepPolicy.SUBSTEP);
         long steps = Math.round(SETTLE_S / scenario.timeStepS());
         for (long i = 0; i < steps; i++) {
             stepper.step();

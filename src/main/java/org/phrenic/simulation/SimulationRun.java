@@ -30,8 +30,7 @@ public final class SimulationRun {
     public static Thorax thorax(Scenario scenario) {
         if (scenario.isVirtual()) {
             String preset = scenario.anatomy().substring("virtual/".length());
-            return VirtualThorax.generate(
-                    VirtualThoraxParametersReader.preset(preset), scenario.resolution());
+            return VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), scenario.resolution());
         }
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }
@@ -51,16 +50,16 @@ public final class SimulationRun {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
             Stepper stepper = simulation.stepper();
             if (stepper.substeps() > 1) {
-                progress.note(stepper.limit().sentence(scenario.integrator(), scenario.timeStepS())
-                        + ": split into " + stepper.substeps() + " substeps");
+                progress.note(stepper.limit().sentence(scenario.integrator(), scenario.timeStepS()) + ": split into "
+                        + stepper.substeps() + " substeps");
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
             Recorder recorder = new Recorder(scenario, simulation, out);
-            double total = scenario.durationS(simulation.scene().drive().pattern().periodS());
+            double total =
+                    scenario.durationS(simulation.scene().drive().pattern().periodS());
             List<Observation> samples = new ArrayList<>();
             double stepping = advance(scenario, simulation, total, samples, recorder, progress);
-            Map<String, Object> summary =
-                    summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
+            Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
             recorder.finish(summary, samples);
             return summary;
         }

@@ -63,6 +63,7 @@ final class SternumPart {
         if (rib < 0) {
             return FADE_MM;
         }
-        return SceneParts.distance(p, vertex, cage.bodies().get(rib).ends().orElseThrow().anterior(), 0);
+        return SceneParts.distance(
+                p, vertex, cage.bodies().get(rib).ends().orElseThrow().anterior(), 0);
     }
 }

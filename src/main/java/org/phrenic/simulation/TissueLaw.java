@@ -35,7 +35,8 @@ interface TissueLaw {
                 double[] areas = MeshMeasure.vertexAreas(mesh);
                 double least = 0.1 * MeshMeasure.area(mesh) / areas.length;
                 for (int i = 0; i < areas.length; i++) {
-                    // A sliver's vertex has next to no area; it gets a tenth of the mean, or it would set the step for all.
+                    // A sliver's vertex has next to no area; it gets a tenth of the mean, or it would set the step for
+                    // all.
                     areas[i] = Math.max(areas[i], least);
                     areas[i] *= relative * areaDensity * 1e-6;
                 }

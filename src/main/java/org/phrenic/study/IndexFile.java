@@ -51,7 +51,7 @@ public final class IndexFile {
             if (text.isEmpty()) {
                 continue;
             }
-            String[] words = SPACE.split(text);
+            String[] words = SPACE.split(text, -1);
             if (words.length != perLine) {
                 throw bad(file, i, "found " + words.length + " words, expected " + perLine + " vertex indices");
             }

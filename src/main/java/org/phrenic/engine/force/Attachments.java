@@ -15,7 +15,7 @@ public final class Attachments implements ForceField {
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
-    private final double refreshInterval;
+    private double refreshInterval;
     private double refreshed = Double.NaN;
     private double elapsed;
     private double factor = 1;
@@ -26,17 +26,10 @@ public final class Attachments implements ForceField {
      * @param stiffness of each, N/m
      * @param damping dashpot of each as a multiple of its stiffness, s; 0 for none
      * @param anchors where each is attached, in the same order
-     * @param refreshInterval simulated time after which anchors are asked for anew, s; in between they go on at their velocity. 0 asks at every
-     *     evaluation
      * @throws IllegalArgumentException if numbers differ, or a stiffness or the damping is negative or not finite
      */
     public Attachments(
-            NodeLayout layout,
- int[] callerNodes,
- double[] stiffness,
- double damping,
- PrescribedMotion anchors,
- double refreshInterval) {
+            NodeLayout layout, int[] callerNodes, double[] stiffness, double damping, PrescribedMotion anchors) {
         if (stiffness.length != callerNodes.length || anchors.pointCount() != callerNodes.length) {
             throw new IllegalArgumentException("attachments: found " + callerNodes.length + " nodes, "
                     + stiffness.length + " stiffnesses and " + anchors.pointCount() + " anchors, expected as many");
@@ -54,10 +47,18 @@ public final class Attachments implements ForceField {
         this.stiffness = stiffness.clone();
         this.dampingRatio = damping;
         this.anchors = anchors;
-        this.refreshInterval = refreshInterval;
         this.anchor = new double[3 * callerNodes.length];
         this.anchorVelocity = new double[3 * callerNodes.length];
         anchors.at(0, anchor, anchorVelocity);
+    }
+
+    /**
+     * Asks for the anchors anew only after so much simulated time; in between they go on at their velocity. 0, the default, asks at every evaluation.
+     *
+     * @param seconds not negative
+     */
+    public void setRefreshInterval(double seconds) {
+        refreshInterval = seconds;
     }
 
     /** Multiplies every stiffness from now on. */
@@ -87,7 +88,8 @@ public final class Attachments implements ForceField {
             double k = factor * stiffness[nodes.item[i]];
             double c = k * dampingRatio;
             for (int axis = 0; axis < 3; axis++) {
-                force[n + axis] += k * (anchor[p + axis] + elapsed * anchorVelocity[p + axis] - x[n + axis]) + c * (anchorVelocity[p + axis] - v[n + axis]);
+                force[n + axis] += k * (anchor[p + axis] + elapsed * anchorVelocity[p + axis] - x[n + axis])
+                        + c * (anchorVelocity[p + axis] - v[n + axis]);
             }
         }
     }
