@@ -16,6 +16,7 @@ final class DiaphragmPart {
     private static final double REACH_MM = 20;
 
     private static final int STRUTS = 3;
+    private static final double MIDLINE_MM = 20;
     /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
     private static final double STRUT_STIFFNESS = 0.3;
 
@@ -29,7 +30,8 @@ final class DiaphragmPart {
             TissueLaw law,
             double tendonRatio,
             boolean struts,
-            int linksPerNode) {
+            int linksPerNode,
+            double leftOverRight) {
         this.diaphragm = diaphragm;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);
@@ -38,7 +40,7 @@ final class DiaphragmPart {
             muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
         }
         first = parts.addNodes(sheet, muscle);
-        addEdges(parts.diaphragm, law, tendonRatio);
+        addEdges(parts.diaphragm, law, tendonRatio, leftOverRight);
         AcrossSheet across = AcrossSheet.of(diaphragm, REACH_MM);
         if (struts) {
             double[] p = sheet.positions();
@@ -54,11 +56,13 @@ final class DiaphragmPart {
         links = across.matched(diaphragm::isTendon, linksPerNode);
     }
 
-    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio) {
+    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio, double leftOverRight) {
         TriangleMesh sheet = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
         double[] p = sheet.positions();
         double[] fibre = diaphragm.fibreDirections();
+        double[] box = sheet.bounds();
+        double middle = 0.5 * (box[0] + box[3]);
         for (int e = 0; e < topology.edgeCount(); e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
@@ -77,11 +81,19 @@ final class DiaphragmPart {
                     first + b,
                     law.edgeStiffness(sides, stiff ? tendonRatio : 1),
                     SceneParts.distance(p, a, p, b),
-                    stiff ? 0 : share / sides);
+                    stiff ? 0 : share / sides * drive(0.5 * (sheet.x(a) + sheet.x(b)) - middle, leftOverRight));
         }
     }
 
-    /** cos² of the angle between an edge and the fibres of a triangle; 0 in the tendon. */
+    /** Share of the muscle's drive that a place left (+) or right (-) of the middle takes: 1 on the stronger side, changing smoothly across the midline. */
+    private static double drive(double x, double leftOverRight) {
+        double right = Math.min(1, 1 / leftOverRight);
+        double left = Math.min(1, leftOverRight);
+        double s = Math.max(0, Math.min(1, 0.5 + 0.5 * x / MIDLINE_MM));
+        return right + (left - right) * s * s * (3 - 2 * s);
+    }
+
+    /** cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon: muscle shortens along its fibres and hardly across them (Boriek and Rodarte 1997), so a slanting edge shortens less than cos² would have it. */
     private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
         double dot = 0;
         double squared = 0;

@@ -81,7 +81,8 @@ final class SceneAssembly {
                 law,
                 value(Parameter.TENDON_RATIO),
                 physical,
-                scenario.tensegrity() ? scenario.linksPerNode() : 0);
+                scenario.tensegrity() ? scenario.linksPerNode() : 0,
+                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, thorax, cage, scenario.resolution(), law))
                 : Optional.empty();
