@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.AcrossSheet;
+import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
@@ -17,6 +18,10 @@ final class DiaphragmPart {
 
     private static final int STRUTS = 3;
     private static final double MIDLINE_MM = 20;
+    /** Depth below the wall at rest up to which the abdominal face is apposed. */
+    private static final double APPOSED_MM = 15;
+    /** Something more than half of the sheet's 2 to 5 mm. */
+    private static final double BEHIND_MM = 1.8;
     /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
     private static final double STRUT_STIFFNESS = 0.3;
 
@@ -113,11 +118,20 @@ final class DiaphragmPart {
                 .toArray();
     }
 
-    /** Vertices of the sheet that slide on the chest wall: the thoracic face of the muscle. */
-    int[] sliding() {
-        return IntStream.range(0, diaphragm.sheet().vertexCount())
-                .filter(i -> diaphragm.isThoracic(i) && !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+    /**
+     * Vertices of the sheet that the chest wall stops: the thoracic face of the muscle, and the abdominal face where it is apposed, for a strut keeps its length but would let the two faces change places.
+     */
+    int[] sliding(ChestWall wall) {
+        TriangleMesh s = diaphragm.sheet();
+        return IntStream.range(0, s.vertexCount())
+                .filter(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+                .filter(i -> diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM)
                 .toArray();
+    }
+
+    /** How far inside the wall a vertex is stopped, mm. */
+    double inset(int vertex) {
+        return diaphragm.isThoracic(vertex) ? 0 : BEHIND_MM;
     }
 
     /** Vertices of the muscle. */
