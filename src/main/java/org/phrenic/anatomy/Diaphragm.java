@@ -15,7 +15,7 @@ import org.phrenic.geometry.TriangleMesh;
  */
 public final class Diaphragm {
     /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
-    public static final double TENDON_SHARE = 0.16;
+    public static final double TENDON_SHARE = 0.14;
 
     private final TriangleMesh sheet;
     private final MeshTopology topology;
