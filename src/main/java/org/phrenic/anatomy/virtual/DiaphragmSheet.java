@@ -42,7 +42,7 @@ final class DiaphragmSheet {
         int[] counts = RingMesh.counts(meridians, edge, 0);
         int inner = RingMesh.total(counts) - counts[counts.length - 1];
         TriangleMesh middle = RingMesh.mesh(meridians, counts, true);
-        middle = Relaxation.relax(middle, SWEEPS, v -> v < inner ? shape : null);
+        middle = Relaxation.relaxAndSpread(middle, SWEEPS, v -> v < inner ? shape : null);
         return thicken(soften(middle, inner), inner);
     }
 
