@@ -15,6 +15,7 @@ import org.phrenic.anatomy.Thorax;
 
 class VirtualThoraxMeshTest {
     private static final double BUDGET_TOLERANCE = 0.01;
+    private static final double LEAST_EDGE_MM = 1.5;
 
     @ParameterizedTest
     @CsvSource({
@@ -70,6 +71,14 @@ class VirtualThoraxMeshTest {
                     .count();
             assertThat(needles).as(name).isLessThan(n / 200);
         }
+    }
+
+    /** The shortest edge sets the time step: a wave of stretch must not cross it within one (Courant). */
+    @ParameterizedTest
+    @CsvSource({"adult-male, MEDIUM", "adult-male, HIGH", "adult-female, MEDIUM", "adult-female, HIGH"})
+    void noEdgeOfTheDiaphragmIsShort(String preset, Resolution resolution) {
+        Surface sheet = Bodies.surface(Bodies.grow(preset, resolution), "diaphragm");
+        assertThat(sheet.shortestEdge()).isGreaterThan(LEAST_EDGE_MM);
     }
 
     @Test
