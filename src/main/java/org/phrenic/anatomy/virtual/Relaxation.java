@@ -116,14 +116,16 @@ final class Relaxation {
 
     /** Adds to vertex a's move: towards its neighbour b, or away from it where they stand too close. */
     private void pull(int a, int b, double[] sum) {
-        double[] way = V3.minus(vertex(b), vertex(a));
-        double length = Math.max(V3.length(way), 1e-9);
+        double x = positions[3 * b] - positions[3 * a];
+        double y = positions[3 * b + 1] - positions[3 * a + 1];
+        double z = positions[3 * b + 2] - positions[3 * a + 2];
+        double length = Math.max(Math.sqrt(x * x + y * y + z * z), 1e-9);
         double least = LEAST_EDGE * meanEdge;
         double weight = length < least ? 1 - REPULSION * (least / length - 1) : 1;
         weight = Math.max(weight, -MOST_PUSH * least / length);
-        for (int axis = 0; axis < 3; axis++) {
-            sum[3 * a + axis] += weight * way[axis];
-        }
+        sum[3 * a] += weight * x;
+        sum[3 * a + 1] += weight * y;
+        sum[3 * a + 2] += weight * z;
     }
 
     private static double meanEdge(double[] positions, int[] triangles) {

@@ -3,6 +3,8 @@ package org.phrenic.anatomy.virtual;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -114,14 +116,16 @@ class VirtualThoraxMeshTest {
         }
     }
 
+    /** Processor time, all threads together, the compiler's too: a busy machine takes longer but does not fail this. */
     @Test
-    void growsInUnderTwoSeconds() {
+    void growsInUnderTwoSecondsOfProcessorTime() {
+        var system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
         double best = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3 && best > 2; i++) {
-            long start = System.nanoTime();
+            long start = system.getProcessCpuTime();
             VirtualThorax.generate(parameters, Resolution.HIGH);
-            best = Math.min(best, (System.nanoTime() - start) * 1e-9);
+            best = Math.min(best, (system.getProcessCpuTime() - start) * 1e-9);
         }
         assertThat(best).isLessThan(2);
     }
