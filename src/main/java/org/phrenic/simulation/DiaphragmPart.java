@@ -81,7 +81,7 @@ final class DiaphragmPart {
         }
     }
 
-    /** cos² of the angle between an edge and the fibres of a triangle; 0 in the tendon. */
+    /** cos⁴ of the angle between an edge and the fibres of a triangle; 0 in the tendon. */
     private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
         double dot = 0;
         double squared = 0;
