@@ -5,9 +5,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.phrenic.format.BadInputException;
@@ -27,6 +30,15 @@ public final class ThoraxFolder {
     /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
     private static final double WELD_MM = 1e-3;
 
+    /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
+    private static final Set<StructureKind> SINGLE = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC,
+            StructureKind.DIAPHRAGM,
+            StructureKind.LIVER);
+
     private ThoraxFolder() {}
 
     /**
@@ -42,6 +54,7 @@ public final class ThoraxFolder {
         Map<String, Path> files = yaml.has("structures") ? listed(folder, yaml) : named(folder);
         List<String> notes = new ArrayList<>();
         List<Structure> raw = new ArrayList<>();
+        Map<StructureName, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
             if (known.isEmpty()) {
@@ -53,6 +66,10 @@ public final class ThoraxFolder {
                 continue;
             }
             StructureName name = known.get();
+            Path twin = SINGLE.contains(name.kind()) ? seen.putIfAbsent(name, entry.getValue()) : null;
+            if (twin != null) {
+                throw twins(folder, twin, entry.getValue());
+            }
             raw.add(new Structure(
                     entry.getKey(), name.kind(), name.level(), name.side(), MeshFiles.read(entry.getValue())));
         }
@@ -76,10 +93,10 @@ public final class ThoraxFolder {
 
     private static BodyFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
         try {
-            if (!yaml.has("axes") && !yaml.has("units")) {
-                return BodyFrame.detect(raw);
+            if (!yaml.has("units")) {
+                return yaml.has("axes") ? BodyFrame.stated(yaml.text("axes"), raw) : BodyFrame.detect(raw);
             }
-            double unit = yaml.has("units") ? unit(yaml) : BodyFrame.detect(raw).millimetres();
+            double unit = unit(yaml);
             return new BodyFrame(
                     yaml.has("axes") ? yaml.text("axes") : BodyFrame.detect(raw).axes(), unit);
         } catch (IllegalArgumentException e) {
@@ -109,6 +126,11 @@ public final class ThoraxFolder {
         return result.mesh();
     }
 
+    private static BadInputException twins(Path folder, Path one, Path other) {
+        return new BadInputException(folder + ": found " + one.getFileName() + " and " + other.getFileName()
+                + ", expected one file a structure");
+    }
+
     private static Map<String, Path> listed(Path folder, YamlMap yaml) {
         Map<String, Path> files = new TreeMap<>();
         YamlMap structures = yaml.map("structures");
@@ -129,8 +151,7 @@ public final class ThoraxFolder {
                 String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {
-                    throw new BadInputException(folder + ": found " + twin.getFileName() + " and " + file.getFileName()
-                            + ", expected one file a structure");
+                    throw twins(folder, twin, file);
                 }
             }
         } catch (IOException e) {
