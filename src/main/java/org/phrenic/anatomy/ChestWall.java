@@ -59,17 +59,29 @@ public final class ChestWall {
     }
 
     /**
-     * The wall as some nodes feel it.
+     * The wall for nodes that may not pass it. A node that lies beyond the wall at rest, which is smoothed, keeps that much allowance.
      *
      * @param points the nodes at rest, mm
-     * @param adhering whether they keep their distance from the wall, whatever it is; else a node that lies beyond the smoothed envelope at rest keeps that much allowance
+     * @param inset how far inside the wall each is stopped: 0 for the face that lies on it, more for the face behind
      */
-    public ContactSurface feltBy(double[] points, boolean adhering) {
+    public ContactSurface holding(double[] points, double[] inset) {
         double[] allowance = new double[points.length / 3];
         for (int i = 0; i < allowance.length; i++) {
-            double beyond = -depth(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-            allowance[i] = adhering ? beyond : Math.max(0, beyond);
+            allowance[i] = Math.max(-inset[i], -depth(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
         }
+        return surface(allowance);
+    }
+
+    /** The wall for nodes that slide along it at the distance they have at rest. */
+    public ContactSurface keeping(double[] points) {
+        double[] allowance = new double[points.length / 3];
+        for (int i = 0; i < allowance.length; i++) {
+            allowance[i] = -depth(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+        }
+        return surface(allowance);
+    }
+
+    private ContactSurface surface(double[] allowance) {
         return new ContactSurface() {
             @Override
             public void prepare(double now) {

@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.AcrossSheet;
+import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
@@ -16,6 +17,11 @@ final class DiaphragmPart {
     private static final double REACH_MM = 20;
 
     private static final int STRUTS = 3;
+    private static final double MIDLINE_MM = 20;
+    /** Depth below the wall at rest up to which the abdominal face is apposed. */
+    private static final double APPOSED_MM = 15;
+    /** Something more than half of the sheet's 2 to 5 mm. */
+    private static final double BEHIND_MM = 1.8;
     /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
     private static final double STRUT_STIFFNESS = 0.3;
 
@@ -29,7 +35,8 @@ final class DiaphragmPart {
             TissueLaw law,
             double tendonRatio,
             boolean struts,
-            int linksPerNode) {
+            int linksPerNode,
+            double leftOverRight) {
         this.diaphragm = diaphragm;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);
@@ -38,7 +45,7 @@ final class DiaphragmPart {
             muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
         }
         first = parts.addNodes(sheet, muscle);
-        addEdges(parts.diaphragm, law, tendonRatio);
+        addEdges(parts.diaphragm, law, tendonRatio, leftOverRight);
         AcrossSheet across = AcrossSheet.of(diaphragm, REACH_MM);
         if (struts) {
             double[] p = sheet.positions();
@@ -54,11 +61,13 @@ final class DiaphragmPart {
         links = across.matched(diaphragm::isTendon, linksPerNode);
     }
 
-    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio) {
+    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio, double leftOverRight) {
         TriangleMesh sheet = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
         double[] p = sheet.positions();
         double[] fibre = diaphragm.fibreDirections();
+        double[] box = sheet.bounds();
+        double middle = 0.5 * (box[0] + box[3]);
         for (int e = 0; e < topology.edgeCount(); e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
@@ -77,11 +86,19 @@ final class DiaphragmPart {
                     first + b,
                     law.edgeStiffness(sides, stiff ? tendonRatio : 1),
                     SceneParts.distance(p, a, p, b),
-                    stiff ? 0 : share / sides);
+                    stiff ? 0 : share / sides * drive(0.5 * (sheet.x(a) + sheet.x(b)) - middle, leftOverRight));
         }
     }
 
-    /** cos² of the angle between an edge and the fibres of a triangle; 0 in the tendon. */
+    /** Share of the muscle's drive that a place left (+) or right (-) of the middle takes: 1 on the stronger side, changing smoothly across the midline. */
+    private static double drive(double x, double leftOverRight) {
+        double right = Math.min(1, 1 / leftOverRight);
+        double left = Math.min(1, leftOverRight);
+        double s = Math.max(0, Math.min(1, 0.5 + 0.5 * x / MIDLINE_MM));
+        return right + (left - right) * s * s * (3 - 2 * s);
+    }
+
+    /** cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon: muscle shortens along its fibres and hardly across them (Boriek and Rodarte 1997), so a slanting edge shortens less than cos² would have it. */
     private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
         double dot = 0;
         double squared = 0;
@@ -101,11 +118,20 @@ final class DiaphragmPart {
                 .toArray();
     }
 
-    /** Vertices of the sheet that slide on the chest wall: the thoracic face of the muscle. */
-    int[] sliding() {
-        return IntStream.range(0, diaphragm.sheet().vertexCount())
-                .filter(i -> diaphragm.isThoracic(i) && !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+    /**
+     * Vertices of the sheet that the chest wall stops: the thoracic face of the muscle, and the abdominal face where it is apposed, for a strut keeps its length but would let the two faces change places.
+     */
+    int[] sliding(ChestWall wall) {
+        TriangleMesh s = diaphragm.sheet();
+        return IntStream.range(0, s.vertexCount())
+                .filter(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+                .filter(i -> diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM)
                 .toArray();
+    }
+
+    /** How far inside the wall a vertex is stopped, mm. */
+    double inset(int vertex) {
+        return diaphragm.isThoracic(vertex) ? 0 : BEHIND_MM;
     }
 
     /** Vertices of the muscle. */

@@ -81,7 +81,8 @@ final class SceneAssembly {
                 law,
                 value(Parameter.TENDON_RATIO),
                 physical,
-                scenario.tensegrity() ? scenario.linksPerNode() : 0);
+                scenario.tensegrity() ? scenario.linksPerNode() : 0,
+                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, thorax, cage, scenario.resolution(), law))
                 : Optional.empty();
@@ -108,9 +109,10 @@ final class SceneAssembly {
         Optional<SlidingContact> contact = Optional.empty();
         double residual = 0;
         if (physical) {
-            int[] sliding = diaphragm.sliding();
+            int[] sliding = diaphragm.sliding(wall);
             double[] slidingRest = points(positions, diaphragm.first, sliding);
-            ContactSurface felt = wall.feltBy(slidingRest, false);
+            ContactSurface felt =
+                    wall.holding(slidingRest, Arrays.stream(sliding).mapToDouble(diaphragm::inset).toArray());
             residual = prestress(system, drive, diaphragm, felt, sliding, slidingRest, positions);
             if (scenario.contact()) {
                 contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, REFRESH_S));
@@ -126,7 +128,7 @@ final class SceneAssembly {
         if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
             system.add(SlidingContact.adhering(
-                    layout, pleural, wall.feltBy(points(positions, 0, pleural), true), REFRESH_S));
+                    layout, pleural, wall.keeping(points(positions, 0, pleural)), REFRESH_S));
         }
         Optional<LiverPart> liver = scenario.liver()
                 ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))
@@ -272,7 +274,7 @@ final class SceneAssembly {
         }
         double[] normals = new double[3 * n];
         if (scenario.contact()) {
-            lean(wall, sliding, slidingRest, diaphragm.first, normals);
+            lean(wall, sliding, slidingRest, diaphragm, normals);
         }
         SpringList springs = parts.diaphragm;
         Prestress solver = new Prestress(positions, springs.nodeA(), springs.nodeB(), free, normals);
@@ -300,7 +302,8 @@ final class SceneAssembly {
         return all > 0 ? Math.sqrt(squares / all) : 0;
     }
 
-    private static void lean(ContactSurface wall, int[] sliding, double[] rest, int first, double[] normals) {
+    private static void lean(
+            ContactSurface wall, int[] sliding, double[] rest, DiaphragmPart diaphragm, double[] normals) {
         double[] plane = new double[5];
         wall.prepare(0);
         for (int i = 0; i < sliding.length; i++) {
@@ -308,8 +311,9 @@ final class SceneAssembly {
             double y = rest[3 * i + 1];
             double z = rest[3 * i + 2];
             wall.planeNear(i, x, y, z, plane, 0);
-            if (plane[0] * x + plane[1] * y + plane[2] * z - plane[3] < LEAN_MM) {
-                System.arraycopy(plane, 0, normals, 3 * (first + sliding[i]), 3);
+            if (diaphragm.diaphragm.isThoracic(sliding[i])
+                    && plane[0] * x + plane[1] * y + plane[2] * z - plane[3] < LEAN_MM) {
+                System.arraycopy(plane, 0, normals, 3 * (diaphragm.first + sliding[i]), 3);
             }
         }
     }
