@@ -111,8 +111,9 @@ final class SceneAssembly {
         if (physical) {
             int[] sliding = diaphragm.sliding(wall);
             double[] slidingRest = points(positions, diaphragm.first, sliding);
-            ContactSurface felt =
-                    wall.holding(slidingRest, Arrays.stream(sliding).mapToDouble(diaphragm::inset).toArray());
+            ContactSurface felt = wall.holding(
+                    slidingRest,
+                    Arrays.stream(sliding).mapToDouble(diaphragm::inset).toArray());
             residual = prestress(system, drive, diaphragm, felt, sliding, slidingRest, positions);
             if (scenario.contact()) {
                 contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, REFRESH_S));
@@ -127,8 +128,8 @@ final class SceneAssembly {
         contact.ifPresent(system::add);
         if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
-            system.add(SlidingContact.adhering(
-                    layout, pleural, wall.keeping(points(positions, 0, pleural)), REFRESH_S));
+            system.add(
+                    SlidingContact.adhering(layout, pleural, wall.keeping(points(positions, 0, pleural)), REFRESH_S));
         }
         Optional<LiverPart> liver = scenario.liver()
                 ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))

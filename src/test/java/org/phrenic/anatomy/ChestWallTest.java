@@ -71,7 +71,7 @@ class ChestWallTest {
             double x = 100 * Math.cos(turn * Math.PI / 12);
             double y = 100 * Math.sin(turn * Math.PI / 12);
             double z = low + 70;
-            double[] p = plane(wall.feltBy(new double[] {x, y, z}, false), 0, x, y, z);
+            double[] p = plane(wall.holding(new double[] {x, y, z}, new double[1]), 0, x, y, z);
             assertThat(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).isCloseTo(1, within(1e-12));
             assertThat((p[0] * x + p[1] * y) / 100).as("inward").isLessThan(-0.95);
             double gap = p[0] * x + p[1] * y + p[2] * z - p[3];
@@ -82,15 +82,23 @@ class ChestWallTest {
     @Test
     void aNodeBeyondTheEnvelopeAtRestIsNotPushedIn() {
         double[] node = {114, 0, low + 70};
-        double[] p = plane(wall.feltBy(node, false), 0, node[0], node[1], node[2]);
+        double[] p = plane(wall.holding(node, new double[1]), 0, node[0], node[1], node[2]);
         assertThat(p[0] * node[0] + p[1] * node[1] + p[2] * node[2] - p[3]).isCloseTo(0, within(1e-6));
+    }
+
+    @Test
+    void aNodeOfTheFaceBehindIsStoppedThatMuchFartherIn() {
+        double[] node = {0, 100, low + 70};
+        double inset = 2;
+        double[] p = plane(wall.holding(node, new double[] {inset}), 0, node[0], node[1], node[2]);
+        assertThat(gap(p, node)).isCloseTo(10 - inset, within(GRID_MM));
     }
 
     @Test
     void anAdheringNodeKeepsItsDistanceWhateverItIs() {
         for (double r : new double[] {104, 110, 113}) {
             double[] node = {0, -r, low + 70};
-            double[] p = plane(wall.feltBy(node, true), 0, node[0], node[1], node[2]);
+            double[] p = plane(wall.keeping(node), 0, node[0], node[1], node[2]);
             assertThat(p[0] * node[0] + p[1] * node[1] + p[2] * node[2] - p[3]).isCloseTo(0, within(1e-6));
         }
     }
@@ -100,7 +108,7 @@ class ChestWallTest {
     void theWallGoesOutWithTheRibs() {
         for (double[] side : List.of(new double[] {-100, 0}, new double[] {100, 0}, new double[] {0, -100})) {
             double[] node = {side[0], side[1], low + 70};
-            ContactSurface felt = wall.feltBy(node, false);
+            ContactSurface felt = wall.holding(node, new double[1]);
             double[] before = plane(felt, 0, node[0], node[1], node[2]);
             double[] after = plane(felt, 1, node[0], node[1], node[2]);
             double growth = gap(after, node) - gap(before, node);
@@ -116,7 +124,7 @@ class ChestWallTest {
     @Test
     void theWallsSpeedIsThatOfItsPlane() {
         double[] node = {-100, 10, low + 60};
-        ContactSurface felt = wall.feltBy(node, false);
+        ContactSurface felt = wall.holding(node, new double[1]);
         double h = 1e-3;
         double[] at = plane(felt, 0.3, node[0], node[1], node[2]);
         double rate = (gap(plane(felt, 0.3 - h, node[0], node[1], node[2]), node)
