@@ -13,7 +13,7 @@ import org.phrenic.geometry.TriangleMesh;
  * @param millimetres millimetres a unit
  */
 public record BodyFrame(String axes, double millimetres) {
-    /** An adult's (or child's) rib cage is this wide, mm; twelve times less or more is another unit. */
+    /** An adult's (or child's) rib cage is at least this wide, mm; what is narrower was given in cm or m. */
     private static final double NARROWEST = 100;
 
     private static final double WIDEST = 500;
@@ -63,6 +63,20 @@ public record BodyFrame(String axes, double millimetres) {
     }
 
     /**
+     * The frame of stated axes, its unit read off the width of the rib cage.
+     *
+     * @throws IllegalArgumentException if the axes are none, or there are no ribs to read the unit off
+     */
+    public static BodyFrame stated(String axes, List<Structure> structures) {
+        BodyFrame frame = new BodyFrame(axes, 1);
+        if (structures.stream().noneMatch(s -> s.kind() == StructureKind.RIB)) {
+            throw new IllegalArgumentException("units: not stated, and there are no ribs to read them off;"
+                    + " expected a line 'units: mm' in thorax.yaml");
+        }
+        return new BodyFrame(frame.axes, unit(structures, frame.axes));
+    }
+
+    /**
      * Reads axes and unit off the structures.
      *
      * @throws IllegalArgumentException if there are too few to tell, or the sides that the names state are mirrored
@@ -84,14 +98,22 @@ public record BodyFrame(String axes, double millimetres) {
         mark(letters, upper, lower, 'S', 'I');
         mark(letters, spine, front, 'P', 'A');
         String axes = new String(letters).replace('\0', '?');
+        if (determinant(axes) == 0) {
+            throw new IllegalArgumentException("axes: not stated, and the structures' places give '" + axes
+                    + "', which is no frame; expected a line 'axes: ...' in thorax.yaml");
+        }
         if (determinant(axes) < 0) {
             throw new IllegalArgumentException("axes: the structures' names and places give '" + axes
                     + "', a mirrored body; left and right are exchanged somewhere");
         }
-        double width = width(structures, axes.indexOf('L') >= 0 ? axes.indexOf('L') : axes.indexOf('R'));
+        return new BodyFrame(axes, unit(structures, axes));
+    }
+
+    private static double unit(List<Structure> structures, String axes) {
+        double width = width(structures, Math.max(axes.indexOf('L'), axes.indexOf('R')));
         for (double unit : new double[] {1, 10, 1000}) {
             if (width * unit >= NARROWEST && width * unit <= WIDEST) {
-                return new BodyFrame(axes, unit);
+                return unit;
             }
         }
         throw new IllegalArgumentException(String.format(

@@ -16,9 +16,12 @@ public record StructureName(StructureKind kind, int level, Side side) {
     /** Level of the first lumbar vertebra: the twelve thoracic ones come before it. */
     public static final int FIRST_LUMBAR = 13;
 
+    private static final int LAST_CERVICAL = 7;
+    private static final int LAST_LUMBAR = 5;
+
     private static final Pattern LEVELLED = Pattern.compile("(rib|costal_cartilage)_0*(\\d{1,2})_([rl])");
     private static final Pattern VERTEBRA = Pattern.compile("vertebra_([tl])0*(\\d{1,2})");
-    private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_([tl])0*(\\d{1,2})");
+    private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
     private static final Pattern LUNG = Pattern.compile("lung_([rl])(_.*)?");
 
     /** Reads a name; empty if it is none of those known. */
@@ -33,11 +36,11 @@ public record StructureName(StructureKind kind, int level, Side side) {
         }
         m = VERTEBRA.matcher(n);
         if (m.matches()) {
-            return Optional.of(new StructureName(StructureKind.VERTEBRA, spinal(m.group(1), m.group(2)), Side.MIDLINE));
+            return spinal(StructureKind.VERTEBRA, m.group(1), m.group(2));
         }
         m = DISC.matcher(n);
         if (m.matches()) {
-            return Optional.of(new StructureName(StructureKind.DISC, spinal(m.group(3), m.group(4)), Side.MIDLINE));
+            return spinal(StructureKind.DISC, m.group(1), m.group(2));
         }
         m = LUNG.matcher(n);
         if (m.matches()) {
@@ -62,8 +65,21 @@ public record StructureName(StructureKind kind, int level, Side side) {
         return letter.equals("r") ? Side.RIGHT : Side.LEFT;
     }
 
-    private static int spinal(String region, String number) {
+    /** A level of the spine; a disc has that of the vertebra above it, 0 for the one below the last cervical. */
+    private static Optional<StructureName> spinal(StructureKind kind, String region, String number) {
         int n = Integer.parseInt(number);
-        return region.equals("l") ? FIRST_LUMBAR - 1 + n : n;
+        boolean known =
+                switch (region) {
+                    case "c" -> n == LAST_CERVICAL;
+                    case "t" -> n >= 1 && n < FIRST_LUMBAR;
+                    default -> n >= 1 && n <= LAST_LUMBAR;
+                };
+        int level =
+                switch (region) {
+                    case "c" -> 0;
+                    case "t" -> n;
+                    default -> FIRST_LUMBAR - 1 + n;
+                };
+        return known ? Optional.of(new StructureName(kind, level, Side.MIDLINE)) : Optional.empty();
     }
 }

@@ -5,9 +5,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.phrenic.format.BadInputException;
@@ -32,6 +35,14 @@ public final class ThoraxFolder {
     private record Read(Structure structure, Optional<RuntimeException> failure) {}
 
     private record Repaired(TriangleMesh mesh, Optional<String> note) {}
+    /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
+    private static final Set<StructureKind> SINGLE = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC,
+            StructureKind.DIAPHRAGM,
+            StructureKind.LIVER);
 
     private ThoraxFolder() {}
 
@@ -48,6 +59,7 @@ public final class ThoraxFolder {
         Map<String, Path> files = yaml.has("structures") ? listed(folder, yaml) : named(folder);
         List<String> notes = new ArrayList<>();
         List<Found> found = new ArrayList<>();
+        Map<StructureName, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
             if (known.isEmpty()) {
@@ -59,6 +71,10 @@ public final class ThoraxFolder {
                 continue;
             }
             StructureName name = known.get();
+            Path twin = SINGLE.contains(name.kind()) ? seen.putIfAbsent(name, entry.getValue()) : null;
+            if (twin != null) {
+                throw twins(folder, twin, entry.getValue());
+            }
             found.add(new Found(entry.getKey(), name, entry.getValue()));
         }
         List<Structure> raw = read(found);
@@ -105,10 +121,10 @@ public final class ThoraxFolder {
 
     private static BodyFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
         try {
-            if (!yaml.has("axes") && !yaml.has("units")) {
-                return BodyFrame.detect(raw);
+            if (!yaml.has("units")) {
+                return yaml.has("axes") ? BodyFrame.stated(yaml.text("axes"), raw) : BodyFrame.detect(raw);
             }
-            double unit = yaml.has("units") ? unit(yaml) : BodyFrame.detect(raw).millimetres();
+            double unit = unit(yaml);
             return new BodyFrame(
                     yaml.has("axes") ? yaml.text("axes") : BodyFrame.detect(raw).axes(), unit);
         } catch (IllegalArgumentException e) {
@@ -136,6 +152,11 @@ public final class ThoraxFolder {
         return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
     }
 
+    private static BadInputException twins(Path folder, Path one, Path other) {
+        return new BadInputException(folder + ": found " + one.getFileName() + " and " + other.getFileName()
+                + ", expected one file a structure");
+    }
+
     private static Map<String, Path> listed(Path folder, YamlMap yaml) {
         Map<String, Path> files = new TreeMap<>();
         YamlMap structures = yaml.map("structures");
@@ -156,8 +177,7 @@ public final class ThoraxFolder {
                 String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {
-                    throw new BadInputException(folder + ": found " + twin.getFileName() + " and " + file.getFileName()
-                            + ", expected one file a structure");
+                    throw twins(folder, twin, file);
                 }
             }
         } catch (IOException e) {

@@ -11,6 +11,11 @@ public interface BreathingPattern {
     /** Seconds after which it repeats itself; infinite if it does not. */
     double periodS();
 
+    /** Seconds after which everything it does has been seen, and what is simulated where nobody says how long: two periods. */
+    default double wholeS() {
+        return 2 * periodS();
+    }
+
     /**
      * Writes what is asked of the thorax at a time; allocates nothing.
      *

@@ -79,6 +79,12 @@ public final class HoldPattern implements BreathingPattern {
         return Double.POSITIVE_INFINITY;
     }
 
+    /** Until the hold is over and one more breath has been taken. */
+    @Override
+    public double wholeS() {
+        return resumeS + around.periodS();
+    }
+
     @Override
     public void at(double timeS, BreathState state) {
         if (timeS < startS) {

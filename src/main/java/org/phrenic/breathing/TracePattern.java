@@ -68,6 +68,12 @@ public final class TracePattern implements BreathingPattern {
         return loops ? durationS : Double.POSITIVE_INFINITY;
     }
 
+    /** The recording once. */
+    @Override
+    public double wholeS() {
+        return durationS;
+    }
+
     @Override
     public void at(double timeS, BreathState state) {
         double rounds = Math.max(0, timeS / durationS);

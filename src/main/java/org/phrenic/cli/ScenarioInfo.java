@@ -32,8 +32,7 @@ final class ScenarioInfo {
             BreathingParameters changed =
                     scenario.isSet(Parameter.RATE) ? breath.withRatePerMin(scenario.value(Parameter.RATE)) : breath;
             resolved.putIfAbsent(
-                    DURATION,
-                    scenario.durationS(scenario.breathing().pattern(changed).periodS()));
+                    DURATION, scenario.durationS(scenario.breathing().pattern(changed)));
         }
         Map<String, Object> info = new LinkedHashMap<>();
         info.put("file", file.toString());

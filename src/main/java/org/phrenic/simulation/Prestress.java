@@ -44,7 +44,7 @@ final class Prestress {
      * @param load force on each node, mN
      * @param tension first guess in, result out, mN
      * @param iterations of conjugate gradients
-     * @return what remains unbalanced as a share of the load (root mean square)
+     * @return what remains unbalanced as a share of the load (root mean square); 0 without load
      */
     double solve(double[] load, double[] tension, int iterations) {
         double[] residual = load.clone();
@@ -75,7 +75,7 @@ final class Prestress {
                 step[e] = gradient[e] + beta * step[e];
             }
         }
-        return Math.sqrt(dot(residual, residual)) / norm;
+        return norm > 0 ? Math.sqrt(dot(residual, residual)) / norm : 0;
     }
 
     /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */

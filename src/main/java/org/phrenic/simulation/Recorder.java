@@ -1,5 +1,7 @@
 package org.phrenic.simulation;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -13,6 +15,7 @@ import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.format.CsvWriter;
 import org.phrenic.format.Hashes;
 import org.phrenic.format.Json;
+import org.phrenic.format.OutputException;
 import org.phrenic.format.PvdSeries;
 import org.phrenic.format.VtpWriter;
 import org.phrenic.format.YamlWriter;
@@ -23,6 +26,8 @@ import org.phrenic.geometry.TriangleMesh;
  * file is written beside its target and moved over it; summary last, so that a folder with a summary is complete.
  */
 final class Recorder {
+    private static final String SUMMARY = "summary.json";
+
     private final Scenario scenario;
     private final Simulation simulation;
     private final Path out;
@@ -37,6 +42,18 @@ final class Recorder {
         boolean meshes = out != null && scenario.meshesEveryS() > 0;
         meshEvery = meshes ? Math.max(1, Math.round(scenario.meshesEveryS() / scenario.timeStepS())) : 0;
         series = meshes ? new PvdSeries(out.resolve("scene.pvd")) : null;
+        if (out != null) {
+            removeEarlier(out.resolve(SUMMARY));
+        }
+    }
+
+    /** A summary of an earlier run must not stand beside what this one writes, should this one fail. */
+    private static void removeEarlier(Path summary) {
+        try {
+            Files.deleteIfExists(summary);
+        } catch (IOException e) {
+            throw new OutputException(summary + ": cannot be replaced: " + e.getMessage(), e);
+        }
     }
 
     /** Told after steps; writes meshes if it is time. */
@@ -141,7 +158,7 @@ final class Recorder {
         }
         Map<String, Object> all = new LinkedHashMap<>(summary);
         all.put("made_by", madeBy());
-        Json.write(out.resolve("summary.json"), all);
+        Json.write(out.resolve(SUMMARY), all);
     }
 
     /** Version, seed and hashes of what went in. */

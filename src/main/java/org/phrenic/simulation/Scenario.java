@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.BreathingPreset;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StepPolicy;
@@ -28,7 +29,7 @@ import org.phrenic.format.YamlMap;
  * @param material what the springs stand for
  * @param anatomy {@code virtual/adult-male}, {@code virtual/adult-female} or the path of a thorax folder
  * @param resolution how finely to mesh
- * @param givenDurationS simulated time, s; NaN for two breaths
+ * @param givenDurationS simulated time, s; NaN for as long as the breathing pattern takes, two breaths or a whole hold or recording
  * @param givenTimeStepS step, s; NaN for that of the material
  * @param integrator scheme
  * @param stepPolicy what to do with a step beyond the stability limit
@@ -75,9 +76,6 @@ public record Scenario(
 
     /** Bodies that come with the program. */
     public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
-
-    /** Breaths that are simulated where no duration is given. */
-    private static final int BREATHS = 2;
 
     private static final int MOST_DEFAULT_THREADS = 2;
     private static final double RECORD_EVERY_S = 0.02;
@@ -178,13 +176,9 @@ public record Scenario(
         return givenDurationS;
     }
 
-    /**
-     * Simulated time, s: that of the file or two breaths.
-     *
-     * @param periodS of a breath
-     */
-    public double durationS(double periodS) {
-        return Double.isNaN(givenDurationS) ? BREATHS * periodS : givenDurationS;
+    /** Simulated time, s: that of the file or as long as it takes to see all of the breathing ({@link BreathingPattern#wholeS}). */
+    public double durationS(BreathingPattern pattern) {
+        return Double.isNaN(givenDurationS) ? pattern.wholeS() : givenDurationS;
     }
 
     /** Whether the body comes with the program; else {@link #anatomy} is a folder. */

@@ -55,8 +55,7 @@ public final class SimulationRun {
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
             Recorder recorder = new Recorder(scenario, simulation, out);
-            double total =
-                    scenario.durationS(simulation.scene().drive().pattern().periodS());
+            double total = scenario.durationS(simulation.scene().drive().pattern());
             List<Observation> samples = new ArrayList<>();
             double stepping = advance(scenario, simulation, total, samples, recorder, progress);
             Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);

@@ -45,7 +45,7 @@ class ScenarioTest {
         assertThat(scenario.anatomy()).isEqualTo("virtual/adult-male");
         assertThat(scenario.resolution()).isEqualTo(Resolution.MEDIUM);
         assertThat(scenario.durationS()).isNaN();
-        assertThat(scenario.durationS(4)).isEqualTo(8);
+        assertThat(scenario.durationS(Patterns.of(scenario))).isEqualTo(8);
         assertThat(scenario.timeStepS()).isEqualTo(0.001);
         assertThat(scenario.value(Parameter.MUSCLE_STIFFNESS)).isEqualTo(300);
         assertThat(scenario.value(Parameter.RATE)).isNaN();
@@ -91,7 +91,7 @@ class ScenarioTest {
         assertThat(scenario.trace()).contains(folder.resolve("curve.csv").toAbsolutePath());
         assertThat(scenario.integrator()).isEqualTo(IntegratorKind.RK4);
         assertThat(scenario.timeStepS()).isEqualTo(0.002);
-        assertThat(scenario.durationS(4)).isEqualTo(3.5);
+        assertThat(scenario.durationS(Patterns.of(scenario))).isEqualTo(3.5);
         assertThat(scenario.value(Parameter.SPRING_STIFFNESS)).isEqualTo(20);
         assertThat(scenario.value(Parameter.RATE)).isEqualTo(12);
         assertThat(scenario.toMap().keySet()).containsAll(Scenario.keys().subList(0, 23));

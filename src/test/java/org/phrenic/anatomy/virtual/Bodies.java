@@ -8,12 +8,12 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 
 /** The two bodies that come with the program, each grown once for all tests. */
-final class Bodies {
+public final class Bodies {
     private static final Map<String, Thorax> GROWN = new ConcurrentHashMap<>();
 
     private Bodies() {}
 
-    static Thorax grow(String preset, Resolution resolution) {
+    public static Thorax grow(String preset, Resolution resolution) {
         return GROWN.computeIfAbsent(
                 preset + resolution,
                 key -> VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), resolution));

@@ -1,0 +1,136 @@
+package org.phrenic.anatomy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.virtual.Bodies;
+import org.phrenic.engine.constraint.ContactSurface;
+
+/** A cylinder of 110 mm radius in the rib cage of the virtual adult male stands for lungs and diaphragm. */
+class ChestWallTest {
+    private static final double RADIUS_MM = 110;
+    private static final double GRID_MM = 1;
+
+    private static RibCage cage;
+    private static BoneWeights bones;
+    private static double low;
+    private static ChestWall wall;
+
+    @BeforeAll
+    static void make() throws IOException {
+        Thorax male = Bodies.grow("adult-male", Resolution.LOW);
+        cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT));
+        bones = BoneWeights.of(male, cage);
+        low = male.find("rib_09_R").orElseThrow().mesh().bounds()[2];
+        wall = aboutACylinder();
+    }
+
+    /** Carried by ribs whose amplitude is the time in seconds. */
+    private static ChestWall aboutACylinder() {
+        double[] contents = new double[3 * 200 * 60];
+        int c = 0;
+        for (int i = 0; i < 200; i++) {
+            for (int j = 0; j < 60; j++) {
+                contents[c++] = RADIUS_MM * Math.cos(2 * Math.PI * i / 200);
+                contents[c++] = RADIUS_MM * Math.sin(2 * Math.PI * i / 200);
+                contents[c++] = low + 3 * j;
+            }
+        }
+        return new ChestWall(contents, 0, 0, bones, new RibCagePose(cage, (t, out) -> {
+            out[0] = t;
+            out[1] = 1;
+        }));
+    }
+
+    private static double[] plane(ContactSurface surface, double time, double x, double y, double z) {
+        double[] plane = new double[5];
+        surface.prepare(time);
+        surface.planeNear(0, x, y, z, plane, 0);
+        return plane;
+    }
+
+    @Test
+    void depthIsPositiveInsideAndNegativeOutside() {
+        for (int turn = 0; turn < 12; turn++) {
+            double cos = Math.cos(turn * Math.PI / 6);
+            double sin = Math.sin(turn * Math.PI / 6);
+            assertThat(wall.depth(90 * cos, 90 * sin, low + 60)).isCloseTo(20, within(GRID_MM));
+            assertThat(wall.depth(118 * cos, 118 * sin, low + 60)).isCloseTo(-8, within(GRID_MM));
+            assertThat(wall.outward(90 * cos, 90 * sin, cos, sin)).isCloseTo(1, within(1e-9));
+            assertThat(wall.outward(90 * cos, 90 * sin, -sin, cos)).isCloseTo(0, within(1e-9));
+        }
+    }
+
+    @Test
+    void planesLookInwardAndNodesInsideLieOnTheirAllowedSide() {
+        for (int turn = 0; turn < 24; turn++) {
+            double x = 100 * Math.cos(turn * Math.PI / 12);
+            double y = 100 * Math.sin(turn * Math.PI / 12);
+            double z = low + 70;
+            double[] p = plane(wall.holding(new double[] {x, y, z}, new double[1]), 0, x, y, z);
+            assertThat(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).isCloseTo(1, within(1e-12));
+            assertThat((p[0] * x + p[1] * y) / 100).as("inward").isLessThan(-0.95);
+            double gap = p[0] * x + p[1] * y + p[2] * z - p[3];
+            assertThat(gap).isCloseTo(10, within(GRID_MM));
+        }
+    }
+
+    @Test
+    void aNodeBeyondTheEnvelopeAtRestIsNotPushedIn() {
+        double[] node = {114, 0, low + 70};
+        double[] p = plane(wall.holding(node, new double[1]), 0, node[0], node[1], node[2]);
+        assertThat(p[0] * node[0] + p[1] * node[1] + p[2] * node[2] - p[3]).isCloseTo(0, within(1e-6));
+    }
+
+    @Test
+    void aNodeOfTheFaceBehindIsStoppedThatMuchFartherIn() {
+        double[] node = {0, 100, low + 70};
+        double inset = 2;
+        double[] p = plane(wall.holding(node, new double[] {inset}), 0, node[0], node[1], node[2]);
+        assertThat(gap(p, node)).isCloseTo(10 - inset, within(GRID_MM));
+    }
+
+    @Test
+    void anAdheringNodeKeepsItsDistanceWhateverItIs() {
+        for (double r : new double[] {104, 110, 113}) {
+            double[] node = {0, -r, low + 70};
+            double[] p = plane(wall.keeping(node), 0, node[0], node[1], node[2]);
+            assertThat(p[0] * node[0] + p[1] * node[1] + p[2] * node[2] - p[3]).isCloseTo(0, within(1e-6));
+        }
+    }
+
+    /** The lateral wall goes out by the bucket handle, the front by the pump handle (physiology A1): 4 to 10 mm at full inspiration. */
+    @Test
+    void theWallGoesOutWithTheRibs() {
+        for (double[] side : List.of(new double[] {-100, 0}, new double[] {100, 0}, new double[] {0, -100})) {
+            double[] node = {side[0], side[1], low + 70};
+            ContactSurface felt = wall.holding(node, new double[1]);
+            double[] before = plane(felt, 0, node[0], node[1], node[2]);
+            double[] after = plane(felt, 1, node[0], node[1], node[2]);
+            double growth = gap(after, node) - gap(before, node);
+            assertThat(growth).as("at " + side[0] + ", " + side[1]).isBetween(1.0, 25.0);
+            assertThat(before[4]).as("the wall recedes from the node").isNegative();
+        }
+    }
+
+    private static double gap(double[] p, double[] x) {
+        return p[0] * x[0] + p[1] * x[1] + p[2] * x[2] - p[3];
+    }
+
+    @Test
+    void theWallsSpeedIsThatOfItsPlane() {
+        double[] node = {-100, 10, low + 60};
+        ContactSurface felt = wall.holding(node, new double[1]);
+        double h = 1e-3;
+        double[] at = plane(felt, 0.3, node[0], node[1], node[2]);
+        double rate = (gap(plane(felt, 0.3 - h, node[0], node[1], node[2]), node)
+                        - gap(plane(felt, 0.3 + h, node[0], node[1], node[2]), node))
+                / (2 * h);
+        // The gap also changes as the wall slides along the node; on a cylinder that is little.
+        assertThat(at[4]).isCloseTo(rate, within(0.15 * Math.abs(rate) + 0.5));
+    }
+}

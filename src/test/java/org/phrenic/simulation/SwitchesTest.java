@@ -1,0 +1,66 @@
+package org.phrenic.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+/** Every part of the model can be taken out, and then it is gone. */
+class SwitchesTest {
+    private static final double QUARTER_BREATH_S = 1;
+
+    @Test
+    void everyPartThatIsSwitchedOffIsGone() {
+        Runs.Run sheet = Runs.of(0, Runs.sheetAlone());
+        Runs.Run withSternum = Runs.of(0, "lungs=embedded");
+        assertThat(withSternum.nodes()).isGreaterThan(sheet.nodes());
+        assertThat(withSternum.springs()).isGreaterThan(sheet.springs());
+        assertThat(withSternum.attachments()).isGreaterThan(sheet.attachments());
+        assertThat(withSternum.links()).isEqualTo(sheet.links()).isPositive();
+        Runs.Run whole = Runs.of(QuietBreathTest.BREATH_S);
+        assertThat(whole.nodes()).isGreaterThan(withSternum.nodes());
+        assertThat(whole.springs()).isGreaterThan(withSternum.springs());
+        Runs.Run bare = Runs.of(
+                QUARTER_BREATH_S,
+                "lungs=off",
+                "sternum=off",
+                "tensegrity=false",
+                "contact=false",
+                "liver=false",
+                "muscle=false",
+                "pressure=false",
+                "ribs=false");
+        assertThat(bare.nodes()).isEqualTo(sheet.nodes());
+        assertThat(bare.links()).isZero();
+        assertThat(bare.most("lung_volume_change_ml")).isZero();
+        assertThat(bare.most("liver_si_mm")).isZero();
+        assertThat(bare.most("from_rest_rms_mm")).as("nothing drives it").isLessThan(0.05);
+        assertThat(bare.most("rigid_link_error")).isZero();
+    }
+
+    @Test
+    void withRibsOffTheDiaphragmBreathesAlone() {
+        Runs.Run still = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("ribs=false"));
+        assertThat(still.most("rib_turn")).isZero();
+        assertThat(still.most("sternum_cranial_mm")).isZero();
+        assertThat(still.most("sternum_ventral_mm")).isZero();
+        assertThat(still.most("transverse_change_mm")).isZero();
+        assertThat(still.fall("dome_right_mm")).isGreaterThan(3);
+    }
+
+    @Test
+    void withoutMuscleAndEffortOnlyTheRibsMoveTheSheet() {
+        Runs.Run passive = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("muscle=false", "pressure=false"));
+        assertThat(passive.most("rib_turn")).isGreaterThan(0.05);
+        assertThat(Math.abs(passive.last().get("dome_right_mm"))).isLessThan(4);
+    }
+
+    @Test
+    void anyTendonRuleAndUpToThreeLinksANodeKeepTheLinksLengths() {
+        Runs.Run one = Runs.of(0, Runs.sheetAlone());
+        Runs.Run three = Runs.of(0.3, Runs.sheetAlone("links_per_node=3", "tendon=plane"));
+        assertThat(three.links()).isGreaterThan(one.links());
+        assertThat(three.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);
+        assertThat(three.last().get("dome_right_mm")).isCloseTo(0, within(10.0));
+    }
+}
