@@ -17,6 +17,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
@@ -56,6 +57,7 @@ final class SceneAssembly {
     private static final double ATTACHMENT_MM = 25;
 
     private static final double ATTACHMENT_SHARE = 0.1;
+    private static final double HOME_SHARE = 0.25;
 
     private final Scenario scenario;
     private final Thorax thorax;
@@ -243,7 +245,21 @@ final class SceneAssembly {
             springs.setFactor(value(Parameter.STERNUM_COUPLING));
             system.add(springs);
         }
+        if (scenario.material() == Material.PAPER) {
+            system.add(home(system, diaphragm, positions));
+        }
         return inserted.length + attached.length;
+    }
+
+    /**
+     * The paper's sheet has no pressure below it and no bending: nothing would bring it back after a breath. Every node is held to its place by a spring of low elasticity, soft enough that the action lines move the
+     * dome, quick enough (6 1/s) to follow a breath.
+     */
+    private Attachments home(ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
+        int[] free = shifted(diaphragm.free(), diaphragm.first);
+        double[] stiffness = new double[free.length];
+        Arrays.fill(stiffness, HOME_SHARE * value(Parameter.SPRING_STIFFNESS));
+        return new Attachments(system.layout(), free, stiffness, 0, PrescribedMotion.still(points(positions, 0, free)));
     }
 
     private ChestWall wall(List<Structure> lungs, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose) {
@@ -367,12 +383,12 @@ final class SceneAssembly {
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */
     private void addActionLines(ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
         double[] box = diaphragm.diaphragm.sheet().bounds();
-        int[] muscle = shifted(diaphragm.muscle(), diaphragm.first);
+        int[] nodes = shifted(diaphragm.free(), diaphragm.first);
         ActionLine[] lines = new ActionLine[2];
         for (int side = 0; side < 2; side++) {
             double x = 0.5 * (box[0] + box[3]) + (side == 0 ? -1 : 1) * 0.25 * (box[3] - box[0]);
             double y = 0.5 * (box[1] + box[4]);
-            lines[side] = new ActionLine(system.layout(), muscle, positions, x, y, value(Parameter.ACTION_RADIUS));
+            lines[side] = new ActionLine(system.layout(), nodes, positions, x, y, value(Parameter.ACTION_RADIUS));
             system.add(lines[side]);
         }
         drive.drives(lines, value(Parameter.MUSCLE_FORCE));
