@@ -15,7 +15,6 @@ final class MassScaling {
     private final double[] positions;
     private final double[] mass;
     private final double[] stiffness;
-    private int scaled;
     private double addedPercent;
 
     /**
@@ -75,15 +74,9 @@ final class MassScaling {
             if (mass[i] < least) {
                 added += least - mass[i];
                 mass[i] = least;
-                scaled++;
             }
         }
         addedPercent = 100 * added / before;
-    }
-
-    /** How many nodes got heavier. */
-    int scaledNodes() {
-        return scaled;
     }
 
     /** Mass added, per cent of the scene's. */
