@@ -80,7 +80,12 @@ final class SceneAssembly {
                 ? TissueLaw.membrane(value(Parameter.MUSCLE_STIFFNESS), value(Parameter.AREA_DENSITY))
                 : TissueLaw.uniform(value(Parameter.SPRING_STIFFNESS), value(Parameter.NODE_MASS));
         RibCagePose pose = new RibCagePose(cage, drive);
-        BoneWeights bones = BoneWeights.of(thorax, cage);
+        // Meshing takes longest and its parts are independent: they are done side by side.
+        Ahead<List<Structure>> lungsMeshed = Ahead.of(this::lungStructures);
+        Ahead<List<Structure>> sternumMeshed = Ahead.of(() -> scenario.sternum() == SternumModel.SPRINGS
+                ? SternumPart.meshed(thorax, scenario.resolution())
+                : List.of());
+        Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
         DiaphragmPart diaphragm = new DiaphragmPart(
                 parts,
                 diaphragm(),
@@ -90,12 +95,10 @@ final class SceneAssembly {
                 scenario.tensegrity() ? scenario.linksPerNode() : 0,
                 physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
-                ? Optional.of(new SternumPart(parts, thorax, cage, scenario.resolution(), law))
+                ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
                 : Optional.empty();
-        List<Structure> lungStructures = scenario.lungs() == LungModel.OFF
-                ? List.of()
-                : Remeshing.toBudget(
-                        thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
+        List<Structure> lungStructures = lungsMeshed.get();
+        BoneWeights bones = weights.get();
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
         ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
         Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
@@ -174,6 +177,13 @@ final class SceneAssembly {
         return scaling.addedPercent();
     }
 
+    private List<Structure> lungStructures() {
+        return scenario.lungs() == LungModel.OFF
+                ? List.of()
+                : Remeshing.toBudget(
+                        thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
+    }
+
     private double value(Parameter parameter) {
         return scenario.value(parameter);
     }
@@ -222,7 +232,7 @@ final class SceneAssembly {
                     + " sheet whose two faces meet at its insertion");
         }
         double[] rim = points(positions, diaphragm.first, inserted);
-        system.prescribe(shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim)));
+        system.prescribe(shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
         if (scenario.material() == Material.PAPER) {
             Diaphragm sheet = diaphragm.diaphragm;
             for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
@@ -240,7 +250,7 @@ final class SceneAssembly {
                     attached,
                     parts.attachedStiffnesses(),
                     0,
-                    new BlendedMotion(pose, anchors, bones.at(anchors)));
+                    new BlendedMotion(pose, anchors, bones.at(anchors), workers));
             springs.setRefreshInterval(REFRESH_S);
             springs.setFactor(value(Parameter.STERNUM_COUPLING));
             system.add(springs);
@@ -273,7 +283,7 @@ final class SceneAssembly {
                                 .flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
                 .toArray();
         double[] box = sheet.sheet().bounds();
-        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose);
+        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose, workers);
     }
 
     /** Rest lengths that hold the sheet in its given shape against the pressure at rest; what they leave is carried by a dead load. */
