@@ -24,13 +24,7 @@ class MeasuresTest {
     static void make() {
         simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
         dome = new DiaphragmPart(
-                new SceneParts(),
-                Diaphragm.trefoil(DomeSheet.adult(12)),
-                TissueLaw.membrane(300, 60),
-                10,
-                true,
-                1,
-                1);
+                new SceneParts(), Diaphragm.trefoil(DomeSheet.adult(12)), TissueLaw.membrane(300, 60), 10, true, 1, 1);
     }
 
     @AfterAll
@@ -102,7 +96,8 @@ class MeasuresTest {
     @Test
     void atRestTheCageHasNotMoved() {
         simulation.scene().pose().update(0);
-        CageMeasure cage = new CageMeasure(simulation.scene().thorax(), simulation.scene().pose());
+        CageMeasure cage =
+                new CageMeasure(simulation.scene().thorax(), simulation.scene().pose());
         assertThat(cage.transverseChange()).isCloseTo(0, within(ROUNDING));
         assertThat(cage.sternumMotion()).containsExactly(new double[3], within(ROUNDING));
     }
@@ -115,7 +110,6 @@ class MeasuresTest {
                 assertThat(rest.get(column)).as(column).isCloseTo(0, within(1e-9));
             }
         }
-        assertThat(rest.get("pressure_kpa"))
-                .isCloseTo(Runs.scenario().value(Parameter.REST_PRESSURE), within(1e-12));
+        assertThat(rest.get("pressure_kpa")).isCloseTo(Runs.scenario().value(Parameter.REST_PRESSURE), within(1e-12));
     }
 }

@@ -18,8 +18,8 @@ class PrestressTest {
     void aLoadBetweenTwoSlantingSpringsGivesTheirTensionInClosedForm() {
         // Ends at (-3, 4) and (3, 4), the load 16 mN down at the origin: T = 16 / (2 cos) = 16 / (2 * 4 / 5) = 10 mN.
         double[] p = {0, 0, 0, -3, 0, 4, 3, 0, 4};
-        Prestress prestress = new Prestress(
-                p, new int[] {0, 0}, new int[] {1, 2}, new boolean[] {true, false, false}, new double[9]);
+        Prestress prestress =
+                new Prestress(p, new int[] {0, 0}, new int[] {1, 2}, new boolean[] {true, false, false}, new double[9]);
         double[] load = {0, 0, -16, 0, 0, 0, 0, 0, 0};
         double[] tension = new double[2];
         assertThat(prestress.solve(load, tension, 10)).isCloseTo(0, within(1e-9));
@@ -40,7 +40,11 @@ class PrestressTest {
     @Test
     void withoutLoadNothingIsPulled() {
         Prestress prestress = new Prestress(
-                new double[] {0, 0, 0, 1, 0, 0}, new int[] {0}, new int[] {1}, new boolean[] {true, false}, new double[6]);
+                new double[] {0, 0, 0, 1, 0, 0},
+                new int[] {0},
+                new int[] {1},
+                new boolean[] {true, false},
+                new double[6]);
         double[] tension = new double[1];
         assertThat(prestress.solve(new double[6], tension, 5)).isZero();
         assertThat(tension).containsOnly(0);
@@ -70,7 +74,8 @@ class PrestressTest {
                 load[3 * i + axis] = d.isThoracic(i) ? 0 : -PRESSURE_KPA * areas[i] * normals[3 * i + axis];
             }
         }
-        Prestress prestress = new Prestress(sheet.positions(), springs.nodeA(), springs.nodeB(), free, new double[3 * n]);
+        Prestress prestress =
+                new Prestress(sheet.positions(), springs.nodeA(), springs.nodeB(), free, new double[3 * n]);
         double spacing = Math.sqrt(MeshMeasure.area(sheet) / n);
         double laplace = PRESSURE_KPA * radius / 2 / 2 * spacing;
         double[] tension = new double[springs.count()];

@@ -38,8 +38,8 @@ class RealThoraxTest {
 
     @Test
     void itBreathesQuietlyAsPeopleDo() {
-        Runs.Run breath =
-                Runs.run(1.9, Runs.scenario("anatomy=" + SharedThorax.path("anatomy/male-thorax")), SharedThorax.male());
+        Runs.Run breath = Runs.run(
+                1.9, Runs.scenario("anatomy=" + SharedThorax.path("anatomy/male-thorax")), SharedThorax.male());
         assertThat(breath.fall("dome_right_mm")).as("right dome, mm").isBetween(10.0, 25.0);
         assertThat(breath.fall("dome_left_mm")).as("left dome, mm").isBetween(10.0, 25.0);
         assertThat(breath.rise("lung_volume_change_ml")).as("air, ml").isBetween(300.0, 800.0);

@@ -37,8 +37,8 @@ class ScenePiecesTest {
             int best = -1;
             double least = Double.POSITIVE_INFINITY;
             for (int v = 0; v < mesh.vertexCount(); v++) {
-                double d = Math.sqrt(
-                        Math.pow(mesh.x(v) - x, 2) + Math.pow(mesh.y(v) - y, 2) + Math.pow(mesh.z(v) - z, 2));
+                double d =
+                        Math.sqrt(Math.pow(mesh.x(v) - x, 2) + Math.pow(mesh.y(v) - y, 2) + Math.pow(mesh.z(v) - z, 2));
                 if (v % 3 != 0 && d < least) {
                     least = d;
                     best = v;

@@ -39,8 +39,9 @@ class TissueLawTest {
             for (int c = 0; c + 1 < columns; c++) {
                 int a = r * columns + c;
                 int b = a + columns;
-                int[] two =
-                        r % 2 == 0 ? new int[] {a, a + 1, b, a + 1, b + 1, b} : new int[] {a, a + 1, b + 1, a, b + 1, b};
+                int[] two = r % 2 == 0
+                        ? new int[] {a, a + 1, b, a + 1, b + 1, b}
+                        : new int[] {a, a + 1, b + 1, a, b + 1, b};
                 System.arraycopy(two, 0, t, k, 6);
                 k += 6;
             }
