@@ -2,12 +2,9 @@ package org.phrenic.anatomy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeSet;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -20,6 +17,9 @@ public final class AcrossSheet {
     private static final double OPPOSING = -0.25;
     /** What lies closer is a seam between patches, not the other face. */
     private static final double SHORTEST_MM = 0.2;
+
+    /** Vertices that one thread takes at a time. */
+    private static final int RUN = 256;
 
     private final TriangleMesh sheet;
     private final int[][] opposing;
@@ -54,37 +54,45 @@ public final class AcrossSheet {
     private AcrossSheet(TriangleMesh sheet, double reach, Opposite opposite) {
         this.sheet = sheet;
         double[] normals = MeshMeasure.vertexNormals(sheet);
-        int n = sheet.vertexCount();
-        Map<Long, List<Integer>> grid = new HashMap<>();
-        for (int i = 0; i < n; i++) {
-            grid.computeIfAbsent(cell(sheet, i, reach, 0, 0, 0), k -> new ArrayList<>())
-                    .add(i);
-        }
-        opposing = new int[n][];
-        for (int i = 0; i < n; i++) {
-            List<double[]> found = new ArrayList<>();
-            for (int c = 0; c < 27; c++) {
-                List<Integer> near = grid.get(cell(sheet, i, reach, c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1));
-                if (near == null) {
-                    continue;
-                }
-                for (int j : near) {
-                    double d = distance(sheet, i, j);
-                    if (d <= reach && d > SHORTEST_MM && opposite.test(i, j) && dot(normals, i, j) < OPPOSING) {
-                        found.add(new double[] {d, j});
-                    }
-                }
+        PointGrid grid = new PointGrid(sheet.positions(), reach);
+        opposing = new int[sheet.vertexCount()][];
+        // Each vertex is found by itself, so it does not matter who does which.
+        IntStream.range(0, (opposing.length + RUN - 1) / RUN).parallel().forEach(run -> {
+            long[] found = new long[64];
+            int end = Math.min(opposing.length, (run + 1) * RUN);
+            for (int i = run * RUN; i < end; i++) {
+                found = across(grid, normals, i, reach, opposite, found);
             }
-            found.sort(Comparator.<double[]>comparingDouble(f -> f[0]).thenComparingDouble(f -> f[1]));
-            opposing[i] = found.stream().mapToInt(f -> (int) f[1]).toArray();
-        }
+        });
     }
 
-    private static long cell(TriangleMesh m, int i, double size, int dx, int dy, int dz) {
-        long x = (long) Math.floor(m.x(i) / size) + dx;
-        long y = (long) Math.floor(m.y(i) / size) + dy;
-        long z = (long) Math.floor(m.z(i) / size) + dz;
-        return (x & 0x1fffff) << 42 | (y & 0x1fffff) << 21 | (z & 0x1fffff);
+    private long[] across(PointGrid grid, double[] normals, int i, double reach, Opposite opposite, long[] room) {
+        long[] found = room;
+        int count = 0;
+        for (int row = 0; row < 9; row++) {
+            int end = grid.rowEnd(i, row);
+            for (int k = grid.rowStart(i, row); k < end; k++) {
+                int j = grid.point(k);
+                double d = distance(sheet, i, j);
+                if (d <= reach && d > SHORTEST_MM && opposite.test(i, j) && dot(normals, i, j) < OPPOSING) {
+                    if (count == found.length) {
+                        found = Arrays.copyOf(found, 2 * count);
+                    }
+                    found[count++] = byDistance(d, j);
+                }
+            }
+        }
+        Arrays.sort(found, 0, count);
+        opposing[i] = new int[count];
+        for (int k = 0; k < count; k++) {
+            opposing[i][k] = (int) found[k];
+        }
+        return found;
+    }
+
+    /** A number that sorts by distance, then by index. */
+    private static long byDistance(double distance, int index) {
+        return (long) Float.floatToIntBits((float) distance) << 32 | index;
     }
 
     private static double distance(TriangleMesh m, int i, int j) {
@@ -100,14 +108,19 @@ public final class AcrossSheet {
 
     /** Each vertex with its nearest opposing ones, at most so many a vertex; each pair once. */
     public List<Pair> nearest(int most) {
-        TreeSet<Long> keys = new TreeSet<>();
+        long[] keys = new long[most * opposing.length];
+        int count = 0;
         for (int i = 0; i < opposing.length; i++) {
             for (int k = 0; k < Math.min(most, opposing[i].length); k++) {
                 int j = opposing[i][k];
-                keys.add((long) Math.min(i, j) << 32 | Math.max(i, j));
+                keys[count++] = (long) Math.min(i, j) << 32 | Math.max(i, j);
             }
         }
-        return keys.stream().map(k -> new Pair((int) (k >> 32), (int) (long) k)).toList();
+        return Arrays.stream(keys, 0, count)
+                .sorted()
+                .distinct()
+                .mapToObj(k -> new Pair((int) (k >> 32), (int) k))
+                .toList();
     }
 
     /**
@@ -115,20 +128,33 @@ public final class AcrossSheet {
      * all of them right exactly.
      */
     public List<Pair> matched(IntPredicate chosen, int mostPerVertex) {
-        List<Pair> candidates = new ArrayList<>();
+        int[] first = new int[256];
+        int[] second = new int[256];
+        long[] order = new long[256];
+        int count = 0;
         for (int i = 0; i < opposing.length; i++) {
+            if (!chosen.test(i)) {
+                continue;
+            }
             for (int j : opposing[i]) {
-                if (i < j && chosen.test(i) && chosen.test(j)) {
-                    candidates.add(new Pair(i, j));
+                if (i < j && chosen.test(j)) {
+                    if (count == order.length) {
+                        first = Arrays.copyOf(first, 2 * count);
+                        second = Arrays.copyOf(second, 2 * count);
+                        order = Arrays.copyOf(order, 2 * count);
+                    }
+                    first[count] = i;
+                    second[count] = j;
+                    order[count] = byDistance(distance(sheet, i, j), count);
+                    count++;
                 }
             }
         }
-        candidates.sort(Comparator.<Pair>comparingDouble(p -> distance(sheet, p.a, p.b))
-                .thenComparingInt(Pair::a)
-                .thenComparingInt(Pair::b));
+        Arrays.sort(order, 0, count);
         int[] used = new int[opposing.length];
         List<Pair> links = new ArrayList<>();
-        for (Pair p : candidates) {
+        for (int k = 0; k < count; k++) {
+            Pair p = new Pair(first[(int) order[k]], second[(int) order[k]]);
             if (used[p.a] < mostPerVertex && used[p.b] < mostPerVertex) {
                 used[p.a]++;
                 used[p.b]++;

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
@@ -20,6 +22,8 @@ public final class BoneWeights {
     private static final int SAMPLES = 240;
     /** How much farther than the nearest sample a sample may be and still count, mm: half the space between two ribs. */
     private static final double REACH_MM = 14;
+    /** Points that one thread takes at a time. */
+    private static final int RUN = 256;
 
     /**
      * What carries some points.
@@ -30,9 +34,20 @@ public final class BoneWeights {
      */
     public record Blend(int[] body, double[] weight, double[] distance) {}
 
+    /** Samples are searched by cells of this size: a few samples each. */
+    private static final double CELL_MM = 20;
+
     private final int bodies;
     private final List<double[]> points = new ArrayList<>();
     private final List<double[]> weights = new ArrayList<>();
+    /** Samples sorted by cell, x, y, z each, and what moves each. */
+    private double[] sample;
+
+    private double[][] sampleWeights;
+    /** First sample of each cell that holds any, and the box of its samples: low x, y, z, high x, y, z. */
+    private int[] cellStart;
+
+    private double[] cellBox;
 
     private BoneWeights(int bodies) {
         this.bodies = bodies;
@@ -51,6 +66,7 @@ public final class BoneWeights {
                 }
             }
         }
+        TriangleTree sternum = sternumTree(thorax);
         for (Side side : new Side[] {Side.RIGHT, Side.LEFT}) {
             double[][] aboveWeights = null;
             double[] abovePoints = null;
@@ -62,7 +78,7 @@ public final class BoneWeights {
                 double[] p = sampled(cartilage.get().mesh());
                 int rib = cage.rib(level, side);
                 double[][] w = new double[p.length / 3][];
-                TriangleTree medial = level <= 7 || aboveWeights == null ? sternumTree(thorax) : null;
+                TriangleTree medial = level <= 7 || aboveWeights == null ? sternum : null;
                 for (int i = 0; i < w.length; i++) {
                     w[i] = cartilageWeights(cage, rib, p, 3 * i, medial, aboveWeights, abovePoints);
                     all.points.add(Arrays.copyOfRange(p, 3 * i, 3 * i + 3));
@@ -72,7 +88,43 @@ public final class BoneWeights {
                 abovePoints = p;
             }
         }
+        all.sortIntoCells();
         return all;
+    }
+
+    private void sortIntoCells() {
+        int count = points.size();
+        TreeMap<Long, List<Integer>> cells = new TreeMap<>();
+        for (int j = 0; j < count; j++) {
+            double[] p = points.get(j);
+            long key = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                key = (key << 21) | ((long) Math.floor(p[axis] / CELL_MM) & 0x1fffff);
+            }
+            cells.computeIfAbsent(key, k -> new ArrayList<>()).add(j);
+        }
+        sample = new double[3 * count];
+        sampleWeights = new double[count][];
+        cellStart = new int[cells.size() + 1];
+        cellBox = new double[6 * cells.size()];
+        int cell = 0;
+        int at = 0;
+        for (List<Integer> inside : cells.values()) {
+            double[] first = points.get(inside.get(0));
+            System.arraycopy(first, 0, cellBox, 6 * cell, 3);
+            System.arraycopy(first, 0, cellBox, 6 * cell + 3, 3);
+            for (int j : inside) {
+                sampleWeights[at] = weights.get(j);
+                for (int axis = 0; axis < 3; axis++) {
+                    double value = points.get(j)[axis];
+                    sample[3 * at + axis] = value;
+                    cellBox[6 * cell + axis] = Math.min(cellBox[6 * cell + axis], value);
+                    cellBox[6 * cell + 3 + axis] = Math.max(cellBox[6 * cell + 3 + axis], value);
+                }
+                at++;
+            }
+            cellStart[++cell] = at;
+        }
     }
 
     private static TriangleTree sternumTree(Thorax thorax) {
@@ -152,34 +204,83 @@ public final class BoneWeights {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Weights of points, mm. */
+    /** Weights of points, mm; shared out among the cores by runs of points, each of which is found by itself. */
     public Blend at(double[] where) {
         int n = where.length / 3;
-        int[] body = new int[n * MOST_BODIES];
-        double[] weight = new double[n * MOST_BODIES];
-        double[] distance = new double[n];
-        int count = points.size();
-        double[] d = new double[count];
-        for (int i = 0; i < n; i++) {
-            double nearest = Double.POSITIVE_INFINITY;
-            for (int j = 0; j < count; j++) {
-                d[j] = distance(where, 3 * i, points.get(j), 0);
-                nearest = Math.min(nearest, d[j]);
+        Blend blend = new Blend(new int[n * MOST_BODIES], new double[n * MOST_BODIES], new double[n]);
+        IntStream.range(0, (n + RUN - 1) / RUN)
+                .parallel()
+                .forEach(run -> weigh(where, run * RUN, Math.min(n, (run + 1) * RUN), blend));
+        return blend;
+    }
+
+    private void weigh(double[] where, int from, int to, Blend blend) {
+        int cells = cellStart.length - 1;
+        double[] toCell = new double[cells];
+        double[] sum = new double[bodies];
+        for (int i = from; i < to; i++) {
+            double x = where[3 * i];
+            double y = where[3 * i + 1];
+            double z = where[3 * i + 2];
+            int first = 0;
+            for (int c = 0; c < cells; c++) {
+                toCell[c] = toBox(c, x, y, z);
+                first = toCell[c] < toCell[first] ? c : first;
             }
-            distance[i] = nearest;
-            double[] sum = new double[bodies];
-            for (int j = 0; j < count; j++) {
-                if (d[j] < nearest + REACH_MM) {
-                    double f = FallOff.at(d[j], nearest + REACH_MM);
-                    double[] w = weights.get(j);
-                    for (int b = 0; b < bodies; b++) {
-                        sum[b] += f * w[b];
-                    }
+            double nearest = nearestIn(first, x, y, z, Double.POSITIVE_INFINITY);
+            for (int c = 0; c < cells; c++) {
+                if (toCell[c] < nearest) {
+                    nearest = nearestIn(c, x, y, z, nearest);
                 }
             }
-            keepLargest(sum, body, weight, i * MOST_BODIES);
+            double distance = Math.sqrt(nearest);
+            blend.distance[i] = distance;
+            double reach = distance + REACH_MM;
+            Arrays.fill(sum, 0);
+            for (int c = 0; c < cells; c++) {
+                if (toCell[c] < reach * reach) {
+                    addCell(c, x, y, z, reach, sum);
+                }
+            }
+            keepLargest(sum, blend.body, blend.weight, i * MOST_BODIES);
         }
-        return new Blend(body, weight, distance);
+    }
+
+    /** Squared distance from the box of a cell's samples. */
+    private double toBox(int cell, double x, double y, double z) {
+        int b = 6 * cell;
+        double dx = Math.max(0, Math.max(cellBox[b] - x, x - cellBox[b + 3]));
+        double dy = Math.max(0, Math.max(cellBox[b + 1] - y, y - cellBox[b + 4]));
+        double dz = Math.max(0, Math.max(cellBox[b + 2] - z, z - cellBox[b + 5]));
+        return dx * dx + dy * dy + dz * dz;
+    }
+
+    private double nearestIn(int cell, double x, double y, double z, double known) {
+        double nearest = known;
+        for (int j = cellStart[cell]; j < cellStart[cell + 1]; j++) {
+            nearest = Math.min(nearest, squared(j, x, y, z));
+        }
+        return nearest;
+    }
+
+    private void addCell(int cell, double x, double y, double z, double reach, double[] sum) {
+        for (int j = cellStart[cell]; j < cellStart[cell + 1]; j++) {
+            double squared = squared(j, x, y, z);
+            if (squared < reach * reach) {
+                double f = FallOff.at(Math.sqrt(squared), reach);
+                double[] w = sampleWeights[j];
+                for (int b = 0; b < w.length; b++) {
+                    sum[b] += f * w[b];
+                }
+            }
+        }
+    }
+
+    private double squared(int j, double x, double y, double z) {
+        double dx = sample[3 * j] - x;
+        double dy = sample[3 * j + 1] - y;
+        double dz = sample[3 * j + 2] - z;
+        return dx * dx + dy * dy + dz * dz;
     }
 
     private static void keepLargest(double[] sum, int[] body, double[] weight, int at) {

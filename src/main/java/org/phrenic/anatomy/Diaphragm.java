@@ -1,6 +1,9 @@
 package org.phrenic.anatomy;
 
-import org.phrenic.geometry.MeshMeasure;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.phrenic.geometry.Geodesics;
+import org.phrenic.geometry.HarmonicField;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -15,7 +18,10 @@ import org.phrenic.geometry.TriangleMesh;
  */
 public final class Diaphragm {
     /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
-    public static final double TENDON_SHARE = 0.16;
+    public static final double TENDON_SHARE = 0.14;
+
+    /** Gradient of the field below which it leads nowhere, 1/mm: it changes by 1 over the length of a fibre, 100 mm. */
+    private static final double FLAT = 1e-12;
 
     private final TriangleMesh sheet;
     private final MeshTopology topology;
@@ -46,7 +52,7 @@ public final class Diaphragm {
         MeshTopology topology = new MeshTopology(sheet);
         SheetFaces faces = new SheetFaces(sheet, topology);
         boolean[] inserted = outerBorder(topology, faces);
-        double[] distance = SheetPaths.distances(sheet, topology, inserted);
+        double[] distance = toInsertion(sheet, topology, inserted);
         boolean[] tendon = Trefoil.of(sheet, TENDON_SHARE);
         return new Diaphragm(sheet, topology, faces, inserted, distance, tendon);
     }
@@ -60,7 +66,7 @@ public final class Diaphragm {
         for (int i = 0; i < tendon.length; i++) {
             tendon[i] = sheet.z(i) > height;
         }
-        return new Diaphragm(sheet, topology, faces, inserted, SheetPaths.distances(sheet, topology, inserted), tendon);
+        return new Diaphragm(sheet, topology, faces, inserted, toInsertion(sheet, topology, inserted), tendon);
     }
 
     /** The largest connected run of border vertices; openings have their own. */
@@ -101,33 +107,37 @@ public final class Diaphragm {
         return out;
     }
 
+    private static double[] toInsertion(TriangleMesh sheet, MeshTopology topology, boolean[] inserted) {
+        int[] sources =
+                IntStream.range(0, inserted.length).filter(i -> inserted[i]).toArray();
+        if (sources.length == 0) {
+            double[] nowhere = new double[inserted.length];
+            Arrays.fill(nowhere, Double.POSITIVE_INFINITY);
+            return nowhere;
+        }
+        return Geodesics.distances(sheet, topology, sources);
+    }
+
     /** Unit fibre direction of each triangle; zero in the tendon. */
     private double[] fibres() {
-        double[] field = SheetPaths.harmonic(sheet, topology, inserted, tendon);
-        double[] normals = MeshMeasure.triangleNormals(sheet);
-        int[] t = sheet.triangles();
-        double[] p = sheet.positions();
-        double[] out = new double[t.length];
-        for (int i = 0; i < t.length; i += 3) {
-            if (tendon[t[i]] && tendon[t[i + 1]] && tendon[t[i + 2]]) {
+        int[] held = IntStream.range(0, inserted.length)
+                .filter(i -> inserted[i] || tendon[i])
+                .toArray();
+        double[] out = new double[sheet.triangles().length];
+        if (held.length == 0) {
+            return out;
+        }
+        double[] given = IntStream.of(held).mapToDouble(i -> tendon[i] ? 1 : 0).toArray();
+        double[] gradient = HarmonicField.solve(sheet, topology, held, given).gradients();
+        for (int t = 0; t < sheet.triangleCount(); t++) {
+            double length = Math.sqrt(gradient[3 * t] * gradient[3 * t]
+                    + gradient[3 * t + 1] * gradient[3 * t + 1]
+                    + gradient[3 * t + 2] * gradient[3 * t + 2]);
+            if (isTendonTriangle(t) || !(length > FLAT)) {
                 continue;
             }
-            double length = 0;
             for (int axis = 0; axis < 3; axis++) {
-                int u = (axis + 1) % 3;
-                int v = (axis + 2) % 3;
-                // Σ field × (normal × opposite edge): the gradient but for a factor.
-                for (int c = 0; c < 3; c++) {
-                    int from = 3 * t[i + (c + 1) % 3];
-                    int to = 3 * t[i + (c + 2) % 3];
-                    out[i + axis] += field[t[i + c]]
-                            * (normals[i + u] * (p[to + v] - p[from + v]) - normals[i + v] * (p[to + u] - p[from + u]));
-                }
-                length += out[i + axis] * out[i + axis];
-            }
-            length = Math.sqrt(length);
-            for (int axis = 0; axis < 3; axis++) {
-                out[i + axis] = length > 1e-12 ? out[i + axis] / length : 0;
+                out[3 * t + axis] = gradient[3 * t + axis] / length;
             }
         }
         return out;

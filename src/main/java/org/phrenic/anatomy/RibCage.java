@@ -45,8 +45,13 @@ public final class RibCage {
         bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
-        for (Structure rib : thorax.all(StructureKind.RIB)) {
-            RibEnds ends = RibEnds.find(rib.mesh(), rib.side());
+        List<Structure> ribs = thorax.all(StructureKind.RIB);
+        List<RibEnds> found = ribs.parallelStream()
+                .map(rib -> RibEnds.find(rib.mesh(), rib.side()))
+                .toList();
+        for (int i = 0; i < ribs.size(); i++) {
+            Structure rib = ribs.get(i);
+            RibEnds ends = found.get(i);
             HelicalAxis axis = table.axis(rib.level(), rib.side(), ends.head());
             bodies.add(new Body(rib.name(), rib.level(), rib.side(), Optional.of(axis), Optional.of(ends)));
             if (rib.level() <= LAST_TRUE_RIB) {

@@ -31,6 +31,11 @@ public final class ThoraxFolder {
     /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
     private static final double WELD_MM = 1e-3;
 
+    private record Found(String name, StructureName known, Path file) {}
+
+    private record Read(Structure structure, Optional<RuntimeException> failure) {}
+
+    private record Repaired(TriangleMesh mesh, Optional<String> note) {}
     /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
     private static final Set<StructureKind> SINGLE = EnumSet.of(
             StructureKind.RIB,
@@ -54,7 +59,7 @@ public final class ThoraxFolder {
         yaml.requireOnly(List.of("name", "axes", "units", "structures"));
         Map<String, Path> files = yaml.has("structures") ? listed(folder, yaml) : named(folder);
         List<String> notes = new ArrayList<>();
-        List<Structure> raw = new ArrayList<>();
+        List<Found> found = new ArrayList<>();
         Map<StructureName, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
@@ -71,17 +76,21 @@ public final class ThoraxFolder {
             if (twin != null) {
                 throw twins(folder, twin, entry.getValue());
             }
-            raw.add(new Structure(
-                    entry.getKey(), name.kind(), name.level(), name.side(), MeshFiles.read(entry.getValue())));
+            found.add(new Found(entry.getKey(), name, entry.getValue()));
         }
+        List<Structure> raw = read(found);
         if (raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
             throw new BadInputException(folder + ": no diaphragm among " + raw.size()
                     + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
         }
         BodyFrame frame = frame(folder, yaml, raw);
+        List<Repaired> repaired = raw.parallelStream()
+                .map(s -> repaired(s.name(), frame.toLps(s.mesh())))
+                .toList();
         List<Structure> structures = new ArrayList<>();
-        for (Structure s : raw) {
-            structures.add(s.withMesh(repaired(s.name(), frame.toLps(s.mesh()), notes)));
+        for (int i = 0; i < raw.size(); i++) {
+            structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
+            repaired.get(i).note().ifPresent(notes::add);
         }
         structures.stream().filter(s -> s.kind() == StructureKind.DIAPHRAGM).forEach(s -> noteShells(s.mesh(), notes));
         notes.add(0, "axes " + frame.axes() + ", " + frame.millimetres() + " mm a unit");
@@ -91,6 +100,25 @@ public final class ThoraxFolder {
                         folder.toAbsolutePath().normalize().getFileName().toString()),
                 structures,
                 notes);
+    }
+
+    /** Reads all files at once; what is said of a bad one is that of the first in the order of names. */
+    private static List<Structure> read(List<Found> found) {
+        List<Read> all = found.parallelStream().map(ThoraxFolder::read).toList();
+        all.forEach(r -> r.failure().ifPresent(failure -> {
+            throw failure;
+        }));
+        return all.stream().map(Read::structure).toList();
+    }
+
+    private static Read read(Found f) {
+        try {
+            StructureName name = f.known();
+            TriangleMesh mesh = MeshFiles.read(f.file());
+            return new Read(new Structure(f.name(), name.kind(), name.level(), name.side(), mesh), Optional.empty());
+        } catch (RuntimeException e) {
+            return new Read(null, Optional.of(e));
+        }
     }
 
     private static BodyFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
@@ -115,17 +143,15 @@ public final class ThoraxFolder {
         };
     }
 
-    private static TriangleMesh repaired(String name, TriangleMesh mesh, List<String> notes) {
+    private static Repaired repaired(String name, TriangleMesh mesh) {
         MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM);
         if (result.mesh().triangleCount() == 0) {
             throw new BadInputException(
                     name + ": found no triangle with an area, expected a surface of " + mesh.triangleCount());
         }
-        if (result.mesh().triangleCount() != mesh.triangleCount()
-                || result.mesh().vertexCount() != mesh.vertexCount()) {
-            notes.add(name + ": " + result.report());
-        }
-        return result.mesh();
+        boolean changed = result.mesh().triangleCount() != mesh.triangleCount()
+                || result.mesh().vertexCount() != mesh.vertexCount();
+        return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
     }
 
     /** Only a closed sheet can breathe; of loose crura and the like the reader is told that they are left out. */

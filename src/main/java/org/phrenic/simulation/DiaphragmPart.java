@@ -5,6 +5,9 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.AcrossSheet;
 import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.constraint.OrderedPairs;
+import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -18,6 +21,10 @@ final class DiaphragmPart {
 
     private static final int STRUTS = 3;
     private static final double MIDLINE_MM = 20;
+    /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
+    private static final double LEAST_SHARE = 0.4;
+
+    private static final double LEAST_MM = 1.5;
     /** Depth below the wall at rest up to which the abdominal face is apposed. */
     private static final double APPOSED_MM = 15;
     /** Something more than half of the sheet's 2 to 5 mm. */
@@ -28,6 +35,8 @@ final class DiaphragmPart {
     final Diaphragm diaphragm;
     final int first;
     final List<AcrossSheet.Pair> links;
+    /** Muscle's pairs across the sheet, each vertex in one at most. */
+    private final List<AcrossSheet.Pair> musclePairs;
 
     DiaphragmPart(
             SceneParts parts,
@@ -59,6 +68,7 @@ final class DiaphragmPart {
             }
         }
         links = across.matched(diaphragm::isTendon, linksPerNode);
+        musclePairs = struts ? across.matched(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1) : List.of();
     }
 
     private void addEdges(SpringList springs, TissueLaw law, double tendonRatio, double leftOverRight) {
@@ -132,6 +142,40 @@ final class DiaphragmPart {
     /** How far inside the wall a vertex is stopped, mm. */
     double inset(int vertex) {
         return diaphragm.isThoracic(vertex) ? 0 : BEHIND_MM;
+    }
+
+    /** What keeps the thoracic face outside the abdominal one in muscle. */
+    OrderedPairs order(NodeLayout layout, double refresh) {
+        TriangleMesh s = diaphragm.sheet();
+        MeshTopology topology = diaphragm.topology();
+        int n = musclePairs.size();
+        int[] outer = new int[n];
+        int[] inner = new int[n];
+        int[] triangle = new int[3 * n];
+        double[] least = new double[n];
+        double[] normals = MeshMeasure.triangleNormals(s);
+        for (int i = 0; i < n; i++) {
+            AcrossSheet.Pair pair = musclePairs.get(i);
+            int a = diaphragm.isThoracic(pair.a()) ? pair.a() : pair.b();
+            int b = a == pair.a() ? pair.b() : pair.a();
+            outer[i] = first + a;
+            inner[i] = first + b;
+            int t = topology.vertexTriangles()[topology.vertexTriangleStart()[a]];
+            for (int c = 0; c < 3; c++) {
+                triangle[3 * i + c] = first + s.triangles()[3 * t + c];
+            }
+            least[i] = Math.min(LEAST_MM, LEAST_SHARE * along(s.positions(), normals, a, b, t));
+        }
+        return new OrderedPairs(layout, outer, inner, triangle, least, refresh);
+    }
+
+    /** Distance of a from b along the normal of a triangle. */
+    private static double along(double[] p, double[] normals, int a, int b, int triangle) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            sum += normals[3 * triangle + axis] * (p[3 * a + axis] - p[3 * b + axis]);
+        }
+        return sum;
     }
 
     /** Vertices of the muscle. */

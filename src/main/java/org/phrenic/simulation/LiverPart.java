@@ -34,7 +34,7 @@ final class LiverPart {
         NearestVertex surface = new NearestVertex(mesh, i -> true);
         double[] distance = new double[sheet.vertexCount()];
         for (int i = 0; i < distance.length; i++) {
-            surface.find(sheet.x(i), sheet.y(i), sheet.z(i));
+            surface.find(sheet.x(i), sheet.y(i), sheet.z(i), 3 * ATTACHED_MM);
             distance[i] = surface.distance();
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);

@@ -66,7 +66,7 @@ final class LungPart {
             double[] normals = MeshMeasure.vertexNormals(mesh);
             double[] toBone = bones.at(mesh.positions()).distance();
             for (int i = 0; i < mesh.vertexCount(); i++) {
-                int near = thoracic.find(mesh.x(i), mesh.y(i), mesh.z(i));
+                int near = thoracic.find(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM);
                 double distance = thoracic.distance();
                 boolean costal = wall != null
                         && wall.depth(mesh.x(i), mesh.y(i), mesh.z(i)) < PLEURAL_MM

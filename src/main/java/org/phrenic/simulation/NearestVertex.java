@@ -9,7 +9,7 @@ final class NearestVertex {
     private static final double CELL_MM = 10;
 
     private final TriangleMesh mesh;
-    private final double[] low;
+    private final double[] box;
     private final int[] cells;
     private final int[] start;
     private final int[] vertex;
@@ -17,8 +17,7 @@ final class NearestVertex {
 
     NearestVertex(TriangleMesh mesh, IntPredicate chosen) {
         this.mesh = mesh;
-        double[] box = mesh.bounds();
-        low = box;
+        box = mesh.bounds();
         cells = new int[] {
             (int) ((box[3] - box[0]) / CELL_MM) + 1,
             (int) ((box[4] - box[1]) / CELL_MM) + 1,
@@ -44,21 +43,33 @@ final class NearestVertex {
     }
 
     private int index(double value, int axis) {
-        return Math.max(0, Math.min(cells[axis] - 1, (int) ((value - low[axis]) / CELL_MM)));
+        return Math.max(0, Math.min(cells[axis] - 1, (int) ((value - box[axis]) / CELL_MM)));
     }
 
-    /** Number of the nearest chosen vertex, -1 if none was chosen. */
+    /** Number of the nearest chosen vertex, however far; -1 if none was chosen. */
     int find(double x, double y, double z) {
+        return find(x, y, z, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Number of the nearest chosen vertex.
+     *
+     * @param reach how far to look, mm
+     * @return -1 if none lies within reach; one somewhat beyond may be found
+     */
+    int find(double x, double y, double z, double reach) {
         int cx = index(x, 0);
         int cy = index(y, 1);
         int cz = index(z, 2);
         int most = Math.max(cells[0], Math.max(cells[1], cells[2]));
         int best = -1;
         double bestSquared = Double.POSITIVE_INFINITY;
-        // A point outside the box is clamped into it, so a shell can hold nearer vertices than its number says; one
-        // more shell settles it.
+        double outside = outside(x, y, z);
         for (int shell = 0; shell <= most; shell++) {
-            if (best >= 0 && bestSquared < (shell - 1.0) * (shell - 1.0) * CELL_MM * CELL_MM) {
+            // What lies in this shell and those after it is at least so far away, along one axis or along the way into
+            // the box.
+            double least = Math.max(outside, (shell - 1.0) * CELL_MM);
+            if (least > reach || (best >= 0 && bestSquared < (shell - 1.0) * (shell - 1.0) * CELL_MM * CELL_MM)) {
                 break;
             }
             for (int i = Math.max(0, cx - shell); i <= Math.min(cells[0] - 1, cx + shell); i++) {
@@ -88,7 +99,14 @@ final class NearestVertex {
         return best;
     }
 
-    /** Distance of the last one found, mm. */
+    private double outside(double x, double y, double z) {
+        double dx = Math.max(0, Math.max(box[0] - x, x - box[3]));
+        double dy = Math.max(0, Math.max(box[1] - y, y - box[4]));
+        double dz = Math.max(0, Math.max(box[2] - z, z - box[5]));
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** Distance of the last one found, mm; infinite if none was. */
     double distance() {
         return distance;
     }

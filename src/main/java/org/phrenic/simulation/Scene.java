@@ -27,6 +27,7 @@ import org.phrenic.engine.constraint.SlidingContact;
  * @param springs how many
  * @param attachments how many nodes are held by bone, directly or by springs
  * @param prestressResidual share of the load at rest that the sheet's tensions do not carry
+ * @param massAddedPercent what {@link MassScaling} added to the mass of all nodes, per cent
  */
 record Scene(
         Thorax thorax,
@@ -43,4 +44,5 @@ record Scene(
         Optional<SlidingContact> contact,
         int springs,
         int attachments,
-        double prestressResidual) {}
+        double prestressResidual,
+        double massAddedPercent) {}

@@ -27,6 +27,7 @@ import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.force.FacePressure;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.engine.force.Springs;
+import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.MeshRepair;
@@ -38,6 +39,9 @@ import org.phrenic.geometry.TriangleMesh;
 final class SceneAssembly {
     /** Anchors and wall planes are taken anew this often; in between they go on at their velocity (an error of some µm). */
     private static final double REFRESH_S = 0.01;
+
+    /** Step of the physical preset that is to need no substeps; the same whatever step is chosen, so that the body does not depend on it. */
+    private static final double SCALED_STEP_S = 1e-3;
 
     private static final double LINK_TOLERANCE = 1e-6;
     private static final int LINK_SWEEPS = 50;
@@ -98,7 +102,9 @@ final class SceneAssembly {
 
         double[] positions = parts.positions();
         NodeLayout layout = NodeLayout.morton(positions);
-        ParticleSystem system = new ParticleSystem(layout, positions, parts.masses(), workers);
+        double[] masses = parts.masses();
+        double massAdded = physical ? scaleMasses(positions, masses) : 0;
+        ParticleSystem system = new ParticleSystem(layout, positions, masses, workers);
         if (physical) {
             system.setViscosityPerMass(value(Parameter.DAMPING_RATE));
         } else {
@@ -125,6 +131,9 @@ final class SceneAssembly {
             links = Optional.of(links(layout, diaphragm, positions));
             system.add(links.get());
         }
+        if (physical) {
+            system.add(diaphragm.order(layout, REFRESH_S));
+        }
         contact.ifPresent(system::add);
         if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
@@ -149,7 +158,18 @@ final class SceneAssembly {
                 contact,
                 parts.diaphragm.count() + parts.passive.count(),
                 attachments,
-                residual);
+                residual,
+                massAdded);
+    }
+
+    /** Makes nodes that alone would shorten the step heavier; returns the mass added, per cent. */
+    private double scaleMasses(double[] positions, double[] masses) {
+        MassScaling scaling = new MassScaling(positions, masses);
+        scaling.springs(parts.diaphragm);
+        scaling.springs(parts.passive);
+        scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
+        scaling.scaleFor(SCALED_STEP_S / Stepper.SAFETY);
+        return scaling.addedPercent();
     }
 
     private double value(Parameter parameter) {

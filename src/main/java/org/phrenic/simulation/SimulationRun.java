@@ -127,6 +127,7 @@ public final class SimulationRun {
         map.put("steps_per_s", stepper.steps() / stepping);
         map.put("realtime_factor", stepper.time() / stepping);
         map.put("prestress_residual", scene.prestressResidual());
+        map.put("mass_added_percent", scene.massAddedPercent());
         map.put("settled_by_rms_mm", simulation.settledBy());
         map.putAll(new Summary(samples).values());
         map.put("threads", scenario.threads());

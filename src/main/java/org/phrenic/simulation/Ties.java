@@ -28,7 +28,7 @@ final class Ties {
                 }
                 NearestVertex nearest = new NearestVertex(b, v -> true);
                 for (int v = 0; v < a.vertexCount(); v++) {
-                    int other = nearest.find(a.x(v), a.y(v), a.z(v));
+                    int other = nearest.find(a.x(v), a.y(v), a.z(v), REACH_MM);
                     double d = nearest.distance();
                     if (d < REACH_MM && d > SHORTEST_MM) {
                         parts.passive.add(firsts.get(i) + v, firsts.get(j) + other, stiffness, d, 0);

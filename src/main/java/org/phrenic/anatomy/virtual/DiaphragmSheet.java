@@ -12,6 +12,7 @@ final class DiaphragmSheet {
     private static final int SWEEPS = 20;
     private static final int NORMAL_PASSES = 6;
     private static final double SHARP_COSINE = 0.87;
+    private static final double CRURA_HALF_BREADTH_MM = 60;
     private static final int SOFTENING_PASSES = 8;
     private static final double TENDON_EDGE_MM = 8;
 
@@ -42,11 +43,11 @@ final class DiaphragmSheet {
         int[] counts = RingMesh.counts(meridians, edge, 0);
         int inner = RingMesh.total(counts) - counts[counts.length - 1];
         TriangleMesh middle = RingMesh.mesh(meridians, counts, true);
-        middle = Relaxation.relax(middle, SWEEPS, v -> v < inner ? shape : null);
+        middle = Relaxation.relaxAndSpread(middle, SWEEPS, v -> v < inner ? shape : null);
         return thicken(soften(middle, inner), inner);
     }
 
-    /** Rounds the crura's edges, where the sheet bends more sharply than its thickness allows; above, the liver lies close. */
+    /** Rounds the crura's edges, where the sheet bends more sharply than its thickness allows; farther out, the liver lies close. */
     private TriangleMesh soften(TriangleMesh middle, int firstRim) {
         int n = middle.vertexCount();
         int[] face = middle.triangles();
@@ -60,7 +61,7 @@ final class DiaphragmSheet {
         for (int c = 0; c < face.length; c++) {
             int a = face[c];
             int b = face[c % 3 == 2 ? c - 2 : c + 1];
-            if (p[a][2] < PIVOT_Z && V3.dot(normals[a], normals[b]) < SHARP_COSINE) {
+            if (Math.abs(p[a][0]) < CRURA_HALF_BREADTH_MM && V3.dot(normals[a], normals[b]) < SHARP_COSINE) {
                 share[a] = a < firstRim ? 0.5 : 0;
                 share[b] = b < firstRim ? 0.5 : 0;
             }

@@ -13,6 +13,8 @@ final class MarchingTetrahedra {
     private static final int[][] TETRAHEDRA = {
         {0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}
     };
+
+    private static final int[][] NONE = {};
     /** A cut closer to a corner than this share of the edge is moved there: no needles. */
     private static final double LEAST_SHARE = 0.12;
 
@@ -51,10 +53,12 @@ final class MarchingTetrahedra {
         for (int k = 0; k < march.size[2] - 1; k++) {
             for (int j = 0; j < march.size[1] - 1; j++) {
                 for (int i = 0; i < march.size[0] - 1; i++) {
+                    int inside = 0;
                     for (int c = 0; c < 8; c++) {
                         corner[c] = march.index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1));
+                        inside += march.value[corner[c]] < 0 ? 1 : 0;
                     }
-                    for (int[] t : TETRAHEDRA) {
+                    for (int[] t : inside % 8 == 0 ? NONE : TETRAHEDRA) {
                         march.tetrahedron(corner[t[0]], corner[t[1]], corner[t[2]], corner[t[3]]);
                     }
                 }

@@ -3,13 +3,13 @@ package org.phrenic.anatomy.virtual;
 import java.util.Arrays;
 
 /**
- * A bowl-shaped piece of a surface as lines that run from its pole on an axis out to its border, one every 1.5 degrees of
+ * A bowl-shaped piece of a surface as lines that run from its pole on an axis out to its border, one every 2 degrees of
  * azimuth; places on a line are fractions of its length. In each upright half-plane through the axis the surface must be seen
  * whole from one point of the axis, the pivot.
  */
 final class Meridians {
-    static final int AZIMUTHS = 240;
-    private static final int SAMPLES = 90;
+    static final int AZIMUTHS = 180;
+    private static final int SAMPLES = 45;
 
     private final double[][][] line = new double[AZIMUTHS][SAMPLES + 1][];
 

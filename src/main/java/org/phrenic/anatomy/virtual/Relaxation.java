@@ -18,6 +18,10 @@ final class Relaxation {
 
     private static final double REPULSION = 2.0;
     private static final double MOST_PUSH = 1.5;
+    /** No edge is to be shorter than this share of the mean. */
+    private static final double SPREAD_EDGE = 0.5;
+
+    private static final int SPREADS = 30;
 
     private final double[] positions;
     private final int[] triangles;
@@ -40,6 +44,47 @@ final class Relaxation {
         }
         relaxation.flip();
         return new TriangleMesh(relaxation.positions, relaxation.triangles);
+    }
+
+    /**
+     * As {@link #relax}, then moves the ends of edges shorter than a share of the mean edge apart: the shortest edge sets the time
+     * step of what moves the mesh.
+     */
+    static TriangleMesh relaxAndSpread(TriangleMesh mesh, int sweeps, IntFunction<Field> surface) {
+        Relaxation relaxation = new Relaxation(relax(mesh, sweeps, surface), surface);
+        for (int i = 0; i < SPREADS && relaxation.spread(); i++) {
+            relaxation.flip();
+        }
+        return new TriangleMesh(relaxation.positions, relaxation.triangles);
+    }
+
+    /** Makes up half of what each short edge misses at each end, back on the surface; false if no edge was short. */
+    private boolean spread() {
+        double least = SPREAD_EDGE * meanEdge;
+        double[] move = new double[positions.length];
+        boolean[] moved = new boolean[positions.length / 3];
+        boolean any = false;
+        for (int c = 0; c < triangles.length; c++) {
+            int a = triangles[c];
+            int b = triangles[next(c)];
+            double[] way = V3.minus(vertex(b), vertex(a));
+            double length = Math.max(V3.length(way), 1e-9);
+            if (length < least && (surface.apply(a) != null || surface.apply(b) != null)) {
+                any = true;
+                moved[a] = true;
+                for (int axis = 0; axis < 3; axis++) {
+                    move[3 * a + axis] -= (least / length - 1) / 2 * way[axis];
+                }
+            }
+        }
+        for (int v = 0; v < moved.length; v++) {
+            Field field = surface.apply(v);
+            if (moved[v] && field != null) {
+                double[] way = V3.of(move[3 * v], move[3 * v + 1], move[3 * v + 2]);
+                System.arraycopy(field.project(V3.add(vertex(v), way, 1), 4), 0, positions, 3 * v, 3);
+            }
+        }
+        return any;
     }
 
     private double[] vertex(int v) {
@@ -71,14 +116,16 @@ final class Relaxation {
 
     /** Adds to vertex a's move: towards its neighbour b, or away from it where they stand too close. */
     private void pull(int a, int b, double[] sum) {
-        double[] way = V3.minus(vertex(b), vertex(a));
-        double length = Math.max(V3.length(way), 1e-9);
+        double x = positions[3 * b] - positions[3 * a];
+        double y = positions[3 * b + 1] - positions[3 * a + 1];
+        double z = positions[3 * b + 2] - positions[3 * a + 2];
+        double length = Math.max(Math.sqrt(x * x + y * y + z * z), 1e-9);
         double least = LEAST_EDGE * meanEdge;
         double weight = length < least ? 1 - REPULSION * (least / length - 1) : 1;
         weight = Math.max(weight, -MOST_PUSH * least / length);
-        for (int axis = 0; axis < 3; axis++) {
-            sum[3 * a + axis] += weight * way[axis];
-        }
+        sum[3 * a] += weight * x;
+        sum[3 * a + 1] += weight * y;
+        sum[3 * a + 2] += weight * z;
     }
 
     private static double meanEdge(double[] positions, int[] triangles) {

@@ -3,6 +3,7 @@ package org.phrenic.engine.integrator;
 import java.util.Arrays;
 import java.util.Locale;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Workers;
 
 /**
  * The largest step that is stable for a scheme on an assembled system.
@@ -71,6 +72,8 @@ public record StabilityLimit(
             u[i] = w[i / 3] == 0 ? 0 : ((((i * 2654435761L) >>> 7) & 1) == 0 ? 1 : -1) * (1 + i % 7 / 7.0);
         }
         double[] image = new double[3 * n];
+        int blocks = system.layout().blockCount();
+        Workers.Task stiffness = block -> system.addStiffness(system.positions(), u, image, block);
         double eigenvalue = 0;
         for (int iteration = 0; iteration < ITERATIONS; iteration++) {
             double norm = 0;
@@ -85,9 +88,7 @@ public record StabilityLimit(
                 u[i] *= scale;
             }
             Arrays.fill(image, 0);
-            for (int block = 0; block < system.layout().blockCount(); block++) {
-                system.addStiffness(system.positions(), u, image, block);
-            }
+            system.workers().run(blocks, stiffness);
             eigenvalue = 0;
             for (int i = 0; i < u.length; i++) {
                 eigenvalue += u[i] * image[i];

@@ -61,6 +61,15 @@ final class Surface {
         return six / 6000;
     }
 
+    double shortestEdge() {
+        int[] t = mesh.triangles();
+        double least = Double.POSITIVE_INFINITY;
+        for (int c = 0; c < t.length; c++) {
+            least = Math.min(least, V3.distance(vertex(t[c]), vertex(t[c % 3 == 2 ? c - 2 : c + 1])));
+        }
+        return least;
+    }
+
     double areaMm2(int triangle) {
         double[] a = corner(triangle, 0);
         return V3.length(V3.cross(V3.minus(corner(triangle, 1), a), V3.minus(corner(triangle, 2), a))) / 2;

@@ -3,6 +3,8 @@ package org.phrenic.anatomy.virtual;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -15,6 +17,7 @@ import org.phrenic.anatomy.Thorax;
 
 class VirtualThoraxMeshTest {
     private static final double BUDGET_TOLERANCE = 0.01;
+    private static final double LEAST_EDGE_MM = 1.5;
 
     @ParameterizedTest
     @CsvSource({
@@ -72,6 +75,14 @@ class VirtualThoraxMeshTest {
         }
     }
 
+    /** The shortest edge sets the time step: a wave of stretch must not cross it within one (Courant). */
+    @ParameterizedTest
+    @CsvSource({"adult-male, MEDIUM", "adult-male, HIGH", "adult-female, MEDIUM", "adult-female, HIGH"})
+    void noEdgeOfTheDiaphragmIsShort(String preset, Resolution resolution) {
+        Surface sheet = Bodies.surface(Bodies.grow(preset, resolution), "diaphragm");
+        assertThat(sheet.shortestEdge()).isGreaterThan(LEAST_EDGE_MM);
+    }
+
     @Test
     void facesOfTheDiaphragmArePartnersOneThicknessApart() {
         VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
@@ -105,14 +116,16 @@ class VirtualThoraxMeshTest {
         }
     }
 
+    /** Processor time, all threads together, the compiler's too: a busy machine takes longer but does not fail this. */
     @Test
-    void growsInUnderTwoSeconds() {
+    void growsInUnderTwoSecondsOfProcessorTime() {
+        var system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
         double best = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3 && best > 2; i++) {
-            long start = System.nanoTime();
+            long start = system.getProcessCpuTime();
             VirtualThorax.generate(parameters, Resolution.HIGH);
-            best = Math.min(best, (System.nanoTime() - start) * 1e-9);
+            best = Math.min(best, (system.getProcessCpuTime() - start) * 1e-9);
         }
         assertThat(best).isLessThan(2);
     }

@@ -148,7 +148,10 @@ class VirtualThoraxSizeTest {
         return top;
     }
 
-    /** 700-950 cm2 at end-expiration (weakly sourced); women 10-12 % smaller lungs, shorter diaphragm. */
+    /**
+     * 700 cm2, the lower end of the 700-950 cm2 stated (weakly sourced) at end-expiration, up to the about 1,240 cm2 a face of a
+     * public male atlas (BodyParts3D in Z-Anatomy), rounded: its rim too runs down along the costal margin.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"adult-male", "adult-female"})
     void theDiaphragmHasTheAreaOfAnAdults(String preset) {
@@ -162,7 +165,7 @@ class VirtualThoraxSizeTest {
             }
             area += thoracic ? sheet.areaMm2(t) / 100 : 0;
         }
-        assertThat(area).isBetween(700.0, 955.0);
+        assertThat(area).isBetween(700.0, 1250.0);
     }
 
     /** FRC with tissue 2.4-3.5 l in men, women less; liver 1.5 and 1.3 l. */
