@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.MeshFiles;
@@ -91,6 +92,7 @@ public final class ThoraxFolder {
             structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
             repaired.get(i).note().ifPresent(notes::add);
         }
+        structures.stream().filter(s -> s.kind() == StructureKind.DIAPHRAGM).forEach(s -> noteShells(s.mesh(), notes));
         notes.add(0, "axes " + frame.axes() + ", " + frame.millimetres() + " mm a unit");
         return new Thorax(
                 yaml.text(
@@ -150,6 +152,17 @@ public final class ThoraxFolder {
         boolean changed = result.mesh().triangleCount() != mesh.triangleCount()
                 || result.mesh().vertexCount() != mesh.vertexCount();
         return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
+    }
+
+    /** Only a closed sheet can breathe; of loose crura and the like the reader is told that they are left out. */
+    private static void noteShells(TriangleMesh diaphragm, List<String> notes) {
+        List<TriangleMesh> shells = MeshRepair.components(diaphragm);
+        if (shells.size() > 1) {
+            String sizes =
+                    shells.stream().map(m -> String.valueOf(m.vertexCount())).collect(Collectors.joining(", "));
+            notes.add("diaphragm: found " + shells.size() + " shells of " + sizes
+                    + " vertices; the largest closed one breathes, the others are left out");
+        }
     }
 
     private static BadInputException twins(Path folder, Path one, Path other) {
