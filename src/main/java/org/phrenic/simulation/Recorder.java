@@ -142,7 +142,10 @@ final class Recorder {
         BlendedMotion motion = cartilages.computeIfAbsent(
                 s.name(),
                 name -> new BlendedMotion(
-                        scene.pose(), s.mesh().positions(), bones.at(s.mesh().positions())));
+                        scene.pose(),
+                        s.mesh().positions(),
+                        bones.at(s.mesh().positions()),
+                        scene.system().workers()));
         double[] p = new double[s.mesh().positions().length];
         motion.at(time, p, new double[p.length]);
         return s.mesh().withPositions(p);
