@@ -74,7 +74,7 @@ class BreathingPresetTest {
 
     /** T = 4 s, Ti = 1.6 s, 1/6 of the ribs' full turn (physiology of VT 0.5 l of an IC of 3 l). */
     @Test
-    void quietBreathIsOneSixthOfTheFullTurn() throws IOException {
+    void quietBreathIsOneSixthOfTheFullTurnAndDeepSevenTenths() throws IOException {
         BreathingPattern quiet = BreathingPreset.named("quiet").pattern();
         assertThat(quiet.periodS()).isEqualTo(4);
         assertThat(BreathingPatternContract.at(quiet, 1.6).ribTurn).isCloseTo(1.0 / 6, within(1e-4));
@@ -83,7 +83,8 @@ class BreathingPresetTest {
         assertThat(BreathingPatternContract.at(supine, 1.6).ribTurn).isCloseTo(1.0 / 12, within(1e-4));
         BreathingPattern deep = BreathingPreset.named("deep").pattern();
         assertThat(deep.periodS()).isEqualTo(8);
-        assertThat(BreathingPatternContract.at(deep, 3.6).ribTurn).isCloseTo(1, within(1e-12));
+        // The full turn belongs to full inspiration (Wilson et al. 1987); a deep breath stops short of it.
+        assertThat(BreathingPatternContract.at(deep, 3.6).ribTurn).isCloseTo(0.7, within(1e-12));
     }
 
     @Test
