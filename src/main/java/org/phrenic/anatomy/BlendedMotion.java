@@ -1,24 +1,33 @@
 package org.phrenic.anatomy;
 
 import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.Workers;
 
 /**
  * Points carried by bones: each by up to {@value BoneWeights#MOST_BODIES} bodies, x = Σ w T_k X with weights that sum to 1 (linear blending: exact for a
  * point on one bone, smooth between two).
  */
 public final class BlendedMotion implements PrescribedMotion {
+    private static final int POINTS_A_PIECE = 512;
+
     private final RibCagePose pose;
+    private final Workers workers;
     private final double[] rest;
     private final int[] body;
     private final double[] weight;
+    private final Workers.Task task = this::piece;
+    private double[] position;
+    private double[] velocity;
 
     /**
      * @param pose of the rib cage
      * @param rest where the points are at rest, mm
      * @param bones the weights of each point
+     * @param workers who share the points; {@link #at} is called by their caller alone
      */
-    public BlendedMotion(RibCagePose pose, double[] rest, BoneWeights.Blend bones) {
+    public BlendedMotion(RibCagePose pose, double[] rest, BoneWeights.Blend bones, Workers workers) {
         this.pose = pose;
+        this.workers = workers;
         this.rest = rest.clone();
         this.body = bones.body();
         this.weight = bones.weight();
@@ -30,26 +39,38 @@ public final class BlendedMotion implements PrescribedMotion {
     }
 
     @Override
-    public void at(double time, double[] position, double[] velocity) {
+    public void at(double time, double[] positions, double[] velocities) {
         pose.update(time);
+        position = positions;
+        velocity = velocities;
+        workers.run((pointCount() + POINTS_A_PIECE - 1) / POINTS_A_PIECE, task);
+    }
+
+    private void piece(int piece) {
         int most = BoneWeights.MOST_BODIES;
-        for (int i = 0, p = 0; i < rest.length; i += 3, p += most) {
+        int end = Math.min(pointCount(), (piece + 1) * POINTS_A_PIECE);
+        double[] given = rest;
+        double[] moved = position;
+        double[] speed = velocity;
+        for (int n = piece * POINTS_A_PIECE; n < end; n++) {
+            int i = 3 * n;
+            double rx = given[i];
+            double ry = given[i + 1];
+            double rz = given[i + 2];
             double x = 0;
             double y = 0;
             double z = 0;
             double vx = 0;
             double vy = 0;
             double vz = 0;
-            for (int k = p; k < p + most; k++) {
+            // Largest weight first: after the first that is 0 there is none.
+            for (int k = most * n; k < most * (n + 1) && weight[k] != 0; k++) {
                 double w = weight[k];
-                if (w == 0) {
-                    continue;
-                }
                 double[] t = pose.pose(body[k]);
                 double[] s = pose.twist(body[k]);
-                double bx = t[0] * rest[i] + t[1] * rest[i + 1] + t[2] * rest[i + 2] + t[3];
-                double by = t[4] * rest[i] + t[5] * rest[i + 1] + t[6] * rest[i + 2] + t[7];
-                double bz = t[8] * rest[i] + t[9] * rest[i + 1] + t[10] * rest[i + 2] + t[11];
+                double bx = t[0] * rx + t[1] * ry + t[2] * rz + t[3];
+                double by = t[4] * rx + t[5] * ry + t[6] * rz + t[7];
+                double bz = t[8] * rx + t[9] * ry + t[10] * rz + t[11];
                 x += w * bx;
                 y += w * by;
                 z += w * bz;
@@ -57,12 +78,12 @@ public final class BlendedMotion implements PrescribedMotion {
                 vy += w * (s[2] * bx - s[0] * bz + s[4]);
                 vz += w * (s[0] * by - s[1] * bx + s[5]);
             }
-            position[i] = x;
-            position[i + 1] = y;
-            position[i + 2] = z;
-            velocity[i] = vx;
-            velocity[i + 1] = vy;
-            velocity[i + 2] = vz;
+            moved[i] = x;
+            moved[i + 1] = y;
+            moved[i + 2] = z;
+            speed[i] = vx;
+            speed[i + 1] = vy;
+            speed[i + 2] = vz;
         }
     }
 }

@@ -1,5 +1,6 @@
 package org.phrenic.anatomy;
 
+import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 
 /**
@@ -30,8 +31,10 @@ public final class ChestWall {
      * @param centreY of the vertical line, mm
      * @param bones what carries the wall
      * @param pose of the rib cage
+     * @param workers who move it
      */
-    public ChestWall(double[] contents, double centreX, double centreY, BoneWeights bones, RibCagePose pose) {
+    public ChestWall(
+            double[] contents, double centreX, double centreY, BoneWeights bones, RibCagePose pose, Workers workers) {
         this.centreX = centreX;
         this.centreY = centreY;
         double low = Double.POSITIVE_INFINITY;
@@ -53,7 +56,7 @@ public final class ChestWall {
                 restPoint[3 * cell + 2] = bottom + layer * LAYER_MM;
             }
         }
-        motion = new BlendedMotion(pose, restPoint, bones.at(restPoint));
+        motion = new BlendedMotion(pose, restPoint, bones.at(restPoint), workers);
         displaced = new double[restPoint.length];
         velocity = new double[restPoint.length];
     }

@@ -41,6 +41,15 @@ public final class RibCage {
 
     /** The ribs that a thorax has, its sternum if ribs enough lead it, and the trunk. */
     public static RibCage of(Thorax thorax, RibAxisTable table) {
+        return of(thorax, table, true);
+    }
+
+    /**
+     * The same, with or without a sternum that moves.
+     *
+     * @param movingSternum false leaves the sternum to the trunk, which stays
+     */
+    public static RibCage of(Thorax thorax, RibAxisTable table, boolean movingSternum) {
         List<Body> bodies = new ArrayList<>();
         bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
         List<double[]> from = new ArrayList<>();
@@ -60,7 +69,7 @@ public final class RibCage {
                 to.add(axis.motion().apply(end[0], end[1], end[2]));
             }
         }
-        if (!thorax.all(StructureKind.STERNUM).isEmpty() && from.size() >= 3) {
+        if (movingSternum && !thorax.all(StructureKind.STERNUM).isEmpty() && from.size() >= 3) {
             HelicalAxis axis = HelicalAxis.of(RigidMotion.fit(flat(from), flat(to)));
             bodies.add(new Body("sternum", 0, Side.MIDLINE, Optional.of(axis), Optional.empty()));
         }

@@ -11,6 +11,12 @@ import java.util.List;
  * constraints and whoever restores a state write to them.
  */
 public final class ParticleSystem {
+    /** From so many nodes on, state and springs are more than a core's own cache holds for sure: blocks are then fetched before they are worked on. */
+    private static final int FETCH_FROM_NODES = 1 << 15;
+
+    /** Doubles in a line of cache. */
+    private static final int LINE = 8;
+
     private final NodeLayout layout;
     private final Workers workers;
     private final double[] x;
@@ -29,6 +35,9 @@ public final class ParticleSystem {
     private double[] prescribedPosition = {};
     private double[] prescribedVelocity = {};
     private boolean stillInPlace;
+
+    /** One number a block, there only so that the compiler cannot leave out the reading. */
+    private final double[] fetched;
 
     private double[] taskX;
     private double[] taskV;
@@ -56,6 +65,7 @@ public final class ParticleSystem {
         this.mass = new double[n];
         this.inverseMass = new double[n];
         this.viscosity = new double[n];
+        this.fetched = new double[n < FETCH_FROM_NODES ? 0 : layout.blockCount()];
         for (int i = 0; i < n; i++) {
             double m = mass[layout.caller(i)];
             if (!(m > 0) || Double.isInfinite(m)) {
@@ -271,7 +281,12 @@ public final class ParticleSystem {
         double[] force = taskForce;
         double[] position = taskX;
         double[] velocity = taskV;
-        Arrays.fill(force, 3 * layout.start(block), 3 * layout.end(block), 0);
+        int from = 3 * layout.start(block);
+        int end = 3 * layout.end(block);
+        if (fetched.length > 0) {
+            fetched[block] = oneALine(position, from, end) + oneALine(velocity, from, end);
+        }
+        Arrays.fill(force, from, end, 0);
         for (ForceField field : fields) {
             field.addForces(position, velocity, force, block);
         }
@@ -279,6 +294,18 @@ public final class ParticleSystem {
         if (after != null) {
             after.run(block);
         }
+    }
+
+    /**
+     * Reads one number of each line of cache. These reads wait for nothing, so memory serves many of them at once; those of the force fields, met one by one amid
+     * arithmetic, would each be waited for.
+     */
+    private static double oneALine(double[] values, int from, int end) {
+        double sum = 0;
+        for (int i = from; i < end; i += LINE) {
+            sum += values[i];
+        }
+        return sum;
     }
 
     /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */

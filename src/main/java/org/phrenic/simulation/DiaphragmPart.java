@@ -178,10 +178,10 @@ final class DiaphragmPart {
         return sum;
     }
 
-    /** Vertices of the muscle. */
-    int[] muscle() {
+    /** Vertices that an action line may pull: all that bone does not hold, for a line goes through the dome, tendon and muscle alike. */
+    int[] free() {
         return IntStream.range(0, diaphragm.sheet().vertexCount())
-                .filter(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
+                .filter(i -> !diaphragm.isInserted(i))
                 .toArray();
     }
 

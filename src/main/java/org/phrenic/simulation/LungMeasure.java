@@ -39,7 +39,11 @@ final class LungMeasure {
         for (int s = 0; s < n; s++) {
             TriangleMesh mesh = structures.get(s).mesh();
             if (!stepped) {
-                walls[s] = new BlendedMotion(scene.pose(), mesh.positions(), bones.at(mesh.positions()));
+                walls[s] = new BlendedMotion(
+                        scene.pose(),
+                        mesh.positions(),
+                        bones.at(mesh.positions()),
+                        scene.system().workers());
                 embed(scene, s, mesh);
             }
         }

@@ -9,16 +9,12 @@ package org.phrenic.simulation;
  * λ_max(A_i) / m_i; on a triangle lattice the bound is attained. A spring to bone counts half. Every mass is therefore at least 2 λ_max(A_i) / ω².
  */
 final class MassScaling {
-    /** What the tension of springs adds to the highest frequency across them, and what its estimate has as margin. */
-    private static final double HEADROOM = 1.08;
-
     /** Upper triangle of A_i: xx, xy, xz, yy, yz, zz. */
     private static final int SYMMETRIC = 6;
 
     private final double[] positions;
     private final double[] mass;
     private final double[] stiffness;
-    private int scaled;
     private double addedPercent;
 
     /**
@@ -67,9 +63,9 @@ final class MassScaling {
         }
     }
 
-    /** Raises masses until velocity Verlet with this step, s, and some headroom is stable. */
+    /** Raises masses until velocity Verlet with this step, s, is stable. */
     void scaleFor(double step) {
-        double omega = 2 / (step * HEADROOM);
+        double omega = 2 / step;
         double before = 0;
         double added = 0;
         for (int i = 0; i < mass.length; i++) {
@@ -78,15 +74,9 @@ final class MassScaling {
             if (mass[i] < least) {
                 added += least - mass[i];
                 mass[i] = least;
-                scaled++;
             }
         }
         addedPercent = 100 * added / before;
-    }
-
-    /** How many nodes got heavier. */
-    int scaledNodes() {
-        return scaled;
     }
 
     /** Mass added, per cent of the scene's. */

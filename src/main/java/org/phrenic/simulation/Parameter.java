@@ -92,9 +92,9 @@ public enum Parameter {
             "Muscle force",
             "mN",
             0,
-            500,
+            1000,
             Double.NaN,
-            20,
+            300,
             "Force on a node on an action line at full drive (Villard, Bourne and Bello 2009)."),
     ACTION_RADIUS(
             "action_line_radius_mm",
@@ -113,7 +113,7 @@ public enum Parameter {
             2,
             0.25,
             Double.NaN,
-            "Transdiaphragmatic pressure at end-expiration; 3 cmH2O."),
+            "Transdiaphragmatic pressure at end-expiration; about 3 cmH2O (0.3 kPa) in man."),
     GREATEST_PRESSURE(
             "greatest_pressure_kpa",
             "Pressure of effort",

@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.phrenic.anatomy.BlendedMotion;
+import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.RibCagePose;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -33,6 +36,8 @@ final class Recorder {
     private final Path out;
     private final long meshEvery;
     private final PvdSeries series;
+    private final Map<String, BlendedMotion> cartilages = new HashMap<>();
+    private BoneWeights bones;
     private int frame;
 
     Recorder(Scenario scenario, Simulation simulation, Path out) {
@@ -93,7 +98,7 @@ final class Recorder {
     }
 
     /** Every surface of the scene as it stands. */
-    private static Map<String, TriangleMesh> surfaces(Scene scene, Observer observer, double time, double[] now) {
+    private Map<String, TriangleMesh> surfaces(Scene scene, Observer observer, double time, double[] now) {
         Map<String, TriangleMesh> map = new LinkedHashMap<>();
         DiaphragmPart d = scene.diaphragm();
         map.put("diaphragm", nodes(d.diaphragm.sheet(), d.first, now));
@@ -113,7 +118,11 @@ final class Recorder {
                 .ifPresent(l ->
                         map.put(l.structure.name(), l.structure.mesh().withPositions(l.positions(scene.rest(), now))));
         for (Structure s : scene.thorax().structures()) {
-            map.putIfAbsent(s.name(), rigid(s, scene.pose()));
+            if (!map.containsKey(s.name())) {
+                map.put(
+                        s.name(),
+                        s.kind() == StructureKind.COSTAL_CARTILAGE ? blended(s, time) : rigid(s, scene.pose()));
+            }
         }
         return map;
     }
@@ -122,6 +131,24 @@ final class Recorder {
         double[] p = new double[mesh.positions().length];
         System.arraycopy(now, 3 * first, p, 0, p.length);
         return mesh.withPositions(p);
+    }
+
+    /** A cartilage that is no mass-spring system bends between its rib and the sternum. */
+    private TriangleMesh blended(Structure s, double time) {
+        Scene scene = simulation.scene();
+        if (bones == null) {
+            bones = BoneWeights.of(scene.thorax(), scene.pose().cage());
+        }
+        BlendedMotion motion = cartilages.computeIfAbsent(
+                s.name(),
+                name -> new BlendedMotion(
+                        scene.pose(),
+                        s.mesh().positions(),
+                        bones.at(s.mesh().positions()),
+                        scene.system().workers()));
+        double[] p = new double[s.mesh().positions().length];
+        motion.at(time, p, new double[p.length]);
+        return s.mesh().withPositions(p);
     }
 
     private static TriangleMesh rigid(Structure s, RibCagePose pose) {
@@ -167,6 +194,7 @@ final class Recorder {
         String version = Recorder.class.getPackage().getImplementationVersion();
         map.put("phrenic", version == null ? "development" : version);
         map.put("java", System.getProperty("java.version"));
+        map.put("seed", "none: nothing in a run is random");
         List<Object> inputs = new ArrayList<>();
         for (Structure s : simulation.scene().thorax().structures()) {
             Map<String, Object> one = new LinkedHashMap<>();

@@ -17,6 +17,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
@@ -56,6 +57,7 @@ final class SceneAssembly {
     private static final double ATTACHMENT_MM = 25;
 
     private static final double ATTACHMENT_SHARE = 0.1;
+    private static final double HOME_SHARE = 0.25;
 
     private final Scenario scenario;
     private final Thorax thorax;
@@ -78,7 +80,12 @@ final class SceneAssembly {
                 ? TissueLaw.membrane(value(Parameter.MUSCLE_STIFFNESS), value(Parameter.AREA_DENSITY))
                 : TissueLaw.uniform(value(Parameter.SPRING_STIFFNESS), value(Parameter.NODE_MASS));
         RibCagePose pose = new RibCagePose(cage, drive);
-        BoneWeights bones = BoneWeights.of(thorax, cage);
+        // Meshing takes longest and its parts are independent: they are done side by side.
+        Ahead<List<Structure>> lungsMeshed = Ahead.of(this::lungStructures);
+        Ahead<List<Structure>> sternumMeshed = Ahead.of(() -> scenario.sternum() == SternumModel.SPRINGS
+                ? SternumPart.meshed(thorax, scenario.resolution())
+                : List.of());
+        Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
         DiaphragmPart diaphragm = new DiaphragmPart(
                 parts,
                 diaphragm(),
@@ -88,12 +95,10 @@ final class SceneAssembly {
                 scenario.tensegrity() ? scenario.linksPerNode() : 0,
                 physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
-                ? Optional.of(new SternumPart(parts, thorax, cage, scenario.resolution(), law))
+                ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
                 : Optional.empty();
-        List<Structure> lungStructures = scenario.lungs() == LungModel.OFF
-                ? List.of()
-                : Remeshing.toBudget(
-                        thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
+        List<Structure> lungStructures = lungsMeshed.get();
+        BoneWeights bones = weights.get();
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
         ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
         Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
@@ -172,6 +177,13 @@ final class SceneAssembly {
         return scaling.addedPercent();
     }
 
+    private List<Structure> lungStructures() {
+        return scenario.lungs() == LungModel.OFF
+                ? List.of()
+                : Remeshing.toBudget(
+                        thorax.all(StructureKind.LUNG), scenario.resolution().lungVertices());
+    }
+
     private double value(Parameter parameter) {
         return scenario.value(parameter);
     }
@@ -220,7 +232,7 @@ final class SceneAssembly {
                     + " sheet whose two faces meet at its insertion");
         }
         double[] rim = points(positions, diaphragm.first, inserted);
-        system.prescribe(shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim)));
+        system.prescribe(shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
         if (scenario.material() == Material.PAPER) {
             Diaphragm sheet = diaphragm.diaphragm;
             for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
@@ -238,12 +250,26 @@ final class SceneAssembly {
                     attached,
                     parts.attachedStiffnesses(),
                     0,
-                    new BlendedMotion(pose, anchors, bones.at(anchors)));
+                    new BlendedMotion(pose, anchors, bones.at(anchors), workers));
             springs.setRefreshInterval(REFRESH_S);
             springs.setFactor(value(Parameter.STERNUM_COUPLING));
             system.add(springs);
         }
+        if (scenario.material() == Material.PAPER) {
+            system.add(home(system, diaphragm, positions));
+        }
         return inserted.length + attached.length;
+    }
+
+    /**
+     * The paper's sheet has no pressure below it and no bending: nothing would bring it back after a breath. Every node is held to its place by a spring of low elasticity, soft enough that the action lines move the
+     * dome, quick enough (6 1/s) to follow a breath.
+     */
+    private Attachments home(ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
+        int[] free = shifted(diaphragm.free(), diaphragm.first);
+        double[] stiffness = new double[free.length];
+        Arrays.fill(stiffness, HOME_SHARE * value(Parameter.SPRING_STIFFNESS));
+        return new Attachments(system.layout(), free, stiffness, 0, PrescribedMotion.still(points(positions, 0, free)));
     }
 
     private ChestWall wall(List<Structure> lungs, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose) {
@@ -257,7 +283,7 @@ final class SceneAssembly {
                                 .flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
                 .toArray();
         double[] box = sheet.sheet().bounds();
-        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose);
+        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose, workers);
     }
 
     /** Rest lengths that hold the sheet in its given shape against the pressure at rest; what they leave is carried by a dead load. */
@@ -367,12 +393,12 @@ final class SceneAssembly {
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */
     private void addActionLines(ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
         double[] box = diaphragm.diaphragm.sheet().bounds();
-        int[] muscle = shifted(diaphragm.muscle(), diaphragm.first);
+        int[] nodes = shifted(diaphragm.free(), diaphragm.first);
         ActionLine[] lines = new ActionLine[2];
         for (int side = 0; side < 2; side++) {
             double x = 0.5 * (box[0] + box[3]) + (side == 0 ? -1 : 1) * 0.25 * (box[3] - box[0]);
             double y = 0.5 * (box[1] + box[4]);
-            lines[side] = new ActionLine(system.layout(), muscle, positions, x, y, value(Parameter.ACTION_RADIUS));
+            lines[side] = new ActionLine(system.layout(), nodes, positions, x, y, value(Parameter.ACTION_RADIUS));
             system.add(lines[side]);
         }
         drive.drives(lines, value(Parameter.MUSCLE_FORCE));

@@ -46,7 +46,8 @@ public final class Simulation implements AutoCloseable {
         BreathDrive drive = new BreathDrive(pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
         RibCage cage;
         try {
-            cage = RibCage.of(thorax, RibAxisTable.preset(RibAxisTable.WILSON_CT));
+            cage = RibCage.of(
+                    thorax, RibAxisTable.preset(RibAxisTable.WILSON_CT), scenario.sternum() != SternumModel.OFF);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

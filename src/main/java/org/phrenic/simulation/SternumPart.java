@@ -31,10 +31,14 @@ final class SternumPart {
     final List<Structure> structures = new ArrayList<>();
     final List<Integer> firsts = new ArrayList<>();
 
-    SternumPart(SceneParts parts, Thorax thorax, RibCage cage, Resolution resolution, TissueLaw law) {
+    /** Sternum and cartilages at a resolution. */
+    static List<Structure> meshed(Thorax thorax, Resolution resolution) {
         List<Structure> given = new ArrayList<>(thorax.all(StructureKind.STERNUM));
         given.addAll(thorax.all(StructureKind.COSTAL_CARTILAGE));
-        List<Structure> meshed = Remeshing.toBudget(given, resolution.sternumVertices());
+        return Remeshing.toBudget(given, resolution.sternumVertices());
+    }
+
+    SternumPart(SceneParts parts, List<Structure> meshed, RibCage cage, TissueLaw law) {
         double edge = law.edgeStiffness(2, STIFFNESS);
         for (Structure s : meshed) {
             TriangleMesh mesh = s.mesh();

@@ -82,15 +82,23 @@ public final class Attachments implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
-        for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
-            int n = nodes.node[i];
-            int p = 3 * nodes.item[i];
-            double k = factor * stiffness[nodes.item[i]];
-            double c = k * dampingRatio;
-            for (int axis = 0; axis < 3; axis++) {
-                force[n + axis] += k * (anchor[p + axis] + elapsed * anchorVelocity[p + axis] - x[n + axis])
-                        + c * (anchorVelocity[p + axis] - v[n + axis]);
-            }
+        int[] node = nodes.node;
+        int[] item = nodes.item;
+        double[] each = stiffness;
+        double[] from = anchor;
+        double[] speed = anchorVelocity;
+        double all = factor;
+        double ratio = dampingRatio;
+        double since = elapsed;
+        int end = nodes.start[block + 1];
+        for (int i = nodes.start[block]; i < end; i++) {
+            int n = node[i];
+            int p = 3 * item[i];
+            double k = all * each[item[i]];
+            double c = k * ratio;
+            force[n] += k * (from[p] + since * speed[p] - x[n]) + c * (speed[p] - v[n]);
+            force[n + 1] += k * (from[p + 1] + since * speed[p + 1] - x[n + 1]) + c * (speed[p + 1] - v[n + 1]);
+            force[n + 2] += k * (from[p + 2] + since * speed[p + 2] - x[n + 2]) + c * (speed[p + 2] - v[n + 2]);
         }
     }
 
