@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.virtual.Bodies;
+import org.phrenic.engine.Workers;
 import org.phrenic.engine.kinematics.HelicalBody;
 
 /** Ribs, sternum and what they carry, on the virtual adult male. */
@@ -87,7 +88,7 @@ class BlendedMotionTest {
                         .toArray(),
                 new double[p.length / 3]);
         RibCagePose pose = breathing();
-        double[] blended = at(new BlendedMotion(pose, p, one), 2);
+        double[] blended = at(new BlendedMotion(pose, p, one, Workers.of(1)), 2);
         double[] rigid = new double[p.length];
         HelicalBody.move(pose.pose(body), p, 0, rigid, 0, p.length / 3);
         assertThat(blended).containsExactly(rigid, within(EXACT_MM));
@@ -96,7 +97,8 @@ class BlendedMotionTest {
     @Test
     void atRestPointsAreWhereTheyWere() {
         double[] rim = rim();
-        assertThat(at(new BlendedMotion(breathing(), rim, bones.at(rim)), 0)).containsExactly(rim, within(EXACT_MM));
+        assertThat(at(new BlendedMotion(breathing(), rim, bones.at(rim), Workers.of(1)), 0))
+                .containsExactly(rim, within(EXACT_MM));
     }
 
     @Test
@@ -131,7 +133,7 @@ class BlendedMotionTest {
     @Test
     void velocityIsTheRateOfChangeOfPosition() {
         double[] rim = rim();
-        BlendedMotion motion = new BlendedMotion(breathing(), rim, bones.at(rim));
+        BlendedMotion motion = new BlendedMotion(breathing(), rim, bones.at(rim), Workers.of(1));
         double h = 1e-4;
         for (double time : new double[] {0.3, 1.7, 4}) {
             double[] v = new double[rim.length];
@@ -149,7 +151,7 @@ class BlendedMotionTest {
     void theCostalMarginMovesAsOneSmoothBand() {
         Diaphragm d = Diaphragm.trefoil(male.find("diaphragm").orElseThrow().mesh());
         double[] p = d.sheet().positions();
-        BlendedMotion motion = new BlendedMotion(breathing(), p, bones.at(p));
+        BlendedMotion motion = new BlendedMotion(breathing(), p, bones.at(p), Workers.of(1));
         double[] full = at(motion, Math.PI);
         int[] edges = d.topology().edges();
         double farthest = 0;

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.virtual.Bodies;
+import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 
 /** A cylinder of 110 mm radius in the rib cage of the virtual adult male stands for lungs and diaphragm. */
@@ -40,10 +41,16 @@ class ChestWallTest {
                 contents[c++] = low + 3 * j;
             }
         }
-        return new ChestWall(contents, 0, 0, bones, new RibCagePose(cage, (t, out) -> {
-            out[0] = t;
-            out[1] = 1;
-        }));
+        return new ChestWall(
+                contents,
+                0,
+                0,
+                bones,
+                new RibCagePose(cage, (t, out) -> {
+                    out[0] = t;
+                    out[1] = 1;
+                }),
+                Workers.of(1));
     }
 
     private static double[] plane(ContactSurface surface, double time, double x, double y, double z) {
