@@ -2,6 +2,7 @@ package org.phrenic.anatomy;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
@@ -17,6 +18,7 @@ public record BodyFrame(String axes, double millimetres) {
     private static final double NARROWEST = 100;
 
     private static final double WIDEST = 500;
+    private static final String UNSEEN = "???";
     private static final String DIRECTIONS = "LRPASI";
 
     public BodyFrame {
@@ -82,22 +84,12 @@ public record BodyFrame(String axes, double millimetres) {
      * @throws IllegalArgumentException if there are too few to tell, or the sides that the names state are mirrored
      */
     public static BodyFrame detect(List<Structure> structures) {
-        double[] right = centre(structures, StructureKind.RIB, Side.RIGHT, 1, 12);
-        double[] left = centre(structures, StructureKind.RIB, Side.LEFT, 1, 12);
-        double[] upper = centre(structures, StructureKind.RIB, null, 1, 5);
-        double[] lower = centre(structures, StructureKind.RIB, null, 8, 12);
-        double[] spine = centre(structures, StructureKind.VERTEBRA, null, 1, 12);
-        double[] front = centre(structures, StructureKind.STERNUM, null, 0, 0);
-        if (right == null || left == null || upper == null || lower == null || spine == null || front == null) {
+        String axes = seen(structures);
+        if (axes.equals(UNSEEN)) {
             throw new IllegalArgumentException(
                     "axes: not stated, and ribs of both sides, vertebrae and sternum are needed to read them off;"
                             + " expected a line 'axes: ...' in thorax.yaml");
         }
-        char[] letters = new char[3];
-        mark(letters, left, right, 'L', 'R');
-        mark(letters, upper, lower, 'S', 'I');
-        mark(letters, spine, front, 'P', 'A');
-        String axes = new String(letters).replace('\0', '?');
         if (determinant(axes) == 0) {
             throw new IllegalArgumentException("axes: not stated, and the structures' places give '" + axes
                     + "', which is no frame; expected a line 'axes: ...' in thorax.yaml");
@@ -107,6 +99,32 @@ public record BodyFrame(String axes, double millimetres) {
                     + "', a mirrored body; left and right are exchanged somewhere");
         }
         return new BodyFrame(axes, unit(structures, axes));
+    }
+
+    /** A sentence where the structures' places say that these axes are not theirs; empty too where they say nothing. */
+    Optional<String> doubt(List<Structure> structures) {
+        String seen = seen(structures);
+        return determinant(seen) == 0 || seen.equals(axes)
+                ? Optional.empty()
+                : Optional.of("axes: stated as " + axes + ", but the structures' names and places give " + seen);
+    }
+
+    /** Axes as the structures' names and places give them, a question mark for one that they do not tell. */
+    private static String seen(List<Structure> structures) {
+        double[] right = centre(structures, StructureKind.RIB, Side.RIGHT, 1, 12);
+        double[] left = centre(structures, StructureKind.RIB, Side.LEFT, 1, 12);
+        double[] upper = centre(structures, StructureKind.RIB, null, 1, 5);
+        double[] lower = centre(structures, StructureKind.RIB, null, 8, 12);
+        double[] spine = centre(structures, StructureKind.VERTEBRA, null, 1, 12);
+        double[] front = centre(structures, StructureKind.STERNUM, null, 0, 0);
+        if (right == null || left == null || upper == null || lower == null || spine == null || front == null) {
+            return UNSEEN;
+        }
+        char[] letters = UNSEEN.toCharArray();
+        mark(letters, left, right, 'L', 'R');
+        mark(letters, upper, lower, 'S', 'I');
+        mark(letters, spine, front, 'P', 'A');
+        return new String(letters);
     }
 
     private static double unit(List<Structure> structures, String axes) {

@@ -84,6 +84,9 @@ public final class ThoraxFolder {
                     + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
         }
         BodyFrame frame = frame(folder, yaml, raw);
+        if (yaml.has("axes")) {
+            frame.doubt(raw).ifPresent(notes::add);
+        }
         List<Repaired> repaired = raw.parallelStream()
                 .map(s -> repaired(s.name(), frame.toLps(s.mesh())))
                 .toList();

@@ -90,6 +90,16 @@ class ThoraxFolderTest {
     }
 
     @Test
+    void axesThatDoNotFitTheBodyAreTakenButDoubted() throws IOException {
+        write(BoxBody.given(BoxBody.structures(), "LSA", 1));
+        Path index = folder.resolve("thorax.yaml");
+        Files.writeString(index, "axes: LPS\n");
+        assertThat(ThoraxFolder.load(folder).notes()).anyMatch(n -> n.contains("stated as LPS") && n.endsWith("LSA"));
+        Files.writeString(index, "axes: LSA\n");
+        assertThat(ThoraxFolder.load(folder).notes()).hasSize(1);
+    }
+
+    @Test
     void twoFilesForOneStructureAreRefused() {
         write(BoxBody.structures());
         MeshFiles.write(folder.resolve("rib_05_R.stl"), BoxBody.box(0, 0, 0, 1));
