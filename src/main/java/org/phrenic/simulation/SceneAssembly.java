@@ -38,8 +38,10 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
 final class SceneAssembly {
-    /** Anchors and wall planes are taken anew this often; in between they go on at their velocity (an error of some µm). */
+    /** Anchors and wall planes are taken anew this often, and not more often than every few steps; in between they go on at their velocity (an error of some µm, at 0.04 s below 0.1 mm). */
     private static final double REFRESH_S = 0.01;
+
+    private static final double REFRESH_STEPS = 4;
 
     /** Step of the physical preset that is to need no substeps; the same whatever step is chosen, so that the body does not depend on it. */
     private static final double SCALED_STEP_S = 1e-3;
@@ -63,11 +65,13 @@ final class SceneAssembly {
     private final Thorax thorax;
     private final Workers workers;
     private final SceneParts parts = new SceneParts();
+    private final double refresh;
 
     private SceneAssembly(Scenario scenario, Thorax thorax, Workers workers) {
         this.scenario = scenario;
         this.thorax = thorax;
         this.workers = workers;
+        this.refresh = Math.max(REFRESH_S, REFRESH_STEPS * scenario.timeStepS());
     }
 
     static Scene assemble(Scenario scenario, Thorax thorax, BreathDrive drive, RibCage cage, Workers workers) {
@@ -127,7 +131,7 @@ final class SceneAssembly {
                     Arrays.stream(sliding).mapToDouble(diaphragm::inset).toArray());
             residual = prestress(system, drive, diaphragm, felt, sliding, slidingRest, positions);
             if (scenario.contact()) {
-                contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, REFRESH_S));
+                contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, refresh));
             }
         }
         addSprings(system, drive, diaphragm, positions);
@@ -137,13 +141,12 @@ final class SceneAssembly {
             system.add(links.get());
         }
         if (physical) {
-            system.add(diaphragm.order(layout, REFRESH_S));
+            system.add(diaphragm.order(layout, refresh));
         }
         contact.ifPresent(system::add);
         if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
-            system.add(
-                    SlidingContact.adhering(layout, pleural, wall.keeping(points(positions, 0, pleural)), REFRESH_S));
+            system.add(SlidingContact.adhering(layout, pleural, wall.keeping(points(positions, 0, pleural)), refresh));
         }
         Optional<LiverPart> liver = scenario.liver()
                 ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))
@@ -251,7 +254,7 @@ final class SceneAssembly {
                     parts.attachedStiffnesses(),
                     0,
                     new BlendedMotion(pose, anchors, bones.at(anchors), workers));
-            springs.setRefreshInterval(REFRESH_S);
+            springs.setRefreshInterval(refresh);
             springs.setFactor(value(Parameter.STERNUM_COUPLING));
             system.add(springs);
         }
