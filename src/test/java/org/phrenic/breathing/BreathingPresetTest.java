@@ -83,11 +83,7 @@ class BreathingPresetTest {
         assertThat(BreathingPatternContract.at(supine, 1.6).ribTurn).isCloseTo(1.0 / 12, within(1e-4));
         BreathingPattern deep = BreathingPreset.named("deep").pattern();
         assertThat(deep.periodS()).isEqualTo(8);
-<<<<<<< HEAD
         // The full turn belongs to full inspiration (Wilson et al. 1987); a deep breath stops short of it.
-=======
-        // Short of full inspiration, where alone the ribs turn fully.
->>>>>>> tests
         assertThat(BreathingPatternContract.at(deep, 3.6).ribTurn).isCloseTo(0.7, within(1e-12));
     }
 
