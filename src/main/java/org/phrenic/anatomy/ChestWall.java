@@ -11,6 +11,7 @@ import org.phrenic.engine.constraint.ContactSurface;
  */
 public final class ChestWall {
     private static final int SECTORS = 96;
+    private static final int QUARTER = SECTORS / 4;
     private static final double LAYER_MM = 5;
     private static final int SMOOTHINGS = 2;
 
@@ -50,9 +51,9 @@ public final class ChestWall {
         for (int layer = 0; layer < layers; layer++) {
             for (int sector = 0; sector < SECTORS; sector++) {
                 int cell = layer * SECTORS + sector;
-                double angle = 2 * Math.PI * sector / SECTORS;
-                restPoint[3 * cell] = centreX + radius[cell] * StrictMath.cos(angle);
-                restPoint[3 * cell + 1] = centreY + radius[cell] * StrictMath.sin(angle);
+                double[] direction = direction(sector);
+                restPoint[3 * cell] = centreX + radius[cell] * direction[0];
+                restPoint[3 * cell + 1] = centreY + radius[cell] * direction[1];
                 restPoint[3 * cell + 2] = bottom + layer * LAYER_MM;
             }
         }
@@ -112,9 +113,26 @@ public final class ChestWall {
         return (nx * x + ny * y) / Math.max(1e-9, Math.sqrt(x * x + y * y));
     }
 
+    /**
+     * Where round the line a direction lies, 0 to {@value #SECTORS}: the "diamond angle", which grows with the angle from quarter to quarter as y / (|x| + |y|) does, and costs a division where an arc tangent costs thirty.
+     */
     private static double sectorOf(double x, double y) {
-        double turn = StrictMath.atan2(y, x) / (2 * Math.PI);
-        return (turn < 0 ? turn + 1 : turn) * SECTORS;
+        double size = Math.abs(x) + Math.abs(y);
+        if (size == 0) {
+            return 0;
+        }
+        double along = y / size;
+        double quarters = x < 0 ? 2 - along : y < 0 ? 4 + along : along;
+        return quarters < 4 ? quarters * QUARTER : 0;
+    }
+
+    /** The direction of a sector, from which {@link #sectorOf} gives it back; unit length. */
+    private static double[] direction(int sector) {
+        double quarters = sector / (double) QUARTER;
+        double y = quarters <= 1 ? quarters : quarters <= 3 ? 2 - quarters : quarters - 4;
+        double x = quarters <= 2 ? 1 - quarters : quarters - 3;
+        double length = Math.sqrt(x * x + y * y);
+        return new double[] {x / length, y / length};
     }
 
     private double[] envelope(double[] contents) {
@@ -224,14 +242,14 @@ public final class ChestWall {
         double sector = sectorOf(x, y);
         double layer = (pz - uz - bottom) / LAYER_MM;
         double wall = radiusAt(sector, layer);
-        double slopeAngle =
-                (radiusAt((sector + 0.5) % SECTORS, layer) - radiusAt((sector + SECTORS - 0.5) % SECTORS, layer))
-                        * SECTORS
-                        / (2 * Math.PI);
+        double slopeSector =
+                radiusAt((sector + 0.5) % SECTORS, layer) - radiusAt((sector + SECTORS - 0.5) % SECTORS, layer);
         double slopeHeight = (radiusAt(sector, layer + 0.5) - radiusAt(sector, layer - 0.5)) / LAYER_MM;
-        // Gradient of G = r_wall - r: the angle grows along (-y, x) / r².
-        double gx = -slopeAngle * y / (r * r) - x / r;
-        double gy = slopeAngle * x / (r * r) - y / r;
+        // Gradient of G = r_wall - r: the sector grows along (-y, x) / (|x| + |y|)².
+        double size = Math.max(1, Math.abs(x) + Math.abs(y));
+        double turn = slopeSector * QUARTER / (size * size);
+        double gx = -turn * y - x / r;
+        double gy = turn * x - y / r;
         double gz = slopeHeight;
         double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
         double gap = (wall + allowance - r) / length;

@@ -19,7 +19,7 @@ final class DiaphragmPart {
     /** Farthest opposing vertex that is still across the sheet, mm: the sheet is 2 to 5 mm thick, segmentations of it up to four times that. */
     private static final double REACH_MM = 20;
 
-    private static final int STRUTS = 3;
+    private static final int STRUTS = 2;
     private static final double MIDLINE_MM = 20;
     /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
     private static final double LEAST_SHARE = 0.4;

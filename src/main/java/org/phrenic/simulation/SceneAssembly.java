@@ -38,8 +38,8 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
 final class SceneAssembly {
-    /** Anchors and wall planes are taken anew this often, and not more often than every few steps; in between they go on at their velocity (an error of some µm, at 0.04 s below 0.1 mm). */
-    private static final double REFRESH_S = 0.01;
+    /** Anchors and wall planes are taken anew this often, and not more often than every few steps; in between they go on at their velocity (an error of some hundredths of a millimetre). */
+    private static final double REFRESH_S = 0.02;
 
     private static final double REFRESH_STEPS = 4;
 

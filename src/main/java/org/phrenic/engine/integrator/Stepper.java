@@ -25,6 +25,11 @@ public final class Stepper {
      * @throws IllegalArgumentException if dt is not positive and finite, or is refused; the sentence states both numbers
      */
     public Stepper(Integrator integrator, double dt, StepPolicy policy) {
+        this(integrator, dt, policy, StabilityLimit.of(integrator.system()));
+    }
+
+    /** The same for a system whose stability limit was measured a moment ago; parameters as for the other. */
+    public Stepper(Integrator integrator, double dt, StepPolicy policy, StabilityLimit measured) {
         if (!(dt > 0) || Double.isInfinite(dt)) {
             throw new IllegalArgumentException("time step: found " + dt + " s, expected more than 0");
         }
@@ -32,12 +37,16 @@ public final class Stepper {
         this.dt = dt;
         this.policy = policy;
         this.guard = new DivergenceGuard(integrator.system());
-        measure();
+        apply(measured);
     }
 
     /** Estimates the stability limit anew: to be called after stiffness, mass or damping changed. */
     public void measure() {
-        limit = StabilityLimit.of(integrator.system());
+        apply(StabilityLimit.of(integrator.system()));
+    }
+
+    private void apply(StabilityLimit measured) {
+        limit = measured;
         if (policy == StepPolicy.REFUSE && !limit.isStable(integrator.kind(), dt)) {
             throw new IllegalArgumentException(limit.sentence(integrator.kind(), dt) + ": refused");
         }
