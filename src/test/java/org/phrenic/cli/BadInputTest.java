@@ -120,7 +120,10 @@ class BadInputTest {
                 bad("infinite coordinate", "inf", info("m.obj", TETRAHEDRON.replace("v 1 0 0", "v inf 0 0"))),
                 bad("coordinate that overflows", "1e999", info("m.obj", TETRAHEDRON.replace("v 1 0 0", "v 1e999 0 0"))),
                 bad("no triangle", "triangle", info("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")),
-                bad("index out of range", "9", info("m.obj", TETRAHEDRON.replace("f 2 3 4", "f 2 3 9"))));
+                bad(
+                        "index out of range",
+                        "vertex index 8 (counted from 0)",
+                        info("m.obj", TETRAHEDRON.replace("f 2 3 4", "f 2 3 9"))));
     }
 
     static Stream<Arguments> scenarios() {

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
@@ -20,11 +19,10 @@ class BreathingKindsTest {
     Path folder;
 
     @Test
-    @Disabled("the dome sniffs 8 to 9 mm: it lags behind a pull of 0.4 s, and the pressure rises with the muscle")
     void aSniffPullsTheDomeDownFast() {
-        // 1.8 to 3.5 cm in men (Boussuges et al. 2009); at least 10 mm.
+        // 1.8 to 3.5 cm in men (Boussuges et al. 2009), with room for the sheet alone.
         assertThat(Runs.of(1.2, Runs.sheetAlone("preset=sniff")).fall("dome_right_mm"))
-                .isBetween(10.0, 45.0);
+                .isBetween(18.0, 45.0);
     }
 
     @Test
