@@ -33,10 +33,9 @@ final class LungPart {
     private static final double PLEURAL_MM = 8;
 
     private static final double LATERAL = 0.5;
-    /** Against wrinkling, as shares of an edge's stiffness: bending of the surface, and the tissue behind it that tethers every vertex a little. */
-    private static final double BENDING = 0.5;
+    /** Against wrinkling: the tissue behind the surface tethers every vertex to its place a little, as a share of an edge's stiffness. */
+    private static final double PARENCHYMA = 0.1;
 
-    private static final double PARENCHYMA = 0.03;
     private static final double WALL = 0.3;
     private static final double LINK = 4;
 
@@ -62,7 +61,7 @@ final class LungPart {
             TriangleMesh mesh = s.mesh();
             int first = parts.addNodes(mesh, law.masses(mesh, stiffness));
             firsts.add(first);
-            law.addEdges(parts.passive, mesh, first, stiffness, BENDING);
+            law.addEdges(parts.passive, mesh, first, stiffness);
             double[] normals = MeshMeasure.vertexNormals(mesh);
             double[] toBone = bones.at(mesh.positions()).distance();
             for (int i = 0; i < mesh.vertexCount(); i++) {

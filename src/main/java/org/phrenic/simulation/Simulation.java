@@ -20,12 +20,12 @@ import org.phrenic.engine.integrator.Stepper;
  */
 public final class Simulation implements AutoCloseable {
     /** What the prestress leaves open settles in this time under strong damping; then the shape is the rest shape. */
-    private static final double SETTLE_S = 0.4;
+    private static final double SETTLE_S = 0.5;
 
     /** The paper's scene is at rest as it stands; these few steps show it, and that the machine has made the code fast before the clock of a run starts. */
     private static final long FEWEST_STEPS = 300;
 
-    private static final double SETTLE_DAMPING = 20;
+    private static final double SETTLE_DAMPING = 12;
 
     private final Scene scene;
     private final Stepper stepper;

@@ -45,7 +45,7 @@ final class SternumPart {
             int first = parts.addNodes(mesh, law.masses(mesh, STIFFNESS));
             structures.add(s);
             firsts.add(first);
-            law.addEdges(parts.passive, mesh, first, STIFFNESS, 0);
+            law.addEdges(parts.passive, mesh, first, STIFFNESS);
             double[] p = mesh.positions();
             for (AcrossSheet.Pair pair : AcrossSheet.of(mesh, REACH_MM).nearest(BRACES)) {
                 parts.passive.add(

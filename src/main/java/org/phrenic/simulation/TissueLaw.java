@@ -62,12 +62,8 @@ interface TissueLaw {
         };
     }
 
-    /**
-     * Springs along all edges of a passive surface, at its present lengths, and, if it is to resist bending, between the two vertices opposite each edge.
-     *
-     * @param bending stiffness of those as a share of an edge's; 0 for none
-     */
-    default void addEdges(SpringList springs, TriangleMesh mesh, int first, double relative, double bending) {
+    /** Springs along all edges of a passive surface, at its present lengths. */
+    default void addEdges(SpringList springs, TriangleMesh mesh, int first, double relative) {
         MeshTopology topology = new MeshTopology(mesh);
         int[] edges = topology.edges();
         int[] sides = topology.edgeTriangles();
@@ -76,20 +72,7 @@ interface TissueLaw {
             int a = edges[2 * e];
             int b = edges[2 * e + 1];
             int triangles = sides[2 * e + 1] < 0 ? 1 : 2;
-            double k = edgeStiffness(triangles, relative);
-            springs.add(first + a, first + b, k, SceneParts.distance(p, a, p, b), 0);
-            if (bending > 0 && triangles == 2) {
-                int c = opposite(mesh, sides[2 * e], a, b);
-                int d = opposite(mesh, sides[2 * e + 1], a, b);
-                if (c != d) {
-                    springs.add(first + c, first + d, bending * k, SceneParts.distance(p, c, p, d), 0);
-                }
-            }
+            springs.add(first + a, first + b, edgeStiffness(triangles, relative), SceneParts.distance(p, a, p, b), 0);
         }
-    }
-
-    private static int opposite(TriangleMesh mesh, int triangle, int a, int b) {
-        int[] t = mesh.triangles();
-        return t[3 * triangle] + t[3 * triangle + 1] + t[3 * triangle + 2] - a - b;
     }
 }
