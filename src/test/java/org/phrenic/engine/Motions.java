@@ -20,8 +20,8 @@ public final class Motions {
                 System.arraycopy(from, 0, position, 0, from.length);
                 Arrays.fill(velocity, 0, from.length, 0);
                 for (int i = axis; i < from.length; i += 3) {
-                    position[i] += amplitude * StrictMath.sin(angularFrequency * time);
-                    velocity[i] = amplitude * angularFrequency * StrictMath.cos(angularFrequency * time);
+                    position[i] += amplitude * Math.sin(angularFrequency * time);
+                    velocity[i] = amplitude * angularFrequency * Math.cos(angularFrequency * time);
                 }
             }
         };
