@@ -214,6 +214,35 @@ public final class BoneWeights {
         return blend;
     }
 
+    /** Distance of points from the nearest bone, mm: what {@link #at} gives too, without the weights. */
+    public double[] distances(double[] where) {
+        int n = where.length / 3;
+        double[] out = new double[n];
+        IntStream.range(0, (n + RUN - 1) / RUN).parallel().forEach(run -> {
+            double[] toCell = new double[cellStart.length - 1];
+            for (int i = run * RUN; i < Math.min(n, (run + 1) * RUN); i++) {
+                out[i] = nearest(where[3 * i], where[3 * i + 1], where[3 * i + 2], toCell);
+            }
+        });
+        return out;
+    }
+
+    /** Distance from the nearest sample; leaves the squared distances from the boxes of all cells in {@code toCell}. */
+    private double nearest(double x, double y, double z, double[] toCell) {
+        int first = 0;
+        for (int c = 0; c < toCell.length; c++) {
+            toCell[c] = toBox(c, x, y, z);
+            first = toCell[c] < toCell[first] ? c : first;
+        }
+        double nearest = nearestIn(first, x, y, z, Double.POSITIVE_INFINITY);
+        for (int c = 0; c < toCell.length; c++) {
+            if (toCell[c] < nearest) {
+                nearest = nearestIn(c, x, y, z, nearest);
+            }
+        }
+        return Math.sqrt(nearest);
+    }
+
     private void weigh(double[] where, int from, int to, Blend blend) {
         int cells = cellStart.length - 1;
         double[] toCell = new double[cells];
@@ -222,18 +251,7 @@ public final class BoneWeights {
             double x = where[3 * i];
             double y = where[3 * i + 1];
             double z = where[3 * i + 2];
-            int first = 0;
-            for (int c = 0; c < cells; c++) {
-                toCell[c] = toBox(c, x, y, z);
-                first = toCell[c] < toCell[first] ? c : first;
-            }
-            double nearest = nearestIn(first, x, y, z, Double.POSITIVE_INFINITY);
-            for (int c = 0; c < cells; c++) {
-                if (toCell[c] < nearest) {
-                    nearest = nearestIn(c, x, y, z, nearest);
-                }
-            }
-            double distance = Math.sqrt(nearest);
+            double distance = nearest(x, y, z, toCell);
             blend.distance[i] = distance;
             double reach = distance + REACH_MM;
             Arrays.fill(sum, 0);

@@ -59,11 +59,6 @@ final class LiverPart {
                 .toArray();
     }
 
-    /** Nodes of the diaphragm that the liver hangs from. */
-    int attachedCount() {
-        return attached.length;
-    }
-
     /**
      * Where the liver's vertices are.
      *

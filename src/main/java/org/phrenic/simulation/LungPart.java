@@ -63,7 +63,7 @@ final class LungPart {
             firsts.add(first);
             law.addEdges(parts.passive, mesh, first, stiffness);
             double[] normals = MeshMeasure.vertexNormals(mesh);
-            double[] toBone = bones.at(mesh.positions()).distance();
+            double[] toBone = bones.distances(mesh.positions());
             for (int i = 0; i < mesh.vertexCount(); i++) {
                 int near = thoracic.find(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM);
                 double distance = thoracic.distance();
