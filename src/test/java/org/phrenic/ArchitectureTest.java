@@ -36,7 +36,12 @@ class ArchitectureTest {
         MAY_USE.put("breathing", List.of("geometry", "engine", "format"));
         MAY_USE.put("simulation", List.of("geometry", "engine", "format", "anatomy", "breathing"));
         MAY_USE.put("study", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
-        MAY_USE.put("cli", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "study"));
+        MAY_USE.put("scene", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
+        MAY_USE.put(
+                "ui", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "study", "scene"));
+        MAY_USE.put(
+                "cli",
+                List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "study", "scene", "ui"));
     }
 
     private static String within(String name) {
@@ -83,8 +88,10 @@ class ArchitectureTest {
     }
 
     @Test
-    void nothingOpensAWindow() {
+    void onlySceneAndWindowKnowTheScreen() {
         check(noClasses()
+                .that()
+                .resideOutsideOfPackages(within("scene"), within("ui"))
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("java.awt..", "javax.swing..", "com.jogamp.."));

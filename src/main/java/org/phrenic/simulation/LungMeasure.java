@@ -1,6 +1,5 @@
 package org.phrenic.simulation;
 
-import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.BlendedMotion;
 import org.phrenic.anatomy.BoneWeights;
@@ -20,6 +19,9 @@ final class LungMeasure {
     private final BlendedMotion[] walls;
     private final int[][] carrier;
     private final double[][] carried;
+    private final double[][] position;
+    private final double[][] velocity;
+    private double[][] start;
 
     LungMeasure(Scene scene) {
         boolean stepped = scene.lungs().isPresent();
@@ -33,12 +35,16 @@ final class LungMeasure {
         walls = new BlendedMotion[n];
         carrier = new int[n][];
         carried = new double[n][];
+        position = new double[n][];
+        velocity = new double[n][];
         BoneWeights bones = stepped || n == 0
                 ? null
                 : BoneWeights.of(scene.thorax(), scene.pose().cage());
         for (int s = 0; s < n; s++) {
             TriangleMesh mesh = structures.get(s).mesh();
+            position[s] = new double[mesh.positions().length];
             if (!stepped) {
+                velocity[s] = new double[mesh.positions().length];
                 walls[s] = new BlendedMotion(
                         scene.pose(),
                         mesh.positions(),
@@ -63,14 +69,15 @@ final class LungMeasure {
         return structures;
     }
 
-    /** Vertices of a lung as the scene stands, mm. */
+    /** Vertices of a lung as the scene stands, mm; valid until the next call for the same lung. */
     double[] positions(int s, double time, double[] rest, double[] now) {
-        int length = structures.get(s).mesh().positions().length;
+        double[] p = position[s];
+        int length = p.length;
         if (firsts != null) {
-            return Arrays.copyOfRange(now, 3 * firsts[s], 3 * firsts[s] + length);
+            System.arraycopy(now, 3 * firsts[s], p, 0, length);
+            return p;
         }
-        double[] p = new double[length];
-        walls[s].at(time, p, new double[length]);
+        walls[s].at(time, p, velocity[s]);
         double[] start = structures.get(s).mesh().positions();
         for (int i = 0; i < length; i++) {
             int node = 3 * carrier[s][i / 3] + i % 3;
@@ -87,9 +94,19 @@ final class LungMeasure {
         double sum = 0;
         for (int s = 0; s < structures.size(); s++) {
             int[] t = structures.get(s).mesh().triangles();
-            sum += swept(t, positions(s, 0, rest, rest), positions(s, time, rest, now)) / 1000;
+            sum += swept(t, atRest(s, rest), positions(s, time, rest, now)) / 1000;
         }
         return sum;
+    }
+
+    private double[] atRest(int s, double[] rest) {
+        if (start == null) {
+            start = new double[structures.size()][];
+        }
+        if (start[s] == null) {
+            start[s] = positions(s, 0, rest, rest).clone();
+        }
+        return start[s];
     }
 
     /** Mean displacement of a triangle times its mean area vector; exact to the third order of the displacement. */

@@ -3,9 +3,9 @@ package org.phrenic.simulation;
 import java.util.List;
 
 /** One row of observables: what was seen at one time. Columns are named with their units; displacements are from end-expiration, up positive. */
-final class Observation {
+public final class Observation {
     /** Column names, the order of {@link #values}. */
-    static final List<String> COLUMNS = List.of(
+    public static final List<String> COLUMNS = List.of(
             "time_s",
             "breath",
             "phase",
@@ -43,11 +43,13 @@ final class Observation {
         this.values = values;
     }
 
-    double get(String column) {
+    /** Value of a column. */
+    public double get(String column) {
         return values[COLUMNS.indexOf(column)];
     }
 
-    double[] values() {
+    /** The row. */
+    public double[] values() {
         return values;
     }
 }

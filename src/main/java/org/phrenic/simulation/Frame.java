@@ -1,0 +1,93 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+
+/**
+ * What a scene looks like at one step: places of its surfaces, nodes and observables. Written by {@link SceneSurfaces#capture} into arrays that are made once, so that frames can be handed from the
+ * simulation's thread to another and back without allocation.
+ */
+public final class Frame {
+    /** Numbers of a pose: three rows of a rotation and a translation in mm, x' = R x + t, row by row. */
+    public static final int POSE_LENGTH = 12;
+
+    private final float[][] positions;
+    private final float[][] poses;
+    private final float[] nodes;
+    private final double[] values = new double[Observation.COLUMNS.size()];
+    private long step;
+    private double time;
+
+    /**
+     * @param positionLengths coordinates of each surface; 0 for one that does not deform
+     * @param rigid whether each surface moves as a rigid body
+     * @param nodeCoordinates three times the count of nodes
+     */
+    Frame(int[] positionLengths, boolean[] rigid, int nodeCoordinates) {
+        positions = new float[positionLengths.length][];
+        poses = new float[positionLengths.length][];
+        for (int i = 0; i < positionLengths.length; i++) {
+            positions[i] = new float[positionLengths[i]];
+            poses[i] = rigid[i] ? new float[POSE_LENGTH] : new float[0];
+        }
+        nodes = new float[nodeCoordinates];
+    }
+
+    void stamp(long atStep, double atTime, double[] observed) {
+        step = atStep;
+        time = atTime;
+        System.arraycopy(observed, 0, values, 0, values.length);
+    }
+
+    /** Steps since the start. */
+    public long step() {
+        return step;
+    }
+
+    /** Simulated time, s. */
+    public double timeS() {
+        return time;
+    }
+
+    /** Vertices of a deforming surface, mm; not to be written by readers. */
+    public float[] positions(int surface) {
+        return positions[surface];
+    }
+
+    /** Pose of a rigid surface. */
+    public float[] pose(int surface) {
+        return poses[surface];
+    }
+
+    /** All nodes in the caller's order, mm: what overlays of springs, links and fibres are drawn between. */
+    public float[] nodes() {
+        return nodes;
+    }
+
+    /** Observables, in the order of {@link Observation#COLUMNS}. */
+    public double[] values() {
+        return values;
+    }
+
+    /** Takes over another frame of the same scene. */
+    public void copyFrom(Frame other) {
+        for (int i = 0; i < positions.length; i++) {
+            System.arraycopy(other.positions[i], 0, positions[i], 0, positions[i].length);
+            System.arraycopy(other.poses[i], 0, poses[i], 0, poses[i].length);
+        }
+        System.arraycopy(other.nodes, 0, nodes, 0, nodes.length);
+        stamp(other.step, other.time, other.values);
+    }
+
+    /** Whether every number that would be drawn is finite. */
+    public boolean isFinite() {
+        return Arrays.stream(positions).allMatch(Frame::finite) && finite(nodes);
+    }
+
+    private static boolean finite(float[] numbers) {
+        float sum = 0;
+        for (float number : numbers) {
+            sum += 0 * number;
+        }
+        return sum == 0;
+    }
+}

@@ -1,0 +1,163 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.BlendedMotion;
+import org.phrenic.anatomy.BoneWeights;
+import org.phrenic.anatomy.RibCage;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.geometry.TriangleMesh;
+
+/** Every surface of a simulation, and where it is now. Used by the simulation's thread alone. */
+public final class SceneSurfaces {
+    /** Writes where a surface's vertices are. */
+    private interface Place {
+        double[] at(double time, double[] now);
+    }
+
+    private final Simulation simulation;
+    private final Scene scene;
+    private final Observer observer;
+    private final List<Surface> surfaces = new ArrayList<>();
+    private final List<Place> places = new ArrayList<>();
+    private final List<Integer> bodies = new ArrayList<>();
+    private final double[] now;
+    private BoneWeights bones;
+
+    public SceneSurfaces(Simulation simulation) {
+        this.simulation = simulation;
+        scene = simulation.scene();
+        observer = new Observer(scene);
+        now = new double[scene.rest().length];
+        scene.pose().update(0);
+        addDiaphragm();
+        scene.sternum().ifPresent(part -> {
+            for (int i = 0; i < part.structures.size(); i++) {
+                addNodes(part.structures.get(i), part.firsts.get(i), new boolean[0]);
+            }
+        });
+        LungMeasure lungs = observer.lungs();
+        for (int i = 0; i < lungs.structures().size(); i++) {
+            int lung = i;
+            deforming(lungs.structures().get(i), (time, at) -> lungs.positions(lung, time, scene.rest(), at));
+        }
+        scene.liver().ifPresent(part -> deforming(part.structure, (time, at) -> part.positions(scene.rest(), at)));
+        for (Structure s : scene.thorax().structures()) {
+            if (surfaces.stream().noneMatch(known -> known.name().equals(s.name()))) {
+                addOther(s);
+            }
+        }
+    }
+
+    private void addDiaphragm() {
+        DiaphragmPart part = scene.diaphragm();
+        TriangleMesh sheet = part.diaphragm.sheet();
+        boolean[] tendon = new boolean[sheet.vertexCount()];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = part.diaphragm.isTendon(i);
+        }
+        Structure given = scene.thorax().all(StructureKind.DIAPHRAGM).get(0).withMesh(sheet);
+        addNodes(given, part.first, tendon);
+    }
+
+    private void addNodes(Structure s, int first, boolean[] tendon) {
+        double[] p = new double[s.mesh().positions().length];
+        deforming(
+                s,
+                (time, at) -> {
+                    System.arraycopy(at, 3 * first, p, 0, p.length);
+                    return p;
+                },
+                tendon);
+    }
+
+    private void deforming(Structure s, Place place) {
+        deforming(s, place, new boolean[0]);
+    }
+
+    private void deforming(Structure s, Place place, boolean[] tendon) {
+        TriangleMesh rest = s.mesh().withPositions(place.at(0, scene.rest()).clone());
+        add(s, rest, Surface.Motion.DEFORMING, tendon, place, RibCage.TRUNK);
+    }
+
+    private void addOther(Structure s) {
+        switch (s.kind()) {
+            case RIB -> addRigid(s, scene.pose().cage().rib(s.level(), s.side()));
+            case STERNUM -> addRigid(s, scene.pose().cage().sternum());
+            case COSTAL_CARTILAGE, SKIN -> addBlended(s);
+            default -> addRigid(s, RibCage.TRUNK);
+        }
+    }
+
+    private void addRigid(Structure s, int body) {
+        boolean still = body <= RibCage.TRUNK;
+        add(s, s.mesh(), still ? Surface.Motion.STILL : Surface.Motion.RIGID, new boolean[0], null, body);
+    }
+
+    /** What is neither bone nor node bends between the bones around it. */
+    private void addBlended(Structure s) {
+        if (bones == null) {
+            bones = BoneWeights.of(scene.thorax(), scene.pose().cage());
+        }
+        double[] rest = s.mesh().positions();
+        BlendedMotion motion = new BlendedMotion(
+                scene.pose(), rest, bones.at(rest), scene.system().workers());
+        double[] p = new double[rest.length];
+        double[] v = new double[rest.length];
+        deforming(s, (time, at) -> {
+            motion.at(time, p, v);
+            return p;
+        });
+    }
+
+    private void add(Structure s, TriangleMesh rest, Surface.Motion motion, boolean[] tendon, Place place, int body) {
+        surfaces.add(new Surface(s.name(), s.kind(), s.level(), s.side(), rest, motion, tendon));
+        places.add(place);
+        bodies.add(body);
+    }
+
+    /** The surfaces, in an order that never changes. */
+    public List<Surface> surfaces() {
+        return List.copyOf(surfaces);
+    }
+
+    /** A frame that fits this scene, holding it as it stands. */
+    public Frame newFrame() {
+        int n = surfaces.size();
+        int[] lengths = new int[n];
+        boolean[] rigid = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            Surface s = surfaces.get(i);
+            lengths[i] = s.motion() == Surface.Motion.DEFORMING ? s.rest().positions().length : 0;
+            rigid[i] = s.motion() == Surface.Motion.RIGID;
+        }
+        Frame frame = new Frame(lengths, rigid, now.length);
+        capture(frame);
+        return frame;
+    }
+
+    /** Writes the scene as it stands between two steps. */
+    public void capture(Frame frame) {
+        double time = simulation.time();
+        scene.system().layout().toCaller(scene.system().positions(), now);
+        scene.pose().update(time);
+        for (int i = 0; i < surfaces.size(); i++) {
+            switch (surfaces.get(i).motion()) {
+                case DEFORMING -> narrow(places.get(i).at(time, now), frame.positions(i));
+                case RIGID -> narrow(scene.pose().pose(bodies.get(i)), frame.pose(i));
+                case STILL -> {
+                    // Its rest shape says all.
+                }
+            }
+        }
+        narrow(now, frame.nodes());
+        frame.stamp(simulation.stepper().steps(), time, observer.at(time).values());
+    }
+
+    private static void narrow(double[] from, float[] to) {
+        for (int i = 0; i < to.length; i++) {
+            to[i] = (float) from[i];
+        }
+    }
+}
