@@ -6,7 +6,7 @@ package org.phrenic.anatomy.virtual;
  */
 final class PowerTable {
     private static final int RATIOS = 512;
-    private static final int EXPONENTS = 16;
+    private static final int EXPONENTS = 32;
 
     private final double least;
     private final double step;
