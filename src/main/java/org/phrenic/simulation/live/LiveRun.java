@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import org.phrenic.engine.integrator.DivergenceException;
@@ -51,7 +51,6 @@ public final class LiveRun implements AutoCloseable {
 
     private final Listener listener;
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition news = lock.newCondition();
     private final Queue<Runnable> commands = new ArrayDeque<>();
     private final Map<String, Assignment> pending = new LinkedHashMap<>();
     private final Pacer pacer = new Pacer();
@@ -155,7 +154,7 @@ public final class LiveRun implements AutoCloseable {
                     pending.remove(assignment.key());
                     pending.put(assignment.key(), assignment);
                 }
-                news.signalAll();
+                LockSupport.unpark(thread);
             } else {
                 load(wanted);
             }
@@ -276,7 +275,7 @@ public final class LiveRun implements AutoCloseable {
             if (last != null) {
                 last.cancel();
             }
-            news.signalAll();
+            LockSupport.unpark(thread);
         } finally {
             lock.unlock();
         }
@@ -438,18 +437,9 @@ public final class LiveRun implements AutoCloseable {
         }
     }
 
-    /** Waits for a command or so long. */
-    private void await(long ns) {
-        lock.lock();
-        try {
-            if (commands.isEmpty() && pending.isEmpty() && !closed) {
-                news.awaitNanos(Math.min(ns, IDLE_NS));
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        } finally {
-            lock.unlock();
-        }
+    /** Waits for news or so long; news that came meanwhile end it at once. */
+    private static void await(long ns) {
+        LockSupport.parkNanos(Math.min(ns, IDLE_NS));
     }
 
     private boolean submit(Runnable command) {
@@ -459,7 +449,7 @@ public final class LiveRun implements AutoCloseable {
                 return false;
             }
             commands.add(command);
-            news.signalAll();
+            LockSupport.unpark(thread);
             return true;
         } finally {
             lock.unlock();
