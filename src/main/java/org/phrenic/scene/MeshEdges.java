@@ -13,7 +13,7 @@ final class MeshEdges {
             for (int k = 0; k < 3; k++) {
                 long a = triangles[t + k];
                 long b = triangles[t + (k + 1) % 3];
-                all[t + k] = Math.min(a, b) << 32 | Math.max(a, b);
+                all[t + k] = (Math.min(a, b) << 32) | Math.max(a, b);
             }
         }
         Arrays.sort(all);

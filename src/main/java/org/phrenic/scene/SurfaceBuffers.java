@@ -125,7 +125,7 @@ final class SurfaceBuffers {
         IntBuffer traits = Buffers.newDirectIntBuffer(n);
         for (int i = 0; i < n; i++) {
             int share = count[i] > 0 ? Math.round(BYTE * tendon[i] / count[i]) : 0;
-            traits.put(i, Math.round(BYTE * open[i]) | share << 8);
+            traits.put(i, Math.round(BYTE * open[i]) | (share << 8));
         }
         return traits;
     }

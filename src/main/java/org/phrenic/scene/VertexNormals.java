@@ -2,6 +2,7 @@ package org.phrenic.scene;
 
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.Arrays;
 
 /** Smooth normals: the sum of the normals of the triangles about a vertex, each as long as its area. Packed into ten bits a component, signed, as {@code GL_INT_2_10_10_10_REV} wants them. */
 final class VertexNormals {
@@ -23,7 +24,7 @@ final class VertexNormals {
      * @param packed receives one number a vertex, from the beginning on
      */
     void of(FloatBuffer p, IntBuffer packed) {
-        java.util.Arrays.fill(sum, 0);
+        Arrays.fill(sum, 0);
         for (int t = 0; t < triangles.length; t += 3) {
             int a = 3 * triangles[t];
             int b = 3 * triangles[t + 1];
@@ -52,9 +53,9 @@ final class VertexNormals {
             float scale = squared > 0 ? LARGEST / (float) Math.sqrt(squared) : 0;
             packed.put(
                     i / 3,
-                    Math.round(x * scale) & TEN_BITS
-                            | (Math.round(y * scale) & TEN_BITS) << 10
-                            | (Math.round(z * scale) & TEN_BITS) << 20);
+                    (Math.round(x * scale) & TEN_BITS)
+                            | ((Math.round(y * scale) & TEN_BITS) << 10)
+                            | ((Math.round(z * scale) & TEN_BITS) << 20));
         }
     }
 
