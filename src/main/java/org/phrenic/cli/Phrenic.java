@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.phrenic.simulation.Scenario;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -81,8 +80,7 @@ public final class Phrenic implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         err.println("This version has no window: running the default quiet breath without one, into " + DEFAULT_OUT
                 + " (phrenic --help lists the commands).");
-        RunReport.run(
-                Scenario.defaults(), DEFAULT_OUT, false, spec.commandLine().getOut(), err);
+        HeadlessStart.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
         return ExitCode.DONE;
     }
 }
