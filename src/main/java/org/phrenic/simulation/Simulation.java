@@ -2,17 +2,20 @@ package org.phrenic.simulation;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.phrenic.anatomy.RibAxisTable;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.breathing.BreathLabel;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.format.Hashes;
 
 /**
  * A thorax that breathes: a scenario and a body put together, settled at end-expiration, and stepped. Positions are those of all nodes that springs move, in the order diaphragm, sternum and cartilages,
@@ -32,12 +35,28 @@ public final class Simulation implements AutoCloseable {
     private final Stepper stepper;
     private final Workers workers;
     private final double settledBy;
+    private final StabilityLimit firstLimit;
+    private final List<Change> scheduled;
+    private Scenario start;
+    private Tuning tuning;
+    private int nextScheduled;
 
-    private Simulation(Scene scene, Stepper stepper, Workers workers, double settledBy) {
+    private Simulation(
+            Scenario scenario,
+            Scene scene,
+            Stepper stepper,
+            Dials dials,
+            Workers workers,
+            StabilityLimit firstLimit,
+            double settledBy) {
         this.scene = scene;
         this.stepper = stepper;
         this.workers = workers;
+        this.firstLimit = firstLimit;
         this.settledBy = settledBy;
+        scheduled = scenario.changes();
+        start = scenario.withChanges(List.of());
+        tuning = new Tuning(start, scene, stepper, dials);
     }
 
     /**
@@ -47,8 +66,8 @@ public final class Simulation implements AutoCloseable {
      * @param thorax the body, already at hand
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
-        BreathingPattern pattern = Patterns.of(scenario);
-        BreathDrive drive = new BreathDrive(pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
+        Dials dials = new Dials(scenario);
+        BreathDrive drive = new BreathDrive(new LiveBreath(scenario), dials);
         RibCage cage;
         try {
             cage = RibCage.of(
@@ -63,7 +82,7 @@ public final class Simulation implements AutoCloseable {
             double moved = settle(scenario, scene, limit);
             Stepper stepper = new Stepper(
                     scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy(), limit);
-            return new Simulation(scene, stepper, workers, moved);
+            return new Simulation(scenario, scene, stepper, dials, workers, limit, moved);
         } catch (RuntimeException e) {
             workers.close();
             throw e;
@@ -94,9 +113,62 @@ public final class Simulation implements AutoCloseable {
         return Math.sqrt(3 * sum / before.length);
     }
 
-    /** Carries the thorax over one time step. */
+    /** Carries the thorax over one time step, after the changes that the scenario has for this step. */
     public void step() {
+        if (nextScheduled < scheduled.size()) {
+            makeScheduled();
+        }
+        tuning.beforeStep();
         stepper.step();
+    }
+
+    private void makeScheduled() {
+        List<Assignment> now = new ArrayList<>();
+        while (nextScheduled < scheduled.size() && scheduled.get(nextScheduled).step() <= steps()) {
+            now.add(scheduled.get(nextScheduled++).assignment());
+        }
+        if (!now.isEmpty()) {
+            tuning.change(now);
+        }
+    }
+
+    /**
+     * Makes a live change now, with a ramp of 0.2 s where it is a number, and logs it.
+     *
+     * @throws org.phrenic.format.BadInputException with one sentence, if the key is none or not live, or the value cannot be; nothing has changed then
+     * @throws IllegalArgumentException with one sentence, if no time step is stable after it, or the one set is refused; nothing has changed then
+     */
+    public void change(Assignment assignment) {
+        change(List.of(assignment));
+    }
+
+    /** Makes several live changes at once; parameters and exceptions as for one. */
+    public void change(List<Assignment> assignments) {
+        tuning.change(assignments);
+    }
+
+    /** What was changed since the start, in order. */
+    public List<Change> changes() {
+        return tuning.log();
+    }
+
+    /** Whether a key of a scenario can be changed while it runs. */
+    public static boolean isLive(String key) {
+        return LiveKeys.ALL.contains(key);
+    }
+
+    /** What is set now. */
+    public Scenario settings() {
+        return tuning.settings();
+    }
+
+    /** Hash over the bits of positions, then velocities, in the caller's order: {@code state_sha256} of a run. */
+    public String stateHash() {
+        double[] x = new double[scene.rest().length];
+        double[] v = new double[scene.rest().length];
+        system().layout().toCaller(system().positions(), x);
+        system().layout().toCaller(system().velocities(), v);
+        return Hashes.sha256(x, v);
     }
 
     /** Simulated time, s. */
@@ -115,6 +187,63 @@ public final class Simulation implements AutoCloseable {
     /** How far the given shape moved until it was in equilibrium, rms mm. */
     public double settledBy() {
         return settledBy;
+    }
+
+    /** Steps since the start. */
+    public long steps() {
+        return stepper.steps();
+    }
+
+    /**
+     * Back to the start with what is set now, at once; the bits that follow are those of a scene that was put together with it. False, and nothing done, if what was changed since
+     * asks for another assembly or the scenario has changes of its own.
+     */
+    public boolean restart() {
+        if (!scheduled.isEmpty() || !tuning.isAsAssembled()) {
+            return false;
+        }
+        start = tuning.settings();
+        // The cage keeps the pose of the last time it was asked for: none that comes again.
+        scene.pose().update(-1);
+        Dials dials = new Dials(start);
+        scene.drive().restart(new LiveBreath(start), dials);
+        System.arraycopy(system().layout().toInternal(scene.rest()), 0, system().positions(), 0, scene.rest().length);
+        Arrays.fill(system().velocities(), 0);
+        system().forget();
+        stepper.restart(start.integrator().on(system()), firstLimit);
+        tuning = new Tuning(start, scene, stepper, dials);
+        return true;
+    }
+
+    /** Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. */
+    public void undoLastChange() {
+        List<Assignment> back = tuning.undo();
+        if (!back.isEmpty()) {
+            tuning.change(back);
+        }
+    }
+
+    /** The scenario of the start, without changes. */
+    public Scenario start() {
+        return start;
+    }
+
+    /** How many springs there are. */
+    public int springCount() {
+        return scene.springs();
+    }
+
+    /** What the breath is doing. */
+    public BreathLabel breathLabel() {
+        return scene.drive().stateAt(time()).label;
+    }
+
+    /** The step as the stability limit has it: empty if it is within, else a sentence. */
+    public String limitSentence() {
+        return stepper.substeps() == 1
+                ? ""
+                : stepper.limit().sentence(stepper.integrator().kind(), stepper.dt()) + ": split into "
+                        + stepper.substeps() + " substeps";
     }
 
     Scene scene() {
