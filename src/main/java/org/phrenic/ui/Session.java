@@ -34,25 +34,12 @@ public final class Session implements AutoCloseable {
         /** Values of the scenario are no longer what they were, whoever changed them. */
         default void onChange() {}
 
-        /** Something was changed by hand, and may be undone. */
-        default void onEdit(Edit edit) {}
-
         /** One sentence for the user. */
         default void onMessage(Message message) {}
 
         /** Another recorded frame is looked at, or the present again. */
         default void onScrub() {}
     }
-
-    /**
-     * A change made by hand.
-     *
-     * @param name for people: "Damping 12"
-     * @param before the scenario as it was
-     * @param after as it was asked to be
-     * @param assignments what was given; empty if a whole scenario took the place of the other
-     */
-    public record Edit(String name, Scenario before, Scenario after, List<Assignment> assignments) {}
 
     /**
      * One sentence for the user.
@@ -75,6 +62,7 @@ public final class Session implements AutoCloseable {
     private static final int TICK_MS = 50;
 
     private final List<Events> listeners = new CopyOnWriteArrayList<>();
+    private final EditHistory edits = new EditHistory(this::retrace);
     private final LiveRun live;
     private final Timer ticks;
     private LiveScene scene;
@@ -86,6 +74,7 @@ public final class Session implements AutoCloseable {
     public Session(Scenario first) {
         asked = first;
         live = new LiveRun(first, new FromSimulation());
+        live.play();
         ticks = new Timer(TICK_MS, e -> tell(l -> l.onTick(live.status())));
         ticks.start();
     }
@@ -106,6 +95,11 @@ public final class Session implements AutoCloseable {
     /** The simulation, for play, pause, step, speed, history and frames. Changes go through {@link #change}. */
     public LiveRun live() {
         return live;
+    }
+
+    /** What was changed by hand, to undo and redo. */
+    EditHistory edits() {
+        return edits;
     }
 
     /** The scene that breathes; empty until the first one is there. */
@@ -130,33 +124,32 @@ public final class Session implements AutoCloseable {
             Scenario after = before.with(list);
             live.change(list);
             asked = after;
-            tell(l -> l.onEdit(new Edit(name, before, after, list)));
+            edits.record(name, EditHistory.back(before, list), new EditHistory.Step.Set(list));
         } catch (IllegalArgumentException e) {
             refuse(e.getMessage());
         }
-    }
-
-    /** Changes values without a place in the history of edits: what undo and redo do. */
-    public void apply(List<Assignment> assignments) {
-        try {
-            asked = scenario().with(assignments);
-            live.change(assignments);
-        } catch (IllegalArgumentException e) {
-            refuse(e.getMessage());
-        }
-    }
-
-    /** Puts a whole scenario in the place of the present one, without a place in the history of edits. */
-    public void restore(Scenario scenario) {
-        asked = scenario;
-        live.load(scenario);
     }
 
     /** Puts a whole scenario in the place of the present one. */
     public void open(String name, Scenario scenario) {
         Scenario before = scenario();
-        restore(scenario);
-        tell(l -> l.onEdit(new Edit(name, before, scenario, List.of())));
+        replace(scenario);
+        edits.record(name, new EditHistory.Step.Load(before), new EditHistory.Step.Load(scenario));
+    }
+
+    private void replace(Scenario scenario) {
+        asked = scenario;
+        live.load(scenario);
+    }
+
+    /** Goes one step back or forth in the history of edits. */
+    private void retrace(EditHistory.Step step) {
+        if (step instanceof EditHistory.Step.Set values) {
+            asked = scenario().with(values.assignments());
+            live.change(values.assignments());
+        } else if (step instanceof EditHistory.Step.Load whole) {
+            replace(whole.scenario());
+        }
     }
 
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
