@@ -1,2 +1,14 @@
 package org.phrenic.scene;
-public class NoGraphicsException extends Exception { public NoGraphicsException(String m) { super(m); } }
+
+/** No picture can be made here; the message is one sentence that says what is missing. */
+public final class NoGraphicsException extends Exception {
+    private static final long serialVersionUID = 1;
+
+    public NoGraphicsException(String sentence) {
+        super(sentence);
+    }
+
+    public NoGraphicsException(String sentence, Throwable cause) {
+        super(sentence, cause);
+    }
+}
