@@ -14,15 +14,21 @@ public final class Frame {
     private final float[][] poses;
     private final float[] nodes;
     private final double[] values = new double[Observation.COLUMNS.size()];
+    /** One object a scene: frames of another never fit. */
+    private final Object scene;
+
+    private long serial;
     private long step;
     private double time;
 
     /**
+     * @param scene the same object for all frames of a scene
      * @param positionLengths coordinates of each surface; 0 for one that does not deform
      * @param rigid whether each surface moves as a rigid body
      * @param nodeCoordinates three times the count of nodes
      */
-    Frame(int[] positionLengths, boolean[] rigid, int nodeCoordinates) {
+    Frame(Object scene, int[] positionLengths, boolean[] rigid, int nodeCoordinates) {
+        this.scene = scene;
         positions = new float[positionLengths.length][];
         poses = new float[positionLengths.length][];
         for (int i = 0; i < positionLengths.length; i++) {
@@ -32,10 +38,34 @@ public final class Frame {
         nodes = new float[nodeCoordinates];
     }
 
-    void stamp(long atStep, double atTime, double[] observed) {
+    void stamp(long count, long atStep, double atTime, double[] observed) {
+        serial = count;
         step = atStep;
         time = atTime;
         System.arraycopy(observed, 0, values, 0, values.length);
+    }
+
+    /** Of two frames of a scene the one with the greater number was captured later; 0 before the first capture. */
+    public long serial() {
+        return serial;
+    }
+
+    /** Whether this and another are frames of one scene. */
+    public boolean isOfSceneOf(Frame other) {
+        return scene == other.scene;
+    }
+
+    /** Another frame of the same scene with the same content, as if captured before all others. */
+    public Frame copy() {
+        int[] lengths = Arrays.stream(positions).mapToInt(p -> p.length).toArray();
+        boolean[] rigid = new boolean[poses.length];
+        for (int i = 0; i < rigid.length; i++) {
+            rigid[i] = poses[i].length > 0;
+        }
+        Frame twin = new Frame(scene, lengths, rigid, nodes.length);
+        twin.copyFrom(this);
+        twin.serial = 0;
+        return twin;
     }
 
     /** Steps since the start. */
@@ -75,7 +105,16 @@ public final class Frame {
             System.arraycopy(other.poses[i], 0, poses[i], 0, poses[i].length);
         }
         System.arraycopy(other.nodes, 0, nodes, 0, nodes.length);
-        stamp(other.step, other.time, other.values);
+        stamp(other.serial, other.step, other.time, other.values);
+    }
+
+    /** Size of the arrays, bytes. */
+    public long bytes() {
+        long floats = nodes.length;
+        for (int i = 0; i < positions.length; i++) {
+            floats += positions[i].length + poses[i].length;
+        }
+        return Float.BYTES * floats + (long) Double.BYTES * values.length;
     }
 
     /** Whether every number that would be drawn is finite. */

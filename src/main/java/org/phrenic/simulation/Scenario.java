@@ -47,6 +47,9 @@ import org.phrenic.format.YamlMap;
  * @param linksPerNode rigid links a node of the sheet, 1 to 3
  * @param tendon which part of the sheet is tendon
  * @param given tunable numbers that the scenario states
+ * @param hold whether the breath is held where it is
+ * @param givenSteps steps to run instead of the duration; -1 where none are given
+ * @param changes made while it runs, in order
  */
 public record Scenario(
         String givenName,
@@ -72,7 +75,10 @@ public record Scenario(
         boolean liver,
         int linksPerNode,
         TendonRule tendon,
-        Map<Parameter, Double> given) {
+        Map<Parameter, Double> given,
+        boolean hold,
+        long givenSteps,
+        List<Change> changes) {
 
     /** Bodies that come with the program. */
     public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
@@ -84,6 +90,7 @@ public record Scenario(
         Map<Parameter, Double> copy = new EnumMap<>(Parameter.class);
         copy.putAll(given);
         given = Collections.unmodifiableMap(copy);
+        changes = List.copyOf(changes);
     }
 
     /** A quiet breath of the virtual adult male. */
@@ -112,7 +119,10 @@ public record Scenario(
                 true,
                 1,
                 TendonRule.TREFOIL,
-                Map.of());
+                Map.of(),
+                false,
+                -1,
+                List.of());
     }
 
     /** The keys of a scenario file: those of this class, then those of {@link Parameter}. */
@@ -156,6 +166,73 @@ public record Scenario(
     /** This scenario with other values, each as {@code key=value}. */
     public Scenario with(String... assignments) {
         return with(Arrays.stream(assignments).map(Assignment::parse).toList());
+    }
+
+    /**
+     * This scenario with other changes while it runs.
+     *
+     * @throws BadInputException with one sentence, if one cannot be made or they are not in order
+     */
+    public Scenario withChanges(List<Change> others) {
+        return with(givenSteps, others).checked();
+    }
+
+    /** This scenario for so many steps. */
+    public Scenario withSteps(long steps) {
+        return with(steps, changes);
+    }
+
+    private Scenario with(long steps, List<Change> others) {
+        return new Scenario(
+                givenName,
+                preset,
+                trace,
+                material,
+                anatomy,
+                resolution,
+                givenDurationS,
+                givenTimeStepS,
+                integrator,
+                stepPolicy,
+                threads,
+                recordEveryS,
+                meshesEveryS,
+                muscle,
+                pressure,
+                ribs,
+                tensegrity,
+                contact,
+                sternum,
+                lungs,
+                liver,
+                linksPerNode,
+                tendon,
+                given,
+                hold,
+                steps,
+                others);
+    }
+
+    /** Makes sure that every change can be made after those before it. */
+    Scenario checked() {
+        Scenario now = changes.isEmpty() ? this : with(givenSteps, List.of());
+        long before = 0;
+        for (Change change : changes) {
+            if (change.step() < before) {
+                throw new BadInputException(change.assignment().origin() + ": found step " + change.step()
+                        + " after step " + before + ", expected changes in the order of their steps");
+            }
+            before = change.step();
+            LiveKeys.require(change.assignment());
+            now = now.with(List.of(change.assignment()));
+        }
+        return this;
+    }
+
+    /** The settings after all changes, without them. */
+    public Scenario afterChanges() {
+        return with(givenSteps, List.of())
+                .with(changes.stream().map(Change::assignment).toList());
     }
 
     /** What to call it. */
@@ -222,6 +299,9 @@ public record Scenario(
         if (!Double.isNaN(givenDurationS)) {
             map.put("duration_s", givenDurationS);
         }
+        if (givenSteps >= 0) {
+            map.put("steps", givenSteps);
+        }
         map.put("time_step_s", timeStepS());
         map.put("integrator", integrator.label());
         map.put("step_policy", ScenarioReader.label(stepPolicy));
@@ -238,10 +318,14 @@ public record Scenario(
         map.put("liver", liver);
         map.put("links_per_node", linksPerNode);
         map.put("tendon", tendon.label());
+        map.put("hold", hold);
         for (Parameter parameter : Parameter.values()) {
             if (!Double.isNaN(value(parameter))) {
                 map.put(parameter.key(), value(parameter));
             }
+        }
+        if (!changes.isEmpty()) {
+            map.put("changes", changes.stream().map(Change::text).toList());
         }
         return map;
     }

@@ -29,6 +29,7 @@ final class ScenarioReader {
     static final double LONGEST_STEP_S = 0.1;
     static final int MOST_THREADS = 256;
     private static final int MOST_LINKS = 3;
+    private static final long MOST_STEPS = 1_000_000_000_000L;
 
     private final YamlMap yaml;
     private final Path folder;
@@ -67,7 +68,10 @@ final class ScenarioReader {
                 "lungs",
                 "liver",
                 "links_per_node",
-                "tendon"));
+                "tendon",
+                "hold",
+                "steps",
+                "changes"));
         keys.addAll(Parameter.keys());
         return List.copyOf(keys);
     }
@@ -98,9 +102,41 @@ final class ScenarioReader {
                 yaml.flag("liver", base.liver()),
                 whole("links_per_node", base.linksPerNode(), MOST_LINKS),
                 choice("tendon", TendonRule.values(), ScenarioReader::label, base.tendon()),
-                parameters(base.given(), material));
+                parameters(base.given(), material),
+                yaml.flag("hold", base.hold()),
+                steps(base.givenSteps()),
+                yaml.has("changes") ? changes() : base.changes());
         requireStepWithinDuration(scenario);
-        return scenario;
+        return scenario.checked();
+    }
+
+    private long steps(long absent) {
+        long value = yaml.integer("steps", absent);
+        if (yaml.has("steps") && (value < 0 || value > MOST_STEPS)) {
+            throw yaml.bad("steps", "found " + value + ", expected 0 to " + MOST_STEPS);
+        }
+        return value;
+    }
+
+    /** Changes; the paths of their traces are taken from the folder of the file. */
+    private List<Change> changes() {
+        List<Change> list = new ArrayList<>();
+        for (String text : yaml.texts("changes")) {
+            try {
+                Change change = Change.parse(text);
+                Assignment set = change.assignment();
+                String value =
+                        set.key().equals("trace") ? path("changes", set.value()).toString() : set.value();
+                String origin = yaml.bad("changes", "'" + text + "'").getMessage();
+                list.add(new Change(change.step(), new Assignment(origin, set.key(), value)));
+            } catch (BadInputException e) {
+                throw new BadInputException(
+                        yaml.bad("changes", e.getMessage().replaceFirst("^--(change|set): ", ""))
+                                .getMessage(),
+                        e);
+            }
+        }
+        return list;
     }
 
     private Map<Parameter, Double> parameters(Map<Parameter, Double> below, Material material) {

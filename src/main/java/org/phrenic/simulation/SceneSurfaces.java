@@ -23,6 +23,8 @@ public final class SceneSurfaces {
     private final List<Place> places = new ArrayList<>();
     private final List<Integer> bodies = new ArrayList<>();
     private final double[] now;
+    private final Object token = new Object();
+    private long captures;
     private BoneWeights bones;
 
     public SceneSurfaces(Simulation simulation) {
@@ -122,6 +124,11 @@ public final class SceneSurfaces {
         return List.copyOf(surfaces);
     }
 
+    /** What can be drawn over the surfaces. */
+    public List<Overlay> overlays() {
+        return List.of();
+    }
+
     /** A frame that fits this scene, holding it as it stands. */
     public Frame newFrame() {
         int n = surfaces.size();
@@ -132,7 +139,7 @@ public final class SceneSurfaces {
             lengths[i] = s.motion() == Surface.Motion.DEFORMING ? s.rest().positions().length : 0;
             rigid[i] = s.motion() == Surface.Motion.RIGID;
         }
-        Frame frame = new Frame(lengths, rigid, now.length);
+        Frame frame = new Frame(token, lengths, rigid, now.length);
         capture(frame);
         return frame;
     }
@@ -152,7 +159,16 @@ public final class SceneSurfaces {
             }
         }
         narrow(now, frame.nodes());
-        frame.stamp(simulation.stepper().steps(), time, observer.at(time).values());
+        frame.stamp(
+                ++captures,
+                simulation.stepper().steps(),
+                time,
+                observer.at(time).values());
+    }
+
+    /** Observables as the scene stands, in the order of {@link Observation#COLUMNS}. */
+    public double[] observe() {
+        return observer.at(simulation.time()).values();
     }
 
     private static void narrow(double[] from, float[] to) {

@@ -2,10 +2,13 @@ package org.phrenic.simulation;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.phrenic.anatomy.RibAxisTable;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.BreathLabel;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
@@ -13,6 +16,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.format.Hashes;
 
 /**
  * A thorax that breathes: a scenario and a body put together, settled at end-expiration, and stepped. Positions are those of all nodes that springs move, in the order diaphragm, sternum and cartilages,
@@ -31,8 +35,11 @@ public final class Simulation implements AutoCloseable {
     private final Stepper stepper;
     private final Workers workers;
     private final double settledBy;
+    private final List<Change> changes = new ArrayList<>();
+    private Scenario settings;
 
-    private Simulation(Scene scene, Stepper stepper, Workers workers, double settledBy) {
+    private Simulation(Scenario scenario, Scene scene, Stepper stepper, Workers workers, double settledBy) {
+        this.settings = scenario;
         this.scene = scene;
         this.stepper = stepper;
         this.workers = workers;
@@ -62,7 +69,7 @@ public final class Simulation implements AutoCloseable {
             double moved = settle(scenario, scene, limit);
             Stepper stepper = new Stepper(
                     scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy(), limit);
-            return new Simulation(scene, stepper, workers, moved);
+            return new Simulation(scenario, scene, stepper, workers, moved);
         } catch (RuntimeException e) {
             workers.close();
             throw e;
@@ -98,6 +105,46 @@ public final class Simulation implements AutoCloseable {
         stepper.step();
     }
 
+    /**
+     * Makes a live change now, with a ramp of 0.2 s where it is a number, and logs it.
+     *
+     * @throws org.phrenic.format.BadInputException with one sentence, if the key is none or not live, or the value cannot be; nothing has changed then
+     */
+    public void change(Assignment assignment) {
+        change(List.of(assignment));
+    }
+
+    /** Makes several live changes at once; parameters and exceptions as for one. */
+    public void change(List<Assignment> assignments) {
+        assignments.forEach(LiveKeys::require);
+        settings = settings.with(assignments);
+        assignments.forEach(a -> changes.add(new Change(stepper.steps(), a)));
+    }
+
+    /** What was changed since the start, in order. */
+    public List<Change> changes() {
+        return List.copyOf(changes);
+    }
+
+    /** Whether a key of a scenario can be changed while it runs. */
+    public static boolean isLive(String key) {
+        return LiveKeys.ALL.contains(key);
+    }
+
+    /** What is set now. */
+    public Scenario settings() {
+        return settings;
+    }
+
+    /** Hash over the bits of positions, then velocities, in the caller's order: {@code state_sha256} of a run. */
+    public String stateHash() {
+        double[] x = new double[scene.rest().length];
+        double[] v = new double[scene.rest().length];
+        system().layout().toCaller(system().positions(), x);
+        system().layout().toCaller(system().velocities(), v);
+        return Hashes.sha256(x, v);
+    }
+
     /** Simulated time, s. */
     public double time() {
         return stepper.time();
@@ -114,6 +161,39 @@ public final class Simulation implements AutoCloseable {
     /** How far the given shape moved until it was in equilibrium, rms mm. */
     public double settledBy() {
         return settledBy;
+    }
+
+    /** Steps since the start. */
+    public long steps() {
+        return stepper.steps();
+    }
+
+    /** Back to the start, if nothing was changed since; false, and nothing done, if something was. */
+    public boolean restart() {
+        return false;
+    }
+
+    /** Undoes the last change, from the state at hand on. */
+    public void undoLastChange() {
+        // Nothing is undone before changes act.
+    }
+
+    /** How many springs there are. */
+    public int springCount() {
+        return scene.springs();
+    }
+
+    /** What the breath is doing. */
+    public BreathLabel breathLabel() {
+        return scene.drive().stateAt(time()).label;
+    }
+
+    /** The step as the stability limit has it: empty if it is within, else a sentence. */
+    public String limitSentence() {
+        return stepper.substeps() == 1
+                ? ""
+                : stepper.limit().sentence(stepper.integrator().kind(), stepper.dt()) + ": split into "
+                        + stepper.substeps() + " substeps";
     }
 
     Scene scene() {

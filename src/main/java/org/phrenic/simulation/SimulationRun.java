@@ -10,7 +10,6 @@ import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
 import org.phrenic.engine.integrator.Stepper;
-import org.phrenic.format.Hashes;
 
 /** A scenario from beginning to end without a screen: body, simulation, observables, files. */
 public final class SimulationRun {
@@ -131,16 +130,8 @@ public final class SimulationRun {
         map.put("settled_by_rms_mm", simulation.settledBy());
         map.putAll(new Summary(samples).values());
         map.put("threads", scenario.threads());
-        map.put("state_sha256", hash(scene));
+        map.put("state_sha256", simulation.stateHash());
         map.put("notice", "For research and training only. Not for clinical use.");
         return map;
-    }
-
-    private static String hash(Scene scene) {
-        double[] x = new double[scene.rest().length];
-        double[] v = new double[scene.rest().length];
-        scene.system().layout().toCaller(scene.system().positions(), x);
-        scene.system().layout().toCaller(scene.system().velocities(), v);
-        return Hashes.sha256(x, v);
     }
 }
