@@ -73,11 +73,11 @@ record Curve(
     }
 
     /** The way of a picked point along the body's axis. */
-    static Curve ofPoint(int slot, String structure) {
+    static Curve ofPoint(int slot) {
         return new Curve(
                 "point_" + (slot + 1) + "_up_mm",
                 Observation.COLUMNS.size() + slot,
-                "Point " + (slot + 1) + ": " + structure,
+                "Point " + (slot + 1),
                 "mm",
                 POINTS_ON_LIGHT[slot],
                 POINTS_ON_DARK[slot],

@@ -37,9 +37,9 @@ final class SampleRing {
         }
     }
 
-    /** Sets a value of the newest sample. */
-    void setLast(int column, double value) {
-        columns[column][index(size - 1)] = value;
+    /** Sets a value of a sample. */
+    void set(int column, int sample, double value) {
+        columns[column][index(sample)] = value;
     }
 
     /** Forgets one column, as if it had never been sampled. */
@@ -94,7 +94,7 @@ final class SampleRing {
     }
 
     /**
-     * The curve of a column between two times in no more points than can be drawn. Where there are more samples, each stretch of them leaves its least and its greatest value, so that no peak is lost.
+     * The curve of a column between two times in no more points than can be drawn. Samples without a value are left out; where there are more samples than points, each stretch of them leaves its least and its greatest value, so that no peak is lost.
      *
      * @param x gets times
      * @param y gets values; as long as {@code x}
@@ -104,38 +104,40 @@ final class SampleRing {
         int begin = Math.max(0, firstFrom(from) - 1);
         int end = Math.min(size, firstFrom(to) + 1);
         int count = end - begin;
-        if (count <= x.length) {
-            for (int i = 0; i < count; i++) {
-                x[i] = time(begin + i);
-                y[i] = value(column, begin + i);
-            }
-            return count;
-        }
-        int stretches = x.length / 2;
+        int stretches = count <= x.length ? count : x.length / 2;
+        int written = 0;
         for (int s = 0; s < stretches; s++) {
             int low = begin + (int) ((long) count * s / stretches);
             int high = begin + (int) ((long) count * (s + 1) / stretches);
-            extremes(column, low, high, 2 * s, x, y);
+            written += extremes(column, low, high, written, x, y);
         }
-        return 2 * stretches;
+        return written;
     }
 
-    private void extremes(int column, int low, int high, int at, double[] x, double[] y) {
-        int least = low;
-        int greatest = low;
-        for (int i = low + 1; i < high; i++) {
-            if (value(column, i) < value(column, least)) {
-                least = i;
+    /** Writes the least and the greatest value of a stretch, the earlier first; one point if they are the same, none if it has no values. */
+    private int extremes(int column, int low, int high, int at, double[] x, double[] y) {
+        int least = -1;
+        int greatest = -1;
+        for (int i = low; i < high; i++) {
+            double value = value(column, i);
+            if (Double.isNaN(value)) {
+                continue;
             }
-            if (value(column, i) > value(column, greatest)) {
-                greatest = i;
-            }
+            least = least < 0 || value < value(column, least) ? i : least;
+            greatest = greatest < 0 || value > value(column, greatest) ? i : greatest;
+        }
+        if (least < 0) {
+            return 0;
         }
         int earlier = Math.min(least, greatest);
         int later = Math.max(least, greatest);
         x[at] = time(earlier);
         y[at] = value(column, earlier);
+        if (earlier == later) {
+            return 1;
+        }
         x[at + 1] = time(later);
         y[at + 1] = value(column, later);
+        return 2;
     }
 }

@@ -37,7 +37,7 @@ class SampleRingTest {
         SampleRing ring = new SampleRing(2, 4);
         ring.add(0, new double[] {1});
         assertThat(ring.value(1, 0)).isNaN();
-        ring.setLast(1, 3);
+        ring.set(1, 0, 3);
         assertThat(ring.value(1, 0)).isEqualTo(3);
         ring.forget(1);
         assertThat(ring.value(1, 0)).isNaN();
