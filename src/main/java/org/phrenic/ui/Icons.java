@@ -67,6 +67,14 @@ enum Icons implements Icon {
             g.fill(new Arc2D.Double(2, 2, 12, 12, -90, 180, Arc2D.PIE));
         }
     },
+    MESH {
+        @Override
+        void draw(Graphics2D g) {
+            g.setStroke(new BasicStroke(1.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+            g.draw(polygon(8, 2, 14.5, 13.5, 1.5, 13.5));
+            g.draw(polygon(4.75, 7.75, 11.25, 7.75, 8, 13.5));
+        }
+    },
     CLOSE {
         @Override
         void draw(Graphics2D g) {

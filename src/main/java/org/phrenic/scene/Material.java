@@ -1,0 +1,30 @@
+package org.phrenic.scene;
+
+import org.phrenic.anatomy.StructureKind;
+
+/**
+ * What a kind of structure looks like in an atlas: colour, and how it shines.
+ *
+ * @param look colour and opacity
+ * @param gloss strength of the highlight
+ * @param shininess exponent of the highlight: larger is smaller and sharper
+ */
+record Material(Look look, float gloss, float shininess) {
+    /** Colour of the central tendon; the diaphragm's own colour is that of its muscle. */
+    static final int TENDON = 0xe9ddc8;
+
+    static Material of(StructureKind kind) {
+        return switch (kind) {
+            case RIB -> new Material(Look.of(0xe8d9b8, 1), 0.16f, 28);
+            case STERNUM -> new Material(Look.of(0xe6d6b4, 1), 0.16f, 28);
+            case VERTEBRA -> new Material(Look.of(0xe0cfaa, 1), 0.12f, 24);
+            case COSTAL_CARTILAGE -> new Material(Look.of(0xbfd0d2, 1), 0.30f, 48);
+            case DISC -> new Material(Look.of(0xa9bcc0, 1), 0.20f, 32);
+            case DIAPHRAGM -> new Material(Look.of(0xa63a32, 1), 0.22f, 30);
+            case LUNG -> new Material(Look.of(0xe0a09c, 0.45f), 0.22f, 36);
+            case LIVER -> new Material(Look.of(0x7d3527, 1), 0.40f, 60);
+            case SKIN -> new Material(Look.of(0xdcae92, 0.16f), 0.25f, 40);
+            case OTHER -> new Material(Look.of(0xb9a98f, 1), 0.15f, 30);
+        };
+    }
+}
