@@ -24,9 +24,13 @@ final class HistoryFeed {
     /**
      * Takes what is new.
      *
+     * @param history null before the first scene
      * @return whether there was anything, or the run began again
      */
     boolean pull(History history) {
+        if (history == null) {
+            return false;
+        }
         int size = history.size();
         long total = history.dropped() + size;
         boolean again = total < seen || (size > 0 && ring.size() > 0 && history.time(size - 1) < last());

@@ -1,10 +1,17 @@
 package org.phrenic.ui;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Material;
 import org.phrenic.simulation.Parameter;
 import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.TendonRule;
 
 /** What a scenario has for a key, as rows show it and assignments take it. */
 final class Settings {
@@ -38,6 +45,75 @@ final class Settings {
             return Double.isNaN(value) ? Optional.empty() : Optional.of(plain(value));
         }
         return Optional.ofNullable(scenario.toMap().get(key)).map(Object::toString);
+    }
+
+    /**
+     * The scenario of another material: what this one states stays, but for what the other does not use; pressure and tendon are those that belong to it. The paper's sheet has no pressure and a tendon above a
+     * plane.
+     */
+    static Scenario ofMaterial(Scenario scenario, Material material) {
+        boolean paper = material == Material.PAPER;
+        return restated(scenario, material, Set.of("material", "pressure", "tendon"))
+                .with(List.of(
+                        new Assignment("window", "material", material.label()),
+                        new Assignment("window", "pressure", String.valueOf(!paper)),
+                        new Assignment("window", "tendon", (paper ? TendonRule.PLANE : TendonRule.TREFOIL).label())))
+                .with(stated(scenario, material));
+    }
+
+    /** The same scenario without its recorded trace: it breathes as its preset does. */
+    static Scenario withoutTrace(Scenario scenario) {
+        return restated(scenario, scenario.material(), Set.of("trace"))
+                .with(stated(scenario, scenario.material()));
+    }
+
+    /** Everything but the numbers of {@link Parameter} and some keys, said anew over the defaults: a key that is left out is as it comes. */
+    private static Scenario restated(Scenario scenario, Material material, Set<String> without) {
+        List<Assignment> list = new ArrayList<>();
+        scenario.toMap().forEach((key, value) -> {
+            boolean open = key.equals("time_step_s") && Double.isNaN(scenario.givenTimeStepS())
+                    || key.equals("name") && scenario.givenName() == null
+                    || key.equals("changes")
+                    || key.equals("steps");
+            if (!open && !without.contains(key) && !Parameter.keys().contains(key)) {
+                list.add(new Assignment("window", key, value.toString()));
+            }
+        });
+        if (!without.contains("material")) {
+            list.add(new Assignment("window", "material", material.label()));
+        }
+        return Scenario.defaults().with(list);
+    }
+
+    /** The numbers that the scenario states and the material uses. */
+    private static List<Assignment> stated(Scenario scenario, Material material) {
+        List<Assignment> list = new ArrayList<>();
+        scenario.given().forEach((parameter, value) -> {
+            if (parameter.isUsedBy(material)) {
+                list.add(assignment(parameter, value));
+            }
+        });
+        return list;
+    }
+
+    /** What leads from one scenario to another while it breathes; empty if that takes another scene. Names do not count. */
+    static Optional<List<Assignment>> liveDifference(Scenario from, Scenario to) {
+        Set<String> keys = new LinkedHashSet<>(to.toMap().keySet());
+        keys.addAll(from.toMap().keySet());
+        keys.addAll(Parameter.keys());
+        keys.removeAll(Set.of("name", "steps", "changes"));
+        List<Assignment> list = new ArrayList<>();
+        for (String key : keys) {
+            Optional<String> wanted = text(to, key);
+            if (wanted.equals(text(from, key))) {
+                continue;
+            }
+            if (wanted.isEmpty() || !Simulation.isLive(key)) {
+                return Optional.empty();
+            }
+            list.add(new Assignment("window", key, wanted.get()));
+        }
+        return Optional.of(list);
     }
 
     /** A parameter's new value. */
