@@ -22,6 +22,9 @@ public final class OffscreenGl implements AutoCloseable {
         return new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     }
 
+    /** Gives back what the graphics card holds for a renderer. */
+    public void release(Renderer renderer) {}
+
     /** What draws. */
     public GraphicsInfo info() {
         return new GraphicsInfo("", "", "", true, 0, 0);

@@ -11,7 +11,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import org.phrenic.scene.Background;
 import org.phrenic.scene.Annotations;
@@ -27,7 +27,7 @@ import org.phrenic.simulation.live.LiveScene;
  * The thorax, as it breathes. The picture itself comes from a {@link RenderLoop}, drawn into a framebuffer on another thread at the pixels of the device; here it is put on the screen with its annotations
  * over it, which takes a few milliseconds of the event dispatch thread. So menus and cards stay above the view on every platform, and a slow driver slows nothing but the view.
  */
-final class SceneView extends JComponent {
+final class SceneView extends JPanel {
     private final transient Session session;
     private final transient Looks looks;
     private final transient RenderLoop loop;
