@@ -145,6 +145,13 @@ public final class Simulation implements AutoCloseable {
         return Hashes.sha256(x, v);
     }
 
+    /** Simulated time that all of the scenario takes, s. */
+    public double durationS() {
+        return settings.givenSteps() >= 0
+                ? settings.givenSteps() * stepper.dt()
+                : settings.durationS(scene.drive().pattern());
+    }
+
     /** Simulated time, s. */
     public double time() {
         return stepper.time();

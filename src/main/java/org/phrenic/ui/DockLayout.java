@@ -30,6 +30,7 @@ final class DockLayout extends JPanel {
     private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final int[] sizes = new int[Place.values().length];
+    private final boolean[] fixed = new boolean[Place.values().length];
     private boolean placed;
 
     DockLayout(WindowPreferences preferences, JComponent view) {
@@ -51,20 +52,28 @@ final class DockLayout extends JPanel {
         add(bottom);
     }
 
+    /** Whether a place is only as large as what stands there needs. */
+    void setFixed(Place place, boolean value) {
+        if (placed && component(place) != null && !fixed[place.ordinal()]) {
+            sizes[place.ordinal()] = size(place);
+        }
+        fixed[place.ordinal()] = value;
+    }
+
     /** Puts a component where a dock stands; null puts the place away. */
     void put(Place place, JComponent dock) {
-        if (placed && component(place) != null) {
+        if (placed && component(place) != null && !fixed[place.ordinal()]) {
             sizes[place.ordinal()] = size(place);
         }
         if (dock != null) {
-            dock.setMinimumSize(new Dimension(120, 90));
+            dock.setMinimumSize(new Dimension(120, fixed[place.ordinal()] ? 30 : 90));
         }
         switch (place) {
             case LEFT -> left.setLeftComponent(dock);
             case RIGHT -> right.setRightComponent(dock);
             case BOTTOM -> bottom.setBottomComponent(dock);
         }
-        pane(place).setDividerSize(dock == null ? 0 : DIVIDER);
+        pane(place).setDividerSize(dock == null || fixed[place.ordinal()] ? 0 : DIVIDER);
         if (placed) {
             apply();
         }
@@ -105,7 +114,10 @@ final class DockLayout extends JPanel {
     private void apply() {
         validate();
         if (component(Place.BOTTOM) != null) {
-            bottom.setDividerLocation(Math.max(LEAST_VIEW / 2, getHeight() - DIVIDER - sizes[Place.BOTTOM.ordinal()]));
+            int size = fixed[Place.BOTTOM.ordinal()]
+                    ? component(Place.BOTTOM).getPreferredSize().height
+                    : sizes[Place.BOTTOM.ordinal()] + DIVIDER;
+            bottom.setDividerLocation(Math.max(LEAST_VIEW / 2, getHeight() - size));
         }
         if (component(Place.LEFT) != null) {
             left.setDividerLocation(sizes[Place.LEFT.ordinal()]);
@@ -121,7 +133,7 @@ final class DockLayout extends JPanel {
     /** Remembers the sizes. */
     void remember() {
         for (Place place : Place.values()) {
-            int size = component(place) != null && placed ? size(place) : sizes[place.ordinal()];
+            int size = component(place) != null && placed && !fixed[place.ordinal()] ? size(place) : sizes[place.ordinal()];
             preferences.setNumber("dock." + place.name(), size);
         }
     }

@@ -9,6 +9,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Camera;
+import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.NoGraphicsException;
 import org.phrenic.scene.OffscreenGl;
 import org.phrenic.scene.Pick;
@@ -28,6 +29,9 @@ final class RenderLoop implements AutoCloseable {
     /** Told what was drawn; on the drawing thread. */
     interface Viewer {
         void drawn(Picture picture);
+
+        /** Pictures can be made, by this. */
+        void ready(GraphicsInfo info);
 
         /** No picture can be made on this machine, and why. */
         void impossible(String sentence);
@@ -108,6 +112,7 @@ final class RenderLoop implements AutoCloseable {
     private void run() {
         try (OffscreenGl gl = OffscreenGl.open()) {
             LOG.log(System.Logger.Level.INFO, "Pictures by {0}", gl.info());
+            viewer.ready(gl.info());
             loop(gl);
         } catch (NoGraphicsException e) {
             viewer.impossible(e.getMessage());

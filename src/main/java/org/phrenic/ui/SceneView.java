@@ -16,6 +16,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.scene.Background;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Camera;
+import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.Pick;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.scene.View;
@@ -38,6 +39,8 @@ final class SceneView extends JComponent {
     private transient Consumer<String> pointed = text -> {};
     private String placeholder = "Building the thorax";
     private boolean impossible;
+    private transient Optional<Pick> picked = Optional.empty();
+    private transient Optional<String> graphics = Optional.empty();
     private long pictures;
 
     SceneView(Session session, Looks looks) {
@@ -137,6 +140,7 @@ final class SceneView extends JComponent {
         }
         double scale = scale();
         loop.pick(x * scale, y * scale, wanted(), found -> SwingUtilities.invokeLater(() -> {
+            picked = found;
             pointed.accept(found.map(pick -> pick.name() + "   " + pick.place()).orElse(""));
             looks.change(style -> style.withHighlighted(found.map(Pick::surface).map(Surface::name).orElse("")));
             if (turnAbout) {
@@ -238,6 +242,16 @@ final class SceneView extends JComponent {
         }
     }
 
+    /** What was clicked last. */
+    Optional<Pick> picked() {
+        return picked;
+    }
+
+    /** What draws; empty until it is known. */
+    Optional<String> graphics() {
+        return graphics;
+    }
+
     /** Ends the drawing. */
     void close() {
         loop.close();
@@ -249,6 +263,11 @@ final class SceneView extends JComponent {
 
     /** Takes pictures over to the event dispatch thread. */
     private final class FromLoop implements RenderLoop.Viewer {
+        @Override
+        public void ready(GraphicsInfo info) {
+            SwingUtilities.invokeLater(() -> graphics = Optional.of(info.renderer() + ", OpenGL " + info.version()));
+        }
+
         @Override
         public void drawn(Picture drawn) {
             SwingUtilities.invokeLater(() -> {
