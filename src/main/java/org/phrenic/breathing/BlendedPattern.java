@@ -48,6 +48,24 @@ public final class BlendedPattern implements BreathingPattern {
         return make(from, to, nowS, rampS, now.phase * to.periodS());
     }
 
+    /**
+     * Changes to another pattern, both told the same time.
+     *
+     * @param from what is breathed until now; ramps it has finished are let go
+     * @param to what follows, at its place at {@code nowS}
+     * @param nowS time of the change, s
+     * @param rampS how long it takes, s, above 0
+     * @param newBreath whether a breath begins with the change, or the one at hand goes on
+     */
+    public static BlendedPattern over(
+            BreathingPattern from, BreathingPattern to, double nowS, double rampS, boolean newBreath) {
+        BreathState state = new BreathState();
+        from.at(nowS, state);
+        int before = state.breath + (newBreath ? 1 : 0);
+        to.at(nowS, state);
+        return new BlendedPattern(settled(from, nowS), to, new Ramp(0, 1, nowS, rampS), 0, before - state.breath);
+    }
+
     private static BlendedPattern make(
             BreathingPattern from, BreathingPattern to, double nowS, double rampS, double intoS) {
         BreathState now = new BreathState();
@@ -58,10 +76,11 @@ public final class BlendedPattern implements BreathingPattern {
 
     /** The second pattern alone once the ramp is over, so that many changes make no long chain. */
     private static BreathingPattern settled(BreathingPattern pattern, double nowS) {
-        if (pattern instanceof BlendedPattern blended && blended.ramp.done(nowS)) {
-            return new BlendedPattern(null, blended.to, blended.ramp, blended.offsetS, blended.breathOffset);
+        if (!(pattern instanceof BlendedPattern blended) || blended.from == null) {
+            return pattern;
         }
-        return pattern;
+        BreathingPattern earlier = blended.ramp.done(nowS) ? null : settled(blended.from, nowS);
+        return new BlendedPattern(earlier, blended.to, blended.ramp, blended.offsetS, blended.breathOffset);
     }
 
     @Override

@@ -19,6 +19,14 @@ final class SmoothStep {
         return u <= 0 || u >= 1 ? 0 : 30 * u * u * (1 - u) * (1 - u);
     }
 
+    /** Integral of the step from 0 to u. */
+    static double integral(double u) {
+        if (u <= 0) {
+            return 0;
+        }
+        return u >= 1 ? u - 0.5 : u * u * u * u * (2.5 + u * (u - 3));
+    }
+
     private static double rise(double u) {
         return u * u * u * (10 + u * (6 * u - 15));
     }

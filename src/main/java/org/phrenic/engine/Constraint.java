@@ -14,6 +14,9 @@ public interface Constraint {
      */
     void project(ParticleSystem system, double h);
 
+    /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
+    default void forget() {}
+
     /** How far from holding at these positions, as a relative or absolute measure that the implementation states. */
     double error(ParticleSystem system);
 }

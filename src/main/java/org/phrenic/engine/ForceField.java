@@ -42,6 +42,9 @@ public interface ForceField {
      */
     default void addRowSums(double[] stiffness, double[] damping) {}
 
+    /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
+    default void forget() {}
+
     /** Whether forces depend on velocity other than through the nodes' own viscous damping. */
     default boolean dependsOnVelocity() {
         return false;

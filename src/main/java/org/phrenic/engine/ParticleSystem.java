@@ -181,6 +181,31 @@ public final class ParticleSystem {
         constraints = allConstraints.stream().filter(active::contains).toArray(Constraint[]::new);
     }
 
+    /** Whether a constraint is switched on. */
+    public boolean isEnabled(Constraint constraint) {
+        return Arrays.asList(constraints).contains(constraint);
+    }
+
+    /** Lets all fields and constraints forget what they kept from earlier times: to be called after state, parameters or time were changed from outside. */
+    public void forget() {
+        allFields.forEach(ForceField::forget);
+        allConstraints.forEach(Constraint::forget);
+        stillInPlace = false;
+    }
+
+    /**
+     * Gives a node another mass.
+     *
+     * @param internalNode internal number
+     * @param kg more than 0
+     */
+    public void setMass(int internalNode, double kg) {
+        mass[internalNode] = kg;
+        if (inverseMass[internalNode] > 0) {
+            inverseMass[internalNode] = 1 / kg;
+        }
+    }
+
     /** The fields switched on, in the order they were added. */
     public List<ForceField> fields() {
         return List.of(fields);

@@ -2,7 +2,6 @@ package org.phrenic.simulation;
 
 import org.phrenic.anatomy.RibCagePose;
 import org.phrenic.breathing.BreathState;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.force.ActionLine;
 import org.phrenic.engine.force.FacePressure;
@@ -13,13 +12,13 @@ import org.phrenic.engine.force.Springs;
  * the ribs. It pulls on nothing itself.
  */
 final class BreathDrive implements ForceField, RibCagePose.Drive {
-    private final BreathingPattern pattern;
+    private LiveBreath pattern;
     private final BreathState state = new BreathState();
-    private final double ribRotation;
-    private double activationScale;
-    private double restPressure;
-    private double pressureScale;
-    private double lineForce;
+    private Dial ribRotation;
+    private Dial activationScale;
+    private Dial restPressure;
+    private Dial pressureScale;
+    private Dial lineForce;
     private Springs muscle;
     private FacePressure pressure;
     private ActionLine[] lines = {};
@@ -27,27 +26,34 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
     private double stateTime = Double.NaN;
 
     /**
-     * @param ribRotation multiplies the turn of the ribs; 0 keeps them still
+     * @param pattern what is breathed
+     * @param dials how much each drive does
      */
-    BreathDrive(BreathingPattern pattern, double ribRotation) {
-        this.pattern = pattern;
-        this.ribRotation = ribRotation;
+    BreathDrive(LiveBreath pattern, Dials dials) {
+        restart(pattern, dials);
     }
 
-    void drives(Springs springs, double activationAtFullDrive) {
+    /** Begins anew with other breathing; parameters as for the constructor. */
+    final void restart(LiveBreath anew, Dials dials) {
+        pattern = anew;
+        stateTime = Double.NaN;
+        ribRotation = dials.of(Knob.RIB_ROTATION);
+        activationScale = dials.of(Knob.ACTIVATION);
+        restPressure = dials.of(Knob.REST_PRESSURE);
+        pressureScale = dials.of(Knob.EFFORT_PRESSURE);
+        lineForce = dials.of(Knob.LINE_FORCE);
+    }
+
+    void drives(Springs springs) {
         muscle = springs;
-        activationScale = activationAtFullDrive;
     }
 
-    void drives(FacePressure faces, double atRest_kpa, double greatest_kpa) {
+    void drives(FacePressure faces) {
         pressure = faces;
-        restPressure = atRest_kpa;
-        pressureScale = greatest_kpa;
     }
 
-    void drives(ActionLine[] actionLines, double forceAtFullDrive) {
+    void drives(ActionLine[] actionLines) {
         lines = actionLines;
-        lineForce = forceAtFullDrive;
     }
 
     /** Keeps everything at end-expiration, whatever the time, while a scene settles; or lets it breathe. */
@@ -65,33 +71,43 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
         return state;
     }
 
-    BreathingPattern pattern() {
+    LiveBreath pattern() {
         return pattern;
     }
 
-    /** Pressure on the abdominal face at a state, kPa. */
-    double pressureAt(BreathState s) {
-        return restPressure + pressureScale * (s.pressure + s.abdominalPressure);
+    /** Told that the pattern, or what multiplies it, is another from now on. */
+    @Override
+    public void forget() {
+        stateTime = Double.NaN;
+    }
+
+    /** Pressure on the abdominal face at a time, kPa; 0 where none acts. */
+    double pressureAt(double time) {
+        BreathState s = stateAt(time);
+        return pressure == null
+                ? 0
+                : restPressure.at(time) + pressureScale.at(time) * (s.pressure + s.abdominalPressure);
     }
 
     @Override
     public void at(double time, double[] amplitudeAndRate) {
         BreathState s = stateAt(time);
-        amplitudeAndRate[0] = ribRotation * s.ribTurn;
-        amplitudeAndRate[1] = ribRotation * s.ribTurnRate;
+        double rotation = ribRotation.at(time);
+        amplitudeAndRate[0] = rotation * s.ribTurn;
+        amplitudeAndRate[1] = rotation * s.ribTurnRate + ribRotation.rate(time) * s.ribTurn;
     }
 
     @Override
     public void prepare(double time) {
         BreathState s = stateAt(time);
         if (muscle != null) {
-            muscle.setActivation(activationScale * s.activation);
+            muscle.setActivation(activationScale.at(time) * s.activation);
         }
         if (pressure != null) {
-            pressure.setPressure(pressureAt(s));
+            pressure.setPressure(pressureAt(time));
         }
         for (ActionLine line : lines) {
-            line.setForce(lineForce * s.activation);
+            line.setForce(lineForce.at(time) * s.activation);
         }
     }
 

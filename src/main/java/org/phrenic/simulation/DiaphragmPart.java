@@ -37,6 +37,10 @@ final class DiaphragmPart {
     final List<AcrossSheet.Pair> links;
     /** Muscle's pairs across the sheet, each vertex in one at most. */
     private final List<AcrossSheet.Pair> musclePairs;
+    /** Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across the midline. */
+    private double[] fibreShare;
+
+    private double[] leftness;
 
     DiaphragmPart(
             SceneParts parts,
@@ -78,6 +82,8 @@ final class DiaphragmPart {
         double[] fibre = diaphragm.fibreDirections();
         double[] box = sheet.bounds();
         double middle = 0.5 * (box[0] + box[3]);
+        fibreShare = new double[topology.edgeCount()];
+        leftness = new double[topology.edgeCount()];
         for (int e = 0; e < topology.edgeCount(); e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
@@ -91,21 +97,44 @@ final class DiaphragmPart {
                     share += alongFibre(p, a, b, fibre, t);
                 }
             }
+            fibreShare[e] = stiff ? 0 : share / sides;
+            leftness[e] = leftness(0.5 * (sheet.x(a) + sheet.x(b)) - middle);
             springs.add(
                     first + a,
                     first + b,
                     law.edgeStiffness(sides, stiff ? tendonRatio : 1),
                     SceneParts.distance(p, a, p, b),
-                    stiff ? 0 : share / sides * drive(0.5 * (sheet.x(a) + sheet.x(b)) - middle, leftOverRight));
+                    fibreShare[e] * drive(leftness[e], leftOverRight));
         }
     }
 
     /** Share of the muscle's drive that a place left (+) or right (-) of the middle takes: 1 on the stronger side, changing smoothly across the midline. */
-    private static double drive(double x, double leftOverRight) {
+    private static double drive(double leftness, double leftOverRight) {
         double right = Math.min(1, 1 / leftOverRight);
         double left = Math.min(1, leftOverRight);
-        double s = Math.max(0, Math.min(1, 0.5 + 0.5 * x / MIDLINE_MM));
-        return right + (left - right) * s * s * (3 - 2 * s);
+        return right + (left - right) * leftness * leftness * (3 - 2 * leftness);
+    }
+
+    private static double leftness(double x) {
+        return Math.max(0, Math.min(1, 0.5 + 0.5 * x / MIDLINE_MM));
+    }
+
+    /** Share of the activation that shortens an edge of the sheet, the edges in the order of their springs. */
+    double contractileShare(int edge, double leftOverRight) {
+        return edge < fibreShare.length ? fibreShare[edge] * drive(leftness[edge], leftOverRight) : 0;
+    }
+
+    /** Whether a spring of the sheet, in the order of its springs, is an edge in the tendon. */
+    boolean isTendonEdge(int spring) {
+        int[] edges = diaphragm.topology().edges();
+        return spring < fibreShare.length
+                && diaphragm.isTendon(edges[2 * spring])
+                && diaphragm.isTendon(edges[2 * spring + 1]);
+    }
+
+    /** Share along the fibres of an edge of the sheet. */
+    double[] fibreShares() {
+        return fibreShare;
     }
 
     /** cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon: muscle shortens along its fibres and hardly across them (Boriek and Rodarte 1997), so a slanting edge shortens less than cos² would have it. */
@@ -183,6 +212,14 @@ final class DiaphragmPart {
         return IntStream.range(0, diaphragm.sheet().vertexCount())
                 .filter(i -> !diaphragm.isInserted(i))
                 .toArray();
+    }
+
+    /** Where the action line of a side (-1 right, 1 left) stands: x and y, mm. */
+    double[] linePlace(int side) {
+        double[] box = diaphragm.sheet().bounds();
+        return new double[] {
+            0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4])
+        };
     }
 
     /** Triangles that the abdomen presses on, as nodes of the scene. */

@@ -56,7 +56,7 @@ final class Observer {
         row[c++] = breath.breath;
         row[c++] = breath.phase;
         row[c++] = breath.activation;
-        row[c++] = scene.drive().pressureAt(breath);
+        row[c++] = scene.drive().pressureAt(time);
         row[c++] = scene.pose().amplitude();
         for (Patch patch : patches) {
             row[c++] = patch.displacement(rest, now, 2);

@@ -7,7 +7,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.constraint.RigidLinks;
-import org.phrenic.engine.constraint.SlidingContact;
 
 /**
  * A thorax put together for a run: the nodes and what pulls on them, and which nodes belong to which organ.
@@ -22,10 +21,9 @@ import org.phrenic.engine.constraint.SlidingContact;
  * @param lungs where they are a mass-spring system
  * @param embeddedLungs where they are carried instead
  * @param liver where the scene has one
- * @param links the tendon's rigid links, if switched on
- * @param contact with the chest wall, if switched on
+ * @param forces what pulls on the nodes
  * @param springs how many
- * @param attachments how many nodes are held by bone, directly or by springs
+ * @param heldNodes nodes that bone holds, directly or by springs
  * @param prestressResidual share of the load at rest that the sheet's tensions do not carry
  * @param massAddedPercent what {@link MassScaling} added to the mass of all nodes, per cent
  */
@@ -40,9 +38,19 @@ record Scene(
         Optional<LungPart> lungs,
         List<Structure> embeddedLungs,
         Optional<LiverPart> liver,
-        Optional<RigidLinks> links,
-        Optional<SlidingContact> contact,
+        SceneForces forces,
         int springs,
-        int attachments,
+        int[] heldNodes,
         double prestressResidual,
-        double massAddedPercent) {}
+        double massAddedPercent) {
+
+    /** The tendon's rigid links, while they are switched on. */
+    Optional<RigidLinks> links() {
+        return forces.links().filter(system::isEnabled);
+    }
+
+    /** How many nodes bone holds. */
+    int attachments() {
+        return heldNodes.length;
+    }
+}

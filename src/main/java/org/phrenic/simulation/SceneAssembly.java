@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.phrenic.anatomy.BlendedMotion;
 import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
@@ -17,16 +16,11 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
-import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
-import org.phrenic.engine.force.Attachments;
-import org.phrenic.engine.force.ConstantLoad;
-import org.phrenic.engine.force.FacePressure;
-import org.phrenic.engine.force.FallOff;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
@@ -48,18 +42,8 @@ final class SceneAssembly {
 
     private static final double LINK_TOLERANCE = 1e-6;
     private static final int LINK_SWEEPS = 50;
-    /** Conjugate-gradient iterations of the prestress: beyond, tensions grow and the residual hardly falls. */
-    private static final int PRESTRESS_ITERATIONS = 40;
-    /** Nodes nearer than this to the wall lean on it at rest. */
-    private static final double LEAN_MM = 1;
 
-    private static final double SHORTEST_REST = 0.3;
-    private static final double DOME_RADIUS_MM = 70;
-    /** Fall-off of the paper's attachments round the insertion, and their low elasticity as a share of a spring's. */
-    private static final double ATTACHMENT_MM = 25;
 
-    private static final double ATTACHMENT_SHARE = 0.1;
-    private static final double HOME_SHARE = 0.25;
 
     private final Scenario scenario;
     private final Thorax thorax;
@@ -96,7 +80,7 @@ final class SceneAssembly {
                 law,
                 value(Parameter.TENDON_RATIO),
                 physical,
-                scenario.tensegrity() ? scenario.linksPerNode() : 0,
+                scenario.linksPerNode(),
                 physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
@@ -120,33 +104,47 @@ final class SceneAssembly {
             system.setViscosity(value(Parameter.DAMPING));
         }
         system.add(drive);
-        int attachments = hold(system, diaphragm, bones, pose, positions);
+        Holding holding =
+                new Holding(scenario, thorax, parts, system, diaphragm, bones, pose, positions, refresh);
         Optional<SlidingContact> contact = Optional.empty();
-        double residual = 0;
+        Optional<RestPressure> rest = Optional.empty();
         if (physical) {
             int[] sliding = diaphragm.sliding(wall);
-            double[] slidingRest = points(positions, diaphragm.first, sliding);
+            double[] slidingRest = SceneParts.points(positions, diaphragm.first, sliding);
             ContactSurface felt = wall.holding(
                     slidingRest,
                     Arrays.stream(sliding).mapToDouble(diaphragm::inset).toArray());
-            residual = prestress(system, drive, diaphragm, felt, sliding, slidingRest, positions);
-            if (scenario.contact()) {
-                contact = Optional.of(new SlidingContact(layout, shifted(sliding, diaphragm.first), felt, refresh));
-            }
+            rest = Optional.of(new RestPressure(
+                    scenario,
+                    system,
+                    drive,
+                    diaphragm,
+                    parts.diaphragm,
+                    scenario.contact() ? felt : null,
+                    sliding,
+                    slidingRest,
+                    positions));
+            contact = Optional.of(
+                    new SlidingContact(layout, SceneParts.shifted(sliding, diaphragm.first), felt, refresh));
         }
-        addSprings(system, drive, diaphragm, positions);
+        Springs sheet = sheetSprings(system, drive);
+        Optional<Springs> passive = passiveSprings(system);
+        ActionLine[] lines = physical ? new ActionLine[0] : actionLines(system, drive, diaphragm, positions);
         Optional<RigidLinks> links = Optional.empty();
-        if (scenario.tensegrity() && !diaphragm.links.isEmpty()) {
+        if (!diaphragm.links.isEmpty()) {
             links = Optional.of(links(layout, diaphragm, positions));
             system.add(links.get());
+            system.setEnabled(links.get(), scenario.tensegrity());
         }
         if (physical) {
             system.add(diaphragm.order(layout, refresh));
+            system.add(contact.get());
+            system.setEnabled(contact.get(), scenario.contact());
         }
-        contact.ifPresent(system::add);
         if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
-            system.add(SlidingContact.adhering(layout, pleural, wall.keeping(points(positions, 0, pleural)), refresh));
+            system.add(SlidingContact.adhering(
+                    layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
         }
         Optional<LiverPart> liver = scenario.liver()
                 ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))
@@ -162,11 +160,10 @@ final class SceneAssembly {
                 lungs,
                 scenario.lungs() == LungModel.EMBEDDED ? lungStructures : List.of(),
                 liver,
-                links,
-                contact,
+                new SceneForces(sheet, passive, holding.bone, holding.home, rest, lines, links, contact),
                 parts.diaphragm.count() + parts.passive.count(),
-                attachments,
-                residual,
+                holding.nodes,
+                rest.map(RestPressure::residual).orElse(0.0),
                 massAdded);
     }
 
@@ -214,74 +211,13 @@ final class SceneAssembly {
         return Diaphragm.trefoil(sheet);
     }
 
-    private static int[] shifted(int[] vertices, int first) {
-        return Arrays.stream(vertices).map(i -> first + i).toArray();
-    }
-
-    private static double[] points(double[] positions, int first, int[] vertices) {
-        double[] out = new double[3 * vertices.length];
-        for (int i = 0; i < vertices.length; i++) {
-            System.arraycopy(positions, 3 * (first + vertices[i]), out, 3 * i, 3);
-        }
-        return out;
-    }
-
-    /** The insertion follows bone exactly; sternum, cartilages and lungs by springs to anchors on bone. Returns how many nodes are held. */
-    private int hold(
-            ParticleSystem system, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose, double[] positions) {
-        int[] inserted = diaphragm.inserted();
-        if (inserted.length == 0) {
-            throw new BadInputException(thorax.name() + ": the diaphragm has no border that bone could hold, expected a"
-                    + " sheet whose two faces meet at its insertion");
-        }
-        double[] rim = points(positions, diaphragm.first, inserted);
-        system.prescribe(shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
-        if (scenario.material() == Material.PAPER) {
-            Diaphragm sheet = diaphragm.diaphragm;
-            for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
-                double fade = FallOff.at(sheet.distanceFromInsertion(i), ATTACHMENT_MM);
-                if (fade > 0 && !sheet.isInserted(i)) {
-                    parts.attach(diaphragm.first + i, ATTACHMENT_SHARE * value(Parameter.SPRING_STIFFNESS) * fade);
-                }
-            }
-        }
-        int[] attached = parts.attachedNodes();
-        if (attached.length > 0) {
-            double[] anchors = points(positions, 0, attached);
-            Attachments springs = new Attachments(
-                    system.layout(),
-                    attached,
-                    parts.attachedStiffnesses(),
-                    0,
-                    new BlendedMotion(pose, anchors, bones.at(anchors), workers));
-            springs.setRefreshInterval(refresh);
-            springs.setFactor(value(Parameter.STERNUM_COUPLING));
-            system.add(springs);
-        }
-        if (scenario.material() == Material.PAPER) {
-            system.add(home(system, diaphragm, positions));
-        }
-        return inserted.length + attached.length;
-    }
-
-    /**
-     * The paper's sheet has no pressure below it and no bending: nothing would bring it back after a breath. Every node is held to its place by a spring of low elasticity, soft enough that the action lines move the
-     * dome, quick enough (6 1/s) to follow a breath.
-     */
-    private Attachments home(ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
-        int[] free = shifted(diaphragm.free(), diaphragm.first);
-        double[] stiffness = new double[free.length];
-        Arrays.fill(stiffness, HOME_SHARE * value(Parameter.SPRING_STIFFNESS));
-        return new Attachments(system.layout(), free, stiffness, 0, PrescribedMotion.still(points(positions, 0, free)));
-    }
-
     private ChestWall wall(List<Structure> lungs, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose) {
         Diaphragm sheet = diaphragm.diaphragm;
         int[] thoracic = IntStream.range(0, sheet.sheet().vertexCount())
                 .filter(sheet::isThoracic)
                 .toArray();
         double[] contents = DoubleStream.concat(
-                        Arrays.stream(points(sheet.sheet().positions(), 0, thoracic)),
+                        Arrays.stream(SceneParts.points(sheet.sheet().positions(), 0, thoracic)),
                         lungs.stream()
                                 .flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
                 .toArray();
@@ -289,122 +225,47 @@ final class SceneAssembly {
         return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose, workers);
     }
 
-    /** Rest lengths that hold the sheet in its given shape against the pressure at rest; what they leave is carried by a dead load. */
-    private double prestress(
-            ParticleSystem system,
-            BreathDrive drive,
-            DiaphragmPart diaphragm,
-            ContactSurface wall,
-            int[] sliding,
-            double[] slidingRest,
-            double[] positions) {
-        NodeLayout layout = system.layout();
-        if (!scenario.pressure()) {
-            return 0;
-        }
-        int[] pressed = diaphragm.abdominalTriangles();
-        double[] weight = new double[pressed.length / 3];
-        Arrays.fill(weight, 1);
-        FacePressure pressure = new FacePressure(layout, pressed, weight);
-        system.add(pressure);
-        drive.drives(pressure, value(Parameter.REST_PRESSURE), value(Parameter.GREATEST_PRESSURE));
-        int n = layout.nodeCount();
-        double[] internal = new double[3 * n];
-        pressure.setPressure(value(Parameter.REST_PRESSURE));
-        for (int block = 0; block < layout.blockCount(); block++) {
-            pressure.addForces(system.positions(), system.velocities(), internal, block);
-        }
-        double[] load = new double[3 * n];
-        layout.toCaller(internal, load);
-
-        boolean[] free = new boolean[n];
-        int vertices = diaphragm.diaphragm.sheet().vertexCount();
-        for (int i = 0; i < vertices; i++) {
-            free[diaphragm.first + i] = !diaphragm.diaphragm.isInserted(i);
-        }
-        double[] normals = new double[3 * n];
-        if (scenario.contact()) {
-            lean(wall, sliding, slidingRest, diaphragm, normals);
-        }
-        SpringList springs = parts.diaphragm;
-        Prestress solver = new Prestress(positions, springs.nodeA(), springs.nodeB(), free, normals);
-        double[] tension = new double[springs.count()];
-        double spacing = Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices);
-        // Laplace's law for a dome shared by two faces, times the width of tissue that an edge stands for.
-        Arrays.fill(tension, value(Parameter.REST_PRESSURE) * DOME_RADIUS_MM / 2 / 2 * spacing);
-        solver.solve(load, tension, PRESTRESS_ITERATIONS);
-        double[] stiffness = springs.stiffness();
-        double[] length = springs.rest();
-        for (int e = 0; e < tension.length; e++) {
-            double rest = Math.max(SHORTEST_REST * length[e], length[e] - tension[e] / stiffness[e]);
-            tension[e] = stiffness[e] * (length[e] - rest);
-            springs.setRest(e, rest);
-        }
-        double[] left = solver.unbalanced(load, tension);
-        double squares = 0;
-        double all = 0;
-        for (int i = 0; i < left.length; i++) {
-            squares += left[i] * left[i];
-            all += free[i / 3] ? load[i] * load[i] : 0;
-            left[i] = -left[i];
-        }
-        system.add(new ConstantLoad(layout, left));
-        return all > 0 ? Math.sqrt(squares / all) : 0;
-    }
-
-    private static void lean(
-            ContactSurface wall, int[] sliding, double[] rest, DiaphragmPart diaphragm, double[] normals) {
-        double[] plane = new double[5];
-        wall.prepare(0);
-        for (int i = 0; i < sliding.length; i++) {
-            double x = rest[3 * i];
-            double y = rest[3 * i + 1];
-            double z = rest[3 * i + 2];
-            wall.planeNear(i, x, y, z, plane, 0);
-            if (diaphragm.diaphragm.isThoracic(sliding[i])
-                    && plane[0] * x + plane[1] * y + plane[2] * z - plane[3] < LEAN_MM) {
-                System.arraycopy(plane, 0, normals, 3 * (diaphragm.first + sliding[i]), 3);
-            }
-        }
-    }
-
-    private void addSprings(ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
-        NodeLayout layout = system.layout();
-        boolean contractile = scenario.material() == Material.PHYSICAL && scenario.muscle();
-        Springs.Builder sheet = Springs.between(layout, parts.diaphragm.nodeA(), parts.diaphragm.nodeB())
+    private Springs sheetSprings(ParticleSystem system, BreathDrive drive) {
+        Springs.Builder builder = Springs.between(system.layout(), parts.diaphragm.nodeA(), parts.diaphragm.nodeB())
                 .stiffness(parts.diaphragm.stiffness())
                 .rest(parts.diaphragm.rest());
+        boolean contractile = scenario.material() == Material.PHYSICAL;
         if (contractile) {
-            sheet.contractile(parts.diaphragm.share());
+            builder.contractile(parts.diaphragm.share());
         }
-        Springs springs = sheet.build();
+        Springs springs = builder.build();
         system.add(springs);
         if (contractile) {
-            drive.drives(springs, value(Parameter.MUSCLE_ACTIVATION));
+            drive.drives(springs);
         }
-        if (parts.passive.count() > 0) {
-            system.add(Springs.between(layout, parts.passive.nodeA(), parts.passive.nodeB())
-                    .stiffness(parts.passive.stiffness())
-                    .rest(parts.passive.rest())
-                    .build());
+        return springs;
+    }
+
+    private Optional<Springs> passiveSprings(ParticleSystem system) {
+        if (parts.passive.count() == 0) {
+            return Optional.empty();
         }
-        if (scenario.material() == Material.PAPER && scenario.muscle()) {
-            addActionLines(system, drive, diaphragm, positions);
-        }
+        Springs springs = Springs.between(system.layout(), parts.passive.nodeA(), parts.passive.nodeB())
+                .stiffness(parts.passive.stiffness())
+                .rest(parts.passive.rest())
+                .build();
+        system.add(springs);
+        return Optional.of(springs);
     }
 
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */
-    private void addActionLines(ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
-        double[] box = diaphragm.diaphragm.sheet().bounds();
-        int[] nodes = shifted(diaphragm.free(), diaphragm.first);
+    private ActionLine[] actionLines(
+            ParticleSystem system, BreathDrive drive, DiaphragmPart diaphragm, double[] positions) {
+        int[] nodes = SceneParts.shifted(diaphragm.free(), diaphragm.first);
         ActionLine[] lines = new ActionLine[2];
         for (int side = 0; side < 2; side++) {
-            double x = 0.5 * (box[0] + box[3]) + (side == 0 ? -1 : 1) * 0.25 * (box[3] - box[0]);
-            double y = 0.5 * (box[1] + box[4]);
-            lines[side] = new ActionLine(system.layout(), nodes, positions, x, y, value(Parameter.ACTION_RADIUS));
+            double[] place = diaphragm.linePlace(side == 0 ? -1 : 1);
+            lines[side] = new ActionLine(
+                    system.layout(), nodes, positions, place[0], place[1], value(Parameter.ACTION_RADIUS));
             system.add(lines[side]);
         }
-        drive.drives(lines, value(Parameter.MUSCLE_FORCE));
+        drive.drives(lines);
+        return lines;
     }
 
     private static RigidLinks links(NodeLayout layout, DiaphragmPart diaphragm, double[] positions) {

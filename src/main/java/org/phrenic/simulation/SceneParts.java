@@ -68,6 +68,26 @@ final class SceneParts {
         return attachedStiffness.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
+    /** Vertices of a surface as nodes. */
+    static int[] shifted(int[] vertices, int first) {
+        return Arrays.stream(vertices).map(i -> first + i).toArray();
+    }
+
+    static int[] joined(int[] a, int[] b) {
+        int[] out = Arrays.copyOf(a, a.length + b.length);
+        System.arraycopy(b, 0, out, a.length, b.length);
+        return out;
+    }
+
+    /** Positions of some vertices of the surface whose first node is {@code first}. */
+    static double[] points(double[] positions, int first, int[] vertices) {
+        double[] out = new double[3 * vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            System.arraycopy(positions, 3 * (first + vertices[i]), out, 3 * i, 3);
+        }
+        return out;
+    }
+
     static double distance(double[] p, int a, double[] q, int b) {
         double x = p[3 * a] - q[3 * b];
         double y = p[3 * a + 1] - q[3 * b + 1];

@@ -9,7 +9,6 @@ import org.phrenic.anatomy.RibAxisTable;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.BreathLabel;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -35,15 +34,28 @@ public final class Simulation implements AutoCloseable {
     private final Stepper stepper;
     private final Workers workers;
     private final double settledBy;
-    private final List<Change> changes = new ArrayList<>();
-    private Scenario settings;
+    private final StabilityLimit firstLimit;
+    private final List<Change> scheduled;
+    private Scenario start;
+    private Tuning tuning;
+    private int nextScheduled;
 
-    private Simulation(Scenario scenario, Scene scene, Stepper stepper, Workers workers, double settledBy) {
-        this.settings = scenario;
+    private Simulation(
+            Scenario scenario,
+            Scene scene,
+            Stepper stepper,
+            Dials dials,
+            Workers workers,
+            StabilityLimit firstLimit,
+            double settledBy) {
         this.scene = scene;
         this.stepper = stepper;
         this.workers = workers;
+        this.firstLimit = firstLimit;
         this.settledBy = settledBy;
+        scheduled = scenario.changes();
+        start = scenario.withChanges(List.of());
+        tuning = new Tuning(start, scene, stepper, dials);
     }
 
     /**
@@ -53,8 +65,8 @@ public final class Simulation implements AutoCloseable {
      * @param thorax the body, already at hand
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
-        BreathingPattern pattern = Patterns.of(scenario);
-        BreathDrive drive = new BreathDrive(pattern, scenario.ribs() ? scenario.value(Parameter.RIB_ROTATION) : 0);
+        Dials dials = new Dials(scenario);
+        BreathDrive drive = new BreathDrive(new LiveBreath(scenario), dials);
         RibCage cage;
         try {
             cage = RibCage.of(
@@ -69,7 +81,7 @@ public final class Simulation implements AutoCloseable {
             double moved = settle(scenario, scene, limit);
             Stepper stepper = new Stepper(
                     scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy(), limit);
-            return new Simulation(scenario, scene, stepper, workers, moved);
+            return new Simulation(scenario, scene, stepper, dials, workers, limit, moved);
         } catch (RuntimeException e) {
             workers.close();
             throw e;
@@ -100,15 +112,30 @@ public final class Simulation implements AutoCloseable {
         return Math.sqrt(3 * sum / before.length);
     }
 
-    /** Carries the thorax over one time step. */
+    /** Carries the thorax over one time step, after the changes that the scenario has for this step. */
     public void step() {
+        if (nextScheduled < scheduled.size()) {
+            makeScheduled();
+        }
+        tuning.beforeStep();
         stepper.step();
+    }
+
+    private void makeScheduled() {
+        List<Assignment> now = new ArrayList<>();
+        while (nextScheduled < scheduled.size() && scheduled.get(nextScheduled).step() <= steps()) {
+            now.add(scheduled.get(nextScheduled++).assignment());
+        }
+        if (!now.isEmpty()) {
+            tuning.change(now);
+        }
     }
 
     /**
      * Makes a live change now, with a ramp of 0.2 s where it is a number, and logs it.
      *
      * @throws org.phrenic.format.BadInputException with one sentence, if the key is none or not live, or the value cannot be; nothing has changed then
+     * @throws IllegalArgumentException with one sentence, if no time step is stable after it, or the one set is refused; nothing has changed then
      */
     public void change(Assignment assignment) {
         change(List.of(assignment));
@@ -116,14 +143,12 @@ public final class Simulation implements AutoCloseable {
 
     /** Makes several live changes at once; parameters and exceptions as for one. */
     public void change(List<Assignment> assignments) {
-        assignments.forEach(LiveKeys::require);
-        settings = settings.with(assignments);
-        assignments.forEach(a -> changes.add(new Change(stepper.steps(), a)));
+        tuning.change(assignments);
     }
 
     /** What was changed since the start, in order. */
     public List<Change> changes() {
-        return List.copyOf(changes);
+        return tuning.log();
     }
 
     /** Whether a key of a scenario can be changed while it runs. */
@@ -133,7 +158,7 @@ public final class Simulation implements AutoCloseable {
 
     /** What is set now. */
     public Scenario settings() {
-        return settings;
+        return tuning.settings();
     }
 
     /** Hash over the bits of positions, then velocities, in the caller's order: {@code state_sha256} of a run. */
@@ -175,14 +200,38 @@ public final class Simulation implements AutoCloseable {
         return stepper.steps();
     }
 
-    /** Back to the start, if nothing was changed since; false, and nothing done, if something was. */
+    /**
+     * Back to the start with what is set now, at once; the bits that follow are those of a scene that was put together with it. False, and nothing done, if what was changed since
+     * asks for another assembly or the scenario has changes of its own.
+     */
     public boolean restart() {
-        return false;
+        if (!scheduled.isEmpty() || !tuning.isAsAssembled()) {
+            return false;
+        }
+        start = tuning.settings();
+        // The cage keeps the pose of the last time it was asked for: none that comes again.
+        scene.pose().update(-1);
+        Dials dials = new Dials(start);
+        scene.drive().restart(new LiveBreath(start), dials);
+        System.arraycopy(system().layout().toInternal(scene.rest()), 0, system().positions(), 0, scene.rest().length);
+        Arrays.fill(system().velocities(), 0);
+        system().forget();
+        stepper.restart(start.integrator().on(system()), firstLimit);
+        tuning = new Tuning(start, scene, stepper, dials);
+        return true;
     }
 
-    /** Undoes the last change, from the state at hand on. */
+    /** Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. */
     public void undoLastChange() {
-        // Nothing is undone before changes act.
+        List<Assignment> back = tuning.undo();
+        if (!back.isEmpty()) {
+            tuning.change(back);
+        }
+    }
+
+    /** The scenario of the start, without changes. */
+    public Scenario start() {
+        return start;
     }
 
     /** How many springs there are. */

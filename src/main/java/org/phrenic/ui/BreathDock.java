@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.ButtonGroup;
@@ -75,13 +76,14 @@ public final class BreathDock extends JPanel implements Session.Events {
     private JComponent buttons() {
         JPanel panel = new JPanel(new MigLayout("insets 2 8 6 8, fillx, wrap 2", "[grow,fill,sg][grow,fill,sg]"));
         for (String name : BreathingPreset.names()) {
-            JToggleButton button = new JToggleButton(ChoiceRow.nameOf(name));
+            JToggleButton button = marked(new JToggleButton(ChoiceRow.nameOf(name)));
             button.setToolTipText("Breathe by the preset '" + name + "'; changes while it breathes");
             button.addActionListener(e -> choose(name));
             group.add(button);
             presets.put(name, button);
             panel.add(button);
         }
+        marked(hold);
         hold.setToolTipText("Hold the breath where it is, or let it go on");
         hold.setMnemonic('H');
         hold.addActionListener(e -> session.change(
@@ -89,6 +91,14 @@ public final class BreathDock extends JPanel implements Session.Events {
                 new Assignment("window", "hold", String.valueOf(hold.isSelected()))));
         panel.add(hold);
         return panel;
+    }
+
+    /** A pressed button stands out as a selected row of a list does. */
+    private static JToggleButton marked(JToggleButton button) {
+        button.putClientProperty(
+                "FlatLaf.style",
+                "selectedBackground: $List.selectionBackground; selectedForeground: $List.selectionForeground");
+        return button;
     }
 
     private JComponent trace() {
@@ -183,7 +193,7 @@ public final class BreathDock extends JPanel implements Session.Events {
         double[] now = history.values(history.size() - 1);
         bar.setPhase(now[PHASE], PhaseColours.label(status.phaseLabel()));
         breath.setText("Breath " + (int) (now[BREATH] + 1) + ", "
-                + PhaseColours.name(PhaseColours.label(status.phaseLabel())).toLowerCase(java.util.Locale.ROOT));
+                + PhaseColours.name(PhaseColours.label(status.phaseLabel())).toLowerCase(Locale.ROOT));
     }
 
     JToggleButton presetButton(String name) {

@@ -35,7 +35,7 @@ final class CurveList extends JPanel implements Scrollable {
      * @param chosen told when other curves are chosen
      */
     CurveList(List<Curve> curves, Set<String> shown, Runnable chosen) {
-        super(new MigLayout("insets 4 6 4 6, gapy 2, fillx, hidemode 3", "[][grow,fill][right]"));
+        super(new MigLayout("insets 4 6 4 6, gapy 2, fillx, hidemode 3", "[][grow,fill][right,76!]"));
         this.chosen = chosen;
         JLabel at = new JLabel("At time");
         at.setToolTipText("Time of the values: that under the mouse, else the present");

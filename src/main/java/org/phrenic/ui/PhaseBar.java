@@ -9,6 +9,8 @@ import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import org.phrenic.breathing.BreathLabel;
 
@@ -24,8 +26,21 @@ final class PhaseBar extends JComponent {
     private boolean plain = true;
 
     PhaseBar() {
-        getAccessibleContext().setAccessibleName("Phase of the breath");
         setToolTipText("Where in the breath it is");
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.PROGRESS_BAR;
+                }
+            };
+            accessibleContext.setAccessibleName("Phase of the breath");
+        }
+        return accessibleContext;
     }
 
     /**

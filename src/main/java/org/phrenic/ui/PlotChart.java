@@ -96,7 +96,7 @@ final class PlotChart {
             return;
         }
         double span = Math.max(seen[1] - seen[0], leastSpan(values));
-        double round = Math.pow(10, Math.floor(Math.log10(span / 2)));
+        double round = Math.pow(10, Math.floor(Math.log10(span / 4)));
         double low = Math.floor((seen[0] - 0.03 * span) / round) * round;
         double high = Math.ceil((seen[0] + 1.03 * span) / round) * round;
         boolean outside = axis.getLowerBound() > seen[0] || axis.getUpperBound() < seen[1];

@@ -3,8 +3,8 @@ package org.phrenic.ui;
 import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JButton;
 import javax.swing.JPanel;
-import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.simulation.Scenario;
@@ -12,27 +12,30 @@ import org.phrenic.simulation.Scenario;
 /** Rows under a heading that folds them away. */
 final class RowGroup extends JPanel {
     private final transient List<SettingRow> rows = new ArrayList<>();
-    private final JToggleButton heading;
+    private final JButton heading;
     private final String label;
+    private boolean open = true;
     private transient Scenario last;
     private String lastSearch = "";
 
     RowGroup(String label) {
         super(new MigLayout("insets 4 0 2 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
         this.label = label;
-        heading = new JToggleButton(label, true);
+        heading = new JButton(label);
         heading.putClientProperty("JButton.buttonType", "borderless");
-        heading.putClientProperty("FlatLaf.style", "selectedBackground: null");
         heading.setHorizontalAlignment(SwingConstants.LEFT);
         heading.setToolTipText("Show or fold away: " + label);
-        heading.addActionListener(e -> show(null, ""));
+        heading.addActionListener(e -> {
+            open = !open;
+            show(null, "");
+        });
         add(heading);
         name();
         setOpaque(false);
     }
 
     private void name() {
-        heading.setText((heading.isSelected() ? "\u25be  " : "\u25b8  ") + label);
+        heading.setText((open ? "\u25be  " : "\u25b8  ") + label);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
     }
 
@@ -62,7 +65,7 @@ final class RowGroup extends JPanel {
                 row.show(last);
             }
             any |= there;
-            row.setVisible(there && (searching || heading.isSelected()));
+            row.setVisible(there && (searching || open));
         }
         name();
         setVisible(any);

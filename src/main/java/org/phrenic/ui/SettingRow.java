@@ -15,7 +15,7 @@ abstract class SettingRow extends JPanel {
         WARNING
     }
 
-    private static final String COLUMNS = "[118!]6[grow,fill,40::]6[60!]4[50!]2[22!]";
+    private static final String COLUMNS = "[70:122:124]4[40::,grow,fill]4[54!]3[46!]1[20!]";
 
     private final String key;
     private final String words;
@@ -37,7 +37,7 @@ abstract class SettingRow extends JPanel {
         label = new JLabel(name);
         label.setToolTipText(tip);
         hint.setVisible(false);
-        add(label);
+        add(label, "wmin 0, growx");
         setOpaque(false);
     }
 

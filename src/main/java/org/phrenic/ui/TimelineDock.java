@@ -25,7 +25,7 @@ public final class TimelineDock extends JPanel implements Session.Events {
     private final JLabel time = new JLabel(" ");
 
     public TimelineDock(Session session) {
-        super(new MigLayout("insets 4 8 4 8, fillx", "[][][][200!][grow,fill]"));
+        super(new MigLayout("insets 4 8 4 8, fillx", "[][][][140!][grow,fill]"));
         this.session = session;
         button(back, "One recorded frame back", () -> go(-1));
         button(forth, "One recorded frame on", () -> go(1));

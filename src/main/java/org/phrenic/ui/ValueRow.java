@@ -108,8 +108,8 @@ final class ValueRow extends SettingRow {
         reset.addActionListener(e -> toDefault());
         add(slider);
         add(field, "growx");
-        add(new JLabel(unit.equals("1") ? "" : unit));
-        add(reset, "w 22!, h 22!");
+        add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")));
+        add(reset, "w 20!, h 22!");
         finish(field, name);
         slider.setToolTipText(field.getToolTipText());
     }

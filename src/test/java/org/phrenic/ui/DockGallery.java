@@ -21,6 +21,18 @@ final class DockGallery {
 
     /** @param arguments folder for the pictures, then settings as key=value */
     public static void main(String[] arguments) throws Exception {
+        int code = 1;
+        try {
+            showAll(arguments);
+            code = 0;
+        } catch (Exception e) {
+            e.printStackTrace();
+        } finally {
+            System.exit(code);
+        }
+    }
+
+    private static void showAll(String[] arguments) throws Exception {
         Path folder = Files.createDirectories(Path.of(arguments[0]));
         for (boolean dark : new boolean[] {false, true}) {
             SwingUtilities.invokeAndWait(() -> Theme.install(dark));
@@ -30,7 +42,6 @@ final class DockGallery {
             }
             show(scenario, folder, dark ? "dark" : "light");
         }
-        System.exit(0);
     }
 
     private static void show(Scenario scenario, Path folder, String theme) throws Exception {

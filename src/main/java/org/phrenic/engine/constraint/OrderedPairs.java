@@ -59,6 +59,11 @@ public final class OrderedPairs implements Constraint {
         this.normal = new double[3 * n];
     }
 
+    @Override
+    public void forget() {
+        now = Double.NaN;
+    }
+
     public int count() {
         return outer.length;
     }

@@ -28,6 +28,8 @@ public final class RigidLinks implements Constraint {
     private final int[] nodeA;
     private final int[] nodeB;
     private final double[] length;
+    private final double[] given;
+    private final double[] caught;
     private final int[] colourStart;
     private final double tolerance;
     private final int maxSweeps;
@@ -94,6 +96,8 @@ public final class RigidLinks implements Constraint {
             nodeB[i] = 3 * b[from];
             length[i] = l[from];
         }
+        given = length.clone();
+        caught = length.clone();
         this.tolerance = tolerance;
         this.maxSweeps = maxSweeps;
         this.asPublished = asPublished;
@@ -146,6 +150,35 @@ public final class RigidLinks implements Constraint {
             used[b[i]] |= 1L << colour[i];
         }
         return colour;
+    }
+
+    /** Takes the links as long as they are now, to be brought to their given lengths by {@link #approach}: for links that were off for a while. */
+    public void catchUp(ParticleSystem particles) {
+        double[] x = particles.positions();
+        for (int i = 0; i < caught.length; i++) {
+            double dx = x[nodeB[i]] - x[nodeA[i]];
+            double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
+            double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
+            caught[i] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        }
+        approach(0);
+    }
+
+    /** Sets every length between the one last caught (0) and the given one (1). */
+    public void approach(double share) {
+        for (int i = 0; i < length.length; i++) {
+            length[i] = share == 1 ? given[i] : caught[i] + share * (given[i] - caught[i]);
+        }
+    }
+
+    /** The nodes of the links in the caller's numbering: two a link. */
+    public int[] callerPairs(NodeLayout layout) {
+        int[] pairs = new int[2 * nodeA.length];
+        for (int i = 0; i < nodeA.length; i++) {
+            pairs[2 * i] = layout.caller(nodeA[i] / 3);
+            pairs[2 * i + 1] = layout.caller(nodeB[i] / 3);
+        }
+        return pairs;
     }
 
     public int count() {

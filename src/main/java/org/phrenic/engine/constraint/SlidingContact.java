@@ -18,7 +18,7 @@ public final class SlidingContact implements Constraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
     /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
-    private static final double RETURN_SPEED = 500;
+    public static final double RETURN_SPEED = 500;
 
     private final int[] node;
     private final ContactSurface surface;
@@ -26,6 +26,7 @@ public final class SlidingContact implements Constraint {
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
+    private double returnSpeed = RETURN_SPEED;
     private double planeTime = Double.NaN;
     private double now = Double.NaN;
     private ParticleSystem system;
@@ -60,6 +61,16 @@ public final class SlidingContact implements Constraint {
         this.refreshInterval = refreshInterval;
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
+    }
+
+    /** How fast a node beyond the wall may be put back, mm/s; less than {@link #RETURN_SPEED} while a wall that was not there comes in. */
+    public void setReturnSpeed(double speed) {
+        returnSpeed = speed;
+    }
+
+    @Override
+    public void forget() {
+        now = Double.NaN;
     }
 
     public int count() {
@@ -102,7 +113,7 @@ public final class SlidingContact implements Constraint {
         double[] planes = plane;
         int[] nodes = node;
         double elapsed = now - planeTime;
-        double farthest = RETURN_SPEED * step;
+        double farthest = returnSpeed * step;
         int from = piece * NODES_A_PIECE;
         int to = Math.min(nodes.length, from + NODES_A_PIECE);
         if (refresh) {

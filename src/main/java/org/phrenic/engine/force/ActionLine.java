@@ -10,6 +10,7 @@ import org.phrenic.engine.NodeLayout;
  */
 public final class ActionLine implements ForceField {
     private final BlockedNodes nodes;
+    private final double[] distance;
     private final double[] weight;
     private double force;
 
@@ -21,17 +22,31 @@ public final class ActionLine implements ForceField {
      * @param y the line's place front to back, mm (LPS)
      * @param radius of action, mm
      */
-    public ActionLine(NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
-        if (!(radius > 0)) {
-            throw new IllegalArgumentException(
-                    "radius of an action line: found " + radius + " mm, expected more than 0");
-        }
+    public ActionLine(
+            NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
         nodes = new BlockedNodes(layout, callerNodes);
+        distance = new double[callerNodes.length];
         weight = new double[callerNodes.length];
         for (int i = 0; i < weight.length; i++) {
             double dx = restPositions[3 * callerNodes[i]] - x;
             double dy = restPositions[3 * callerNodes[i] + 1] - y;
-            weight[i] = FallOff.at(Math.sqrt(dx * dx + dy * dy), radius);
+            distance[i] = Math.sqrt(dx * dx + dy * dy);
+        }
+        setRadius(radius);
+    }
+
+    /**
+     * Sets the radius of action, mm.
+     *
+     * @throws IllegalArgumentException if it is not more than 0
+     */
+    public void setRadius(double radius) {
+        if (!(radius > 0)) {
+            throw new IllegalArgumentException(
+                    "radius of an action line: found " + radius + " mm, expected more than 0");
+        }
+        for (int i = 0; i < weight.length; i++) {
+            weight[i] = FallOff.at(distance[i], radius);
         }
     }
 

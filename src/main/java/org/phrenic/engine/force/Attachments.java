@@ -10,6 +10,7 @@ import org.phrenic.engine.PrescribedMotion;
  */
 public final class Attachments implements ForceField {
     private final BlockedNodes nodes;
+    private final int[] callerNodes;
     private final double[] stiffness;
     private final double dampingRatio;
     private final PrescribedMotion anchors;
@@ -19,6 +20,8 @@ public final class Attachments implements ForceField {
     private double refreshed = Double.NaN;
     private double elapsed;
     private double factor = 1;
+    /** A constant force on each, three numbers; null for none. */
+    private double[] preload;
 
     /**
      * @param layout of the system it is for
@@ -43,6 +46,7 @@ public final class Attachments implements ForceField {
         if (!(damping >= 0) || Double.isInfinite(damping)) {
             throw new IllegalArgumentException("damping of attachments: found " + damping + " s, expected 0 or more");
         }
+        this.callerNodes = callerNodes.clone();
         this.nodes = new BlockedNodes(layout, callerNodes);
         this.stiffness = stiffness.clone();
         this.dampingRatio = damping;
@@ -59,6 +63,47 @@ public final class Attachments implements ForceField {
      */
     public void setRefreshInterval(double seconds) {
         refreshInterval = seconds;
+    }
+
+    /**
+     * Gives every spring other numbers while it runs; allocates nothing but the first time.
+     *
+     * @param k stiffness of each, N/m
+     * @param constant a force on each beside that of its spring, three numbers, mN
+     */
+    public void retune(double[] k, double[] constant) {
+        if (preload == null) {
+            preload = new double[constant.length];
+        }
+        System.arraycopy(k, 0, stiffness, 0, k.length);
+        System.arraycopy(constant, 0, preload, 0, constant.length);
+    }
+
+    /** Stiffness of each spring before the factor, N/m; a copy. */
+    public double[] stiffnesses() {
+        return stiffness.clone();
+    }
+
+    /** The attached nodes in the caller's numbering, in the order given; a copy. */
+    public int[] callerNodes() {
+        return callerNodes.clone();
+    }
+
+    /** What multiplies every stiffness. */
+    public double factor() {
+        return factor;
+    }
+
+    /** Where each is attached at a time, mm. */
+    public double[] anchorsAt(double time) {
+        double[] at = new double[anchor.length];
+        anchors.at(time, at, new double[anchor.length]);
+        return at;
+    }
+
+    @Override
+    public void forget() {
+        refreshed = Double.NaN;
     }
 
     /** Multiplies every stiffness from now on. */
@@ -99,6 +144,14 @@ public final class Attachments implements ForceField {
             force[n] += k * (from[p] + since * speed[p] - x[n]) + c * (speed[p] - v[n]);
             force[n + 1] += k * (from[p + 1] + since * speed[p + 1] - x[n + 1]) + c * (speed[p + 1] - v[n + 1]);
             force[n + 2] += k * (from[p + 2] + since * speed[p + 2] - x[n + 2]) + c * (speed[p + 2] - v[n + 2]);
+        }
+        if (preload != null) {
+            for (int i = nodes.start[block]; i < end; i++) {
+                int p = 3 * item[i];
+                force[node[i]] += preload[p];
+                force[node[i] + 1] += preload[p + 1];
+                force[node[i] + 2] += preload[p + 2];
+            }
         }
     }
 

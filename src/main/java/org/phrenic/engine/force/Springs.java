@@ -26,6 +26,8 @@ public final class Springs implements ForceField {
     private final EdgeBatch.Pass[] outerPasses;
     private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
     private double activation;
+    /** Whether all springs have one stiffness: then it is read once a batch. */
+    private boolean oneStiffness;
 
     private Springs(Builder b) {
         edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
@@ -44,6 +46,7 @@ public final class Springs implements ForceField {
                 entryShareRest[i] *= entryRest[i];
             }
         }
+        oneStiffness = uniform(stiffness);
         int[] own = edges.own;
         int[] other = edges.other;
         starPasses = passes(true, (t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
@@ -97,6 +100,56 @@ public final class Springs implements ForceField {
         }
     }
 
+    /**
+     * Gives every spring other numbers while it runs; allocates nothing.
+     *
+     * @param k stiffness of each, N/m
+     * @param length rest length of each, mm; may be negative: the force is k (l - l0) all the same
+     * @param shortening how much of its length full activation takes from each, mm; not read if nothing is contractile
+     */
+    public void retune(double[] k, double[] length, double[] shortening) {
+        System.arraycopy(k, 0, stiffness, 0, stiffness.length);
+        System.arraycopy(length, 0, rest, 0, rest.length);
+        int[] edge = edges.edge;
+        for (int i = 0; i < edge.length; i++) {
+            entryStiffness[i] = k[edge[i]];
+            entryRest[i] = length[edge[i]];
+        }
+        if (entryShareRest != null) {
+            for (int i = 0; i < edge.length; i++) {
+                entryShareRest[i] = shortening[edge[i]];
+            }
+            for (int e = 0; e < share.length; e++) {
+                share[e] = length[e] == 0 ? 0 : shortening[e] / length[e];
+            }
+        }
+        oneStiffness = uniform(stiffness);
+    }
+
+    /** Ends of each spring in the caller's numbering: two a spring. */
+    public int[] callerPairs(NodeLayout layout) {
+        int[] pairs = new int[2 * edges.count()];
+        for (int e = 0; e < edges.count(); e++) {
+            pairs[2 * e] = layout.caller(edges.nodeA[e]);
+            pairs[2 * e + 1] = layout.caller(edges.nodeB[e]);
+        }
+        return pairs;
+    }
+
+    /** Stiffness of each spring, N/m; a copy. */
+    public double[] stiffnesses() {
+        return stiffness.clone();
+    }
+
+    /** How much of its length full activation takes from each spring, mm; a copy. */
+    public double[] shortenings() {
+        double[] out = new double[rest.length];
+        for (int e = 0; share != null && e < out.length; e++) {
+            out[e] = share[e] * rest[e];
+        }
+        return out;
+    }
+
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
         EdgeBatch batch = batches.get();
@@ -121,7 +174,7 @@ public final class Springs implements ForceField {
         if (entryShareRest != null) {
             passes.add(this::contract);
         }
-        passes.add(uniform(stiffness) ? this::uniformTension : this::tension);
+        passes.add(this::tension);
         if (entryDamping != null) {
             passes.add(
                     stars
@@ -142,11 +195,11 @@ public final class Springs implements ForceField {
         }
     }
 
-    private void uniformTension(EdgeBatch t, int from, int count) {
-        EdgeBatch.tensions(t.tension, entryStiffness[from], t.rest, t.inverse, count);
-    }
-
     private void tension(EdgeBatch t, int from, int count) {
+        if (oneStiffness) {
+            EdgeBatch.tensions(t.tension, entryStiffness[from], t.rest, t.inverse, count);
+            return;
+        }
         System.arraycopy(entryStiffness, from, t.constant, 0, count);
         EdgeBatch.tensions(t.tension, t.constant, t.rest, t.inverse, count);
     }

@@ -4,19 +4,24 @@ import org.phrenic.engine.ParticleSystem;
 
 /**
  * The clock of a system: whole steps of dt, each split into as many substeps as stability asks for, each watched by a {@link
- * DivergenceGuard}. Time is the step count times dt, never a sum.
+ * DivergenceGuard}. Time is the step count times dt, never a sum; where dt is changed, the sum over the stretches of one dt, each a
+ * count times its dt.
  */
 public final class Stepper {
     /** Share of the largest stable step that is used: room for stiffness that grows while tissue deforms. */
     public static final double SAFETY = 0.9;
 
-    private final Integrator integrator;
-    private final double dt;
+    private Integrator integrator;
+    private double dt;
     private final StepPolicy policy;
     private final DivergenceGuard guard;
     private StabilityLimit limit;
     private int substeps;
     private long steps;
+    /** Where the present time step began to count: its step, and the time that the steps before it add up to. */
+    private long segmentStep;
+
+    private double segmentTime;
 
     /**
      * @param integrator the scheme, on its system
@@ -45,12 +50,55 @@ public final class Stepper {
         apply(StabilityLimit.of(integrator.system()));
     }
 
+    /**
+     * Goes on with another scheme and time step, and so many substeps as the worse of two limits asks for; the state at hand is kept as one to go back to.
+     *
+     * @param next the scheme, on the same system
+     * @param nextDt time step, s, more than 0
+     * @param here limit of the system as it is
+     * @param ahead limit of the system as it is about to be
+     * @throws IllegalArgumentException as the constructor; nothing has changed then
+     */
+    public void goOn(Integrator next, double nextDt, StabilityLimit here, StabilityLimit ahead) {
+        int most = Math.max(split(next.kind(), nextDt, here), split(next.kind(), nextDt, ahead));
+        guard.keep(steps);
+        if (nextDt != dt) {
+            segmentTime = time();
+            segmentStep = steps;
+            dt = nextDt;
+        }
+        integrator = next;
+        integrator.reset();
+        limit = ahead.largestStep(next.kind()) < here.largestStep(next.kind()) ? ahead : here;
+        substeps = most;
+    }
+
+    /** Keeps the state at hand as one to go back to. */
+    public void keep() {
+        guard.keep(steps);
+    }
+
+    /** Into how many substeps a step is split under a limit, or refused. */
+    private int split(IntegratorKind kind, double step, StabilityLimit measured) {
+        if (policy == StepPolicy.REFUSE && !measured.isStable(kind, step)) {
+            throw new IllegalArgumentException(measured.sentence(kind, step) + ": refused");
+        }
+        return policy == StepPolicy.REFUSE ? 1 : measured.substeps(kind, step, SAFETY);
+    }
+
+    /** Back to step 0, the system being where it starts. */
+    public void restart(Integrator first, StabilityLimit measured) {
+        steps = 0;
+        segmentStep = 0;
+        segmentTime = 0;
+        integrator = first;
+        apply(measured);
+        guard.keep(0);
+    }
+
     private void apply(StabilityLimit measured) {
         limit = measured;
-        if (policy == StepPolicy.REFUSE && !limit.isStable(integrator.kind(), dt)) {
-            throw new IllegalArgumentException(limit.sentence(integrator.kind(), dt) + ": refused");
-        }
-        substeps = policy == StepPolicy.REFUSE ? 1 : limit.substeps(integrator.kind(), dt, SAFETY);
+        substeps = split(integrator.kind(), dt, measured);
         integrator.reset();
     }
 
@@ -66,7 +114,7 @@ public final class Stepper {
         }
         double h = dt / substeps;
         for (int i = 0; i < substeps; i++) {
-            integrator.step((steps * (long) substeps + i) * h, h);
+            integrator.step(segmentTime + ((steps - segmentStep) * (long) substeps + i) * h, h);
         }
         steps++;
         String cause = guard.check(steps);
@@ -74,13 +122,13 @@ public final class Stepper {
             long failed = steps;
             steps = guard.restore();
             integrator.reset();
-            throw new DivergenceException(failed * dt, time(), cause);
+            throw new DivergenceException(segmentTime + (failed - segmentStep) * dt, time(), cause);
         }
     }
 
     /** Simulated time, s. */
     public double time() {
-        return steps * dt;
+        return segmentTime + (steps - segmentStep) * dt;
     }
 
     public long steps() {

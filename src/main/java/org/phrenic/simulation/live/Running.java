@@ -19,7 +19,6 @@ final class Running implements AutoCloseable {
     final LiveScene scene;
     final FramePipe pipe;
     final History history;
-    private final Scenario started;
     private final SceneSurfaces surfaces;
     private long nextSample;
     private long publishedNs;
@@ -28,12 +27,11 @@ final class Running implements AutoCloseable {
     Running(Simulation simulation, SceneSurfaces surfaces, List<String> notes, long id) {
         this.simulation = simulation;
         this.surfaces = surfaces;
-        started = simulation.settings();
         Frame rest = surfaces.newFrame();
         pipe = new FramePipe(rest);
         history = new History(rest);
         scene = new LiveScene(
-                started,
+                simulation.start(),
                 surfaces.surfaces(),
                 surfaces.overlays(),
                 rest::copy,
@@ -48,7 +46,7 @@ final class Running implements AutoCloseable {
 
     /** The scenario that gives this run again: as started, with the changes made since. */
     Scenario recorded() {
-        return started.withChanges(simulation.changes()).withSteps(simulation.steps());
+        return simulation.start().withChanges(simulation.changes()).withSteps(simulation.steps());
     }
 
     /** One step, and what is to be seen of it. */
@@ -67,7 +65,7 @@ final class Running implements AutoCloseable {
     private void sample() {
         history.add(surfaces.observe());
         Stepper stepper = simulation.stepper();
-        nextSample = stepper.steps() + Math.max(1, Math.round(started.recordEveryS() / stepper.dt()));
+        nextSample = stepper.steps() + Math.max(1, Math.round(simulation.start().recordEveryS() / stepper.dt()));
     }
 
     private void keep() {

@@ -1,0 +1,95 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.phrenic.anatomy.BlendedMotion;
+import org.phrenic.anatomy.BoneWeights;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.RibCagePose;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.Workers;
+import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.FallOff;
+import org.phrenic.format.BadInputException;
+
+/** What holds the nodes of a scene in the body: the insertion of the diaphragm follows bone exactly, sternum, cartilages and lungs by springs to anchors on bone. */
+final class Holding {
+    /** Fall-off of the paper's attachments round the insertion, and their low elasticity as a share of a spring's. */
+    private static final double ATTACHMENT_MM = 25;
+
+    private static final double ATTACHMENT_SHARE = 0.1;
+    private static final double HOME_SHARE = 0.25;
+
+    /** Springs to bone. */
+    final Optional<Attachments> bone;
+    /** The paper's springs that bring the sheet back. */
+    final Optional<Attachments> home;
+    /** All nodes that bone holds, exactly or by springs. */
+    final int[] nodes;
+
+    /** Holds the nodes of a scene; anchors are taken anew every {@code refresh} s. */
+    Holding(
+            Scenario scenario,
+            Thorax thorax,
+            SceneParts parts,
+            ParticleSystem system,
+            DiaphragmPart diaphragm,
+            BoneWeights bones,
+            RibCagePose pose,
+            double[] positions,
+            double refresh) {
+        Workers workers = system.workers();
+        int[] inserted = diaphragm.inserted();
+        if (inserted.length == 0) {
+            throw new BadInputException(thorax.name() + ": the diaphragm has no border that bone could hold, expected a"
+                    + " sheet whose two faces meet at its insertion");
+        }
+        double[] rim = SceneParts.points(positions, diaphragm.first, inserted);
+        system.prescribe(SceneParts.shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
+        if (scenario.material() == Material.PAPER) {
+            Diaphragm sheet = diaphragm.diaphragm;
+            for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
+                double fade = FallOff.at(sheet.distanceFromInsertion(i), ATTACHMENT_MM);
+                if (fade > 0 && !sheet.isInserted(i)) {
+                    parts.attach(diaphragm.first + i, ATTACHMENT_SHARE * scenario.value(Parameter.SPRING_STIFFNESS) * fade);
+                }
+            }
+        }
+        Optional<Attachments> toBone = Optional.empty();
+        Optional<Attachments> toPlace = Optional.empty();
+        int[] attached = parts.attachedNodes();
+        if (attached.length > 0) {
+            double[] anchors = SceneParts.points(positions, 0, attached);
+            Attachments springs = new Attachments(
+                    system.layout(),
+                    attached,
+                    parts.attachedStiffnesses(),
+                    0,
+                    new BlendedMotion(pose, anchors, bones.at(anchors), workers));
+            springs.setRefreshInterval(refresh);
+            springs.setFactor(scenario.value(Parameter.STERNUM_COUPLING));
+            system.add(springs);
+            toBone = Optional.of(springs);
+        }
+        if (scenario.material() == Material.PAPER) {
+            toPlace = Optional.of(home(scenario, system, diaphragm, positions));
+            system.add(toPlace.get());
+        }
+        bone = toBone;
+        home = toPlace;
+        nodes = SceneParts.joined(SceneParts.shifted(inserted, diaphragm.first), attached);
+    }
+
+    /**
+     * The paper's sheet has no pressure below it and no bending: nothing would bring it back after a breath. Every node is held to its place by a spring of low elasticity, soft enough that the action lines move the
+     * dome, quick enough (6 1/s) to follow a breath.
+     */
+    private static Attachments home(Scenario scenario, ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
+        int[] free = SceneParts.shifted(diaphragm.free(), diaphragm.first);
+        double[] stiffness = new double[free.length];
+        Arrays.fill(stiffness, HOME_SHARE * scenario.value(Parameter.SPRING_STIFFNESS));
+        return new Attachments(system.layout(), free, stiffness, 0, PrescribedMotion.still(SceneParts.points(positions, 0, free)));
+    }
+}

@@ -1,0 +1,57 @@
+package org.phrenic.simulation;
+
+/** What of a running simulation can be turned smoothly: each has a value for every scenario, 0 where its switch is off. */
+enum Knob {
+    /** Membrane stiffness of muscle, or the paper's one stiffness. */
+    STIFFNESS(true),
+    TENDON_RATIO(true),
+    LUNG_STIFFNESS(true),
+    /** Mass per area, or the paper's one mass. */
+    MASS(true),
+    DAMPING(true),
+    COUPLING(true),
+    LEFT_OVER_RIGHT(true),
+    REST_PRESSURE(true),
+    LINE_RADIUS(false),
+    ACTIVATION(false),
+    LINE_FORCE(false),
+    EFFORT_PRESSURE(false),
+    RIB_ROTATION(false),
+    /** Rigid links at their given length (1) or as long as they were found (0). */
+    LINKS(false),
+    /** The wall as hard as it gets (1) or not there (0). */
+    CONTACT(false);
+
+    private final boolean material;
+
+    Knob(boolean material) {
+        this.material = material;
+    }
+
+    /** Whether it changes springs, masses or damping, and so may change the stability limit. */
+    boolean isMaterial() {
+        return material;
+    }
+
+    /** Its value in a scenario; NaN where the material has no use for it. */
+    double in(Scenario s) {
+        boolean physical = s.material() == Material.PHYSICAL;
+        return switch (this) {
+            case STIFFNESS -> s.value(physical ? Parameter.MUSCLE_STIFFNESS : Parameter.SPRING_STIFFNESS);
+            case TENDON_RATIO -> s.value(Parameter.TENDON_RATIO);
+            case LUNG_STIFFNESS -> s.value(Parameter.LUNG_STIFFNESS);
+            case MASS -> s.value(physical ? Parameter.AREA_DENSITY : Parameter.NODE_MASS);
+            case DAMPING -> s.value(physical ? Parameter.DAMPING_RATE : Parameter.DAMPING);
+            case COUPLING -> s.value(Parameter.STERNUM_COUPLING);
+            case LEFT_OVER_RIGHT -> physical ? s.value(Parameter.LEFT_OVER_RIGHT) : 1;
+            case REST_PRESSURE -> s.pressure() ? s.value(Parameter.REST_PRESSURE) : 0;
+            case LINE_RADIUS -> s.value(Parameter.ACTION_RADIUS);
+            case ACTIVATION -> s.muscle() ? s.value(Parameter.MUSCLE_ACTIVATION) : 0;
+            case LINE_FORCE -> s.muscle() ? s.value(Parameter.MUSCLE_FORCE) : 0;
+            case EFFORT_PRESSURE -> s.pressure() ? s.value(Parameter.GREATEST_PRESSURE) : 0;
+            case RIB_ROTATION -> s.ribs() ? s.value(Parameter.RIB_ROTATION) : 0;
+            case LINKS -> s.tensegrity() ? 1 : 0;
+            case CONTACT -> s.contact() ? 1 : 0;
+        };
+    }
+}

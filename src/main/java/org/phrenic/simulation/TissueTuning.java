@@ -1,0 +1,202 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.force.Attachments;
+
+/**
+ * Makes the tissue of a running scene stiffer, heavier or more damped without moving its rest shape. A spring pulls with {@code k f (l - L) + T}: {@code L} and {@code T} its length and tension as the scene
+ * settled at end-expiration, {@code f} the factor by which its tissue is stiffer than as assembled; T goes with the pressure at rest. Springs to bone likewise. With all factors at 1 every number is the one assembled.
+ */
+final class TissueTuning {
+    private static final Knob[] SHEET = {
+        Knob.STIFFNESS, Knob.TENDON_RATIO, Knob.REST_PRESSURE, Knob.LEFT_OVER_RIGHT
+    };
+    private static final Knob[] PASSIVE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS};
+    private static final Knob[] BONE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS, Knob.COUPLING};
+    private static final Knob[] MASSES = {
+        Knob.MASS, Knob.TENDON_RATIO, Knob.STIFFNESS, Knob.LUNG_STIFFNESS, Knob.DAMPING
+    };
+
+    private final ParticleSystem system;
+    private final SceneForces forces;
+    private final DiaphragmPart diaphragm;
+    private final boolean physical;
+    private final int firstLungNode;
+    private final double[] base;
+    private final double[] applied;
+    private final SpringNumbers sheet;
+    private final SpringNumbers passive;
+    private final BoneNumbers bone;
+    private final BoneNumbers home;
+    private final double[] mass;
+
+    TissueTuning(Scene scene, Scenario scenario) {
+        system = scene.system();
+        forces = scene.forces();
+        diaphragm = scene.diaphragm();
+        physical = scenario.material() == Material.PHYSICAL;
+        firstLungNode = scene.lungs().map(l -> l.firsts.get(0)).orElse(Integer.MAX_VALUE);
+        base = new double[Knob.values().length];
+        for (Knob knob : Knob.values()) {
+            base[knob.ordinal()] = knob.in(scenario);
+        }
+        applied = base.clone();
+        NodeLayout layout = system.layout();
+        sheet = new SpringNumbers(forces.sheet(), layout, scene.rest());
+        passive = forces.passive().map(s -> new SpringNumbers(s, layout, scene.rest())).orElse(null);
+        bone = forces.bone().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
+        home = forces.home().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
+        mass = system.masses().clone();
+    }
+
+    /**
+     * Gives all tissue the numbers that go with values of the knobs; what has them already is left alone.
+     *
+     * @param value of each {@link Knob}, by its ordinal
+     */
+    void apply(double[] value) {
+        double muscle = factor(value, Knob.STIFFNESS);
+        double tendon = muscle * factor(value, Knob.TENDON_RATIO);
+        double lung = physical ? factor(value, Knob.LUNG_STIFFNESS) : muscle;
+        if (isOther(value, SHEET)) {
+            tuneSheet(value, muscle, tendon);
+        }
+        if (passive != null && isOther(value, PASSIVE)) {
+            tunePassive(isBase(value, PASSIVE), muscle, lung);
+        }
+        if (isOther(value, BONE)) {
+            double coupling = value[Knob.COUPLING.ordinal()];
+            if (bone != null) {
+                bone.tune(isBase(value, BONE), muscle, lung, coupling);
+            }
+            if (home != null) {
+                home.tune(isBase(value, BONE), muscle, muscle, 1);
+            }
+        }
+        if (isOther(value, MASSES)) {
+            tuneMasses(value, isBase(value, MASSES));
+        }
+        System.arraycopy(value, 0, applied, 0, applied.length);
+    }
+
+    private double factor(double[] value, Knob knob) {
+        return value[knob.ordinal()] / base[knob.ordinal()];
+    }
+
+    private boolean isOther(double[] value, Knob[] knobs) {
+        return differs(value, applied, knobs);
+    }
+
+    private boolean isBase(double[] value, Knob[] knobs) {
+        return !differs(value, base, knobs);
+    }
+
+    private static boolean differs(double[] p, double[] q, Knob[] knobs) {
+        for (Knob knob : knobs) {
+            if (Double.compare(p[knob.ordinal()], q[knob.ordinal()]) != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void tuneSheet(double[] value, double muscle, double tendon) {
+        RestPressure rest = forces.rest().orElse(null);
+        double pressure = value[Knob.REST_PRESSURE.ordinal()];
+        double leftOverRight = value[Knob.LEFT_OVER_RIGHT.ordinal()];
+        if (rest != null) {
+            rest.scaleLoad(pressure);
+        }
+        if (isBase(value, SHEET)) {
+            sheet.asAssembled();
+            return;
+        }
+        for (int e = 0; e < sheet.count; e++) {
+            double more = rest == null ? 0 : rest.moreTension(e, pressure);
+            sheet.set(e, diaphragm.isTendonEdge(e) ? tendon : muscle, more);
+            sheet.shortening[e] = diaphragm.contractileShare(e, leftOverRight)
+                    * RestPressure.shortest(sheet.length[e], sheet.rest[e]);
+        }
+        sheet.hand();
+    }
+
+    private void tunePassive(boolean asAssembled, double muscle, double lung) {
+        if (asAssembled) {
+            passive.asAssembled();
+            return;
+        }
+        for (int e = 0; e < passive.count; e++) {
+            boolean ofLung = passive.nodes[2 * e] >= firstLungNode || passive.nodes[2 * e + 1] >= firstLungNode;
+            passive.set(e, ofLung ? lung : muscle, 0);
+        }
+        passive.hand();
+    }
+
+    private void tuneMasses(double[] value, boolean asAssembled) {
+        double all = factor(value, Knob.MASS);
+        // Tissue of another stiffness is as much heavier in the physical material, so that all has one wave speed.
+        double tendon = physical ? all * factor(value, Knob.TENDON_RATIO) : all;
+        double lung = physical ? all * factor(value, Knob.LUNG_STIFFNESS) / factor(value, Knob.STIFFNESS) : all;
+        int firstSheet = diaphragm.first;
+        int pastSheet = firstSheet + diaphragm.diaphragm.sheet().vertexCount();
+        NodeLayout layout = system.layout();
+        for (int i = 0; i < mass.length; i++) {
+            int node = layout.caller(i);
+            boolean inTendon =
+                    node >= firstSheet && node < pastSheet && diaphragm.diaphragm.isTendon(node - firstSheet);
+            double f = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : all;
+            system.setMass(i, f * mass[i]);
+        }
+        double damping = value[Knob.DAMPING.ordinal()];
+        if (physical) {
+            system.setViscosityPerMass(damping);
+        } else {
+            system.setViscosity(damping);
+        }
+    }
+
+    /** Springs to bone as assembled, and as they pull at rest. */
+    private final class BoneNumbers {
+        private final Attachments springs;
+        private final int[] nodes;
+        private final double[] assembled;
+        private final double[] stretch;
+        private final double coupling;
+        private final double[] stiffness;
+        private final double[] constant;
+
+        BoneNumbers(Attachments springs, double[] positions) {
+            this.springs = springs;
+            nodes = springs.callerNodes();
+            assembled = springs.stiffnesses();
+            coupling = springs.factor();
+            stretch = springs.anchorsAt(0);
+            for (int i = 0; i < stretch.length; i++) {
+                stretch[i] -= positions[3 * nodes[i / 3] + i % 3];
+            }
+            stiffness = assembled.clone();
+            constant = new double[stretch.length];
+        }
+
+        void tune(boolean asAssembled, double muscle, double lung, double nowCoupling) {
+            for (int i = 0; i < nodes.length; i++) {
+                double f = asAssembled ? 1 : nodes[i] >= firstLungNode ? lung : muscle;
+                stiffness[i] = f * assembled[i];
+                for (int c = 3 * i; c < 3 * i + 3; c++) {
+                    constant[c] = asAssembled
+                            ? 0
+                            : (coupling * assembled[i] - nowCoupling * stiffness[i]) * stretch[c];
+                }
+            }
+            springs.setFactor(nowCoupling);
+            springs.retune(stiffness, constant);
+        }
+    }
+
+    /** Values of all knobs as assembled, by ordinal. */
+    double[] assembledValues() {
+        return Arrays.copyOf(base, base.length);
+    }
+}

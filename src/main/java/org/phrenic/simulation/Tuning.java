@@ -1,0 +1,246 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.constraint.SlidingContact;
+import org.phrenic.engine.integrator.Integrator;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StabilityLimit;
+import org.phrenic.engine.integrator.Stepper;
+
+/**
+ * Changes a scene while it runs, and keeps the log of it. What a change does is a function of the state, the step and the changes before it alone, so that the same changes at the same steps give
+ * the same bits; of several changes of a key at one step the last counts.
+ *
+ * <p>Numbers ramp over 0.2 s. While springs, masses or damping are on their way the substeps are those that the worse of both ends asks for; when they have arrived the limit is measured anew.
+ */
+final class Tuning {
+    private static final Set<String> PATTERN_KEYS = Set.of(
+            "preset",
+            "trace",
+            Parameter.RATE.key(),
+            Parameter.DEPTH.key(),
+            Parameter.INSPIRATORY_FRACTION.key(),
+            Parameter.CHEST_SHARE.key());
+    private static final Set<String> NEW_BREATH_KEYS = Set.of("preset", "trace");
+    /** A scene is assembled and settled the same whatever these are. */
+    private static final Set<String> NOT_ASSEMBLED = Set.of(
+            "preset",
+            "trace",
+            "hold",
+            "muscle",
+            "ribs",
+            "integrator",
+            Parameter.RATE.key(),
+            Parameter.DEPTH.key(),
+            Parameter.INSPIRATORY_FRACTION.key(),
+            Parameter.CHEST_SHARE.key(),
+            Parameter.RIB_ROTATION.key(),
+            Parameter.MUSCLE_ACTIVATION.key(),
+            Parameter.MUSCLE_FORCE.key(),
+            Parameter.GREATEST_PRESSURE.key());
+
+    private final Scene scene;
+    private final ParticleSystem system;
+    private final Stepper stepper;
+    private final Dials dials;
+    private final TissueTuning tissue;
+    private final double[] values;
+    private final List<Change> log = new ArrayList<>();
+    private Scenario settings;
+    private Scenario settingsBefore;
+    private boolean limitPending;
+    private boolean geometryPending;
+    private long linksOff = -1;
+
+    Tuning(Scenario scenario, Scene scene, Stepper stepper, Dials dials) {
+        this.scene = scene;
+        this.system = scene.system();
+        this.stepper = stepper;
+        this.dials = dials;
+        tissue = new TissueTuning(scene, scenario);
+        values = tissue.assembledValues();
+        settings = scenario;
+        settingsBefore = scenario;
+    }
+
+    Scenario settings() {
+        return settings;
+    }
+
+    List<Change> log() {
+        return List.copyOf(log);
+    }
+
+    /** Makes changes between two steps; see {@link Simulation#change(List)}. */
+    void change(List<Assignment> assignments) {
+        assignments.forEach(LiveKeys::require);
+        long step = stepper.steps();
+        double now = stepper.time();
+        Scenario before = lastStep() == step ? settingsBefore : settings;
+        Map<String, Assignment> atThisStep = new LinkedHashMap<>();
+        log.stream().filter(c -> c.step() == step).forEach(c -> put(atThisStep, c.assignment()));
+        assignments.forEach(a -> put(atThisStep, a));
+        Scenario after = before.with(List.copyOf(atThisStep.values()));
+
+        scene.drive().forget();
+        scene.drive().prepare(now);
+        Integrator integrator = stepper.integrator();
+        boolean other = after.integrator() != integrator.kind();
+        if (other) {
+            integrator = after.integrator().on(system);
+        }
+        boolean material = !dials.isMaterialDone(now - stepper.dt()) || other || after.timeStepS() != stepper.dt();
+        for (Knob knob : Knob.values()) {
+            material |= knob.isMaterial() && Double.compare(knob.in(after), dials.of(knob).target()) != 0;
+        }
+        if (material || isMaterialAmong(atThisStep)) {
+            StabilityLimit ahead = limitAt(after);
+            applyTissue(now);
+            StabilityLimit here = StabilityLimit.of(system);
+            stepper.goOn(integrator, after.timeStepS(), here, ahead);
+        } else {
+            stepper.keep();
+        }
+        commit(after, atThisStep, step, now);
+        settingsBefore = before;
+        settings = after;
+        log.removeIf(c -> c.step() == step);
+        atThisStep.values().forEach(a -> log.add(new Change(step, a)));
+        system.forget();
+        stepper.integrator().reset();
+    }
+
+    private static void put(Map<String, Assignment> all, Assignment assignment) {
+        all.remove(assignment.key());
+        all.put(assignment.key(), assignment);
+    }
+
+    private long lastStep() {
+        return log.isEmpty() ? -1 : log.get(log.size() - 1).step();
+    }
+
+    private static boolean isMaterialAmong(Map<String, Assignment> changes) {
+        return changes.keySet().stream().anyMatch(key -> !NOT_ASSEMBLED.contains(key) || key.equals("integrator"));
+    }
+
+    /** The limit of the scene as it stands, with the tissue of a scenario. */
+    private StabilityLimit limitAt(Scenario scenario) {
+        for (Knob knob : Knob.values()) {
+            values[knob.ordinal()] = knob.in(scenario);
+        }
+        tissue.apply(values);
+        return StabilityLimit.of(system);
+    }
+
+    private void commit(Scenario after, Map<String, Assignment> changes, long step, double now) {
+        boolean linksOn = dials.of(Knob.LINKS).target() == 1;
+        boolean contactOn = dials.of(Knob.CONTACT).target() == 1;
+        for (Knob knob : Knob.values()) {
+            dials.of(knob).turn(knob.in(after), step, now);
+        }
+        scene.forces().links().ifPresent(links -> {
+            if (after.tensegrity() && !linksOn && linksOff != step) {
+                links.catchUp(system);
+            }
+            linksOff = linksOn && !after.tensegrity() ? step : linksOff;
+            system.setEnabled(links, after.tensegrity());
+        });
+        scene.forces().contact().ifPresent(contact -> {
+            if (contactOn != after.contact()) {
+                system.setEnabled(contact, after.contact());
+            }
+        });
+        if (changes.containsKey("hold")) {
+            scene.drive().pattern().hold(after.hold(), now);
+        }
+        if (changes.keySet().stream().anyMatch(PATTERN_KEYS::contains)) {
+            boolean anew = changes.keySet().stream().anyMatch(NEW_BREATH_KEYS::contains);
+            scene.drive().pattern().change(after, anew, step, now);
+        }
+        scene.drive().forget();
+        limitPending = !dials.isMaterialDone(now);
+        geometryPending = true;
+    }
+
+    /** Told before every step: turns what is on its way. Allocates nothing but where something has arrived. */
+    void beforeStep() {
+        if (!limitPending && !geometryPending) {
+            return;
+        }
+        double now = stepper.time();
+        if (limitPending) {
+            applyTissue(now);
+            if (dials.isMaterialDone(now)) {
+                limitPending = false;
+                scene.drive().prepare(now);
+                stepper.measure();
+            }
+        }
+        if (geometryPending) {
+            applyGeometry(now);
+            geometryPending = !dials.isGeometryDone(now);
+        }
+    }
+
+    private void applyTissue(double now) {
+        for (Knob knob : Knob.values()) {
+            values[knob.ordinal()] = dials.of(knob).at(now);
+        }
+        tissue.apply(values);
+    }
+
+    private void applyGeometry(double now) {
+        double radius = dials.of(Knob.LINE_RADIUS).at(now);
+        for (var line : scene.forces().lines()) {
+            line.setRadius(radius);
+        }
+        if (scene.forces().links().isPresent()) {
+            scene.forces().links().get().approach(dials.of(Knob.LINKS).at(now));
+        }
+        if (scene.forces().contact().isPresent()) {
+            double speed = SlidingContact.RETURN_SPEED * dials.of(Knob.CONTACT).at(now);
+            scene.forces().contact().get().setReturnSpeed(speed);
+        }
+    }
+
+    /** What takes back the changes made at the last step that has any; empty if there are none. */
+    List<Assignment> undo() {
+        long last = lastStep();
+        Map<String, Object> before = settingsBefore.toMap();
+        List<Assignment> back = new ArrayList<>();
+        for (Change change : log) {
+            String key = change.assignment().key();
+            if (change.step() == last) {
+                back.add(new Assignment("undo", key, String.valueOf(before.getOrDefault(key, absent(key)))));
+            }
+        }
+        return back;
+    }
+
+    /** Value of a key that the settings before the last change left to the preset. */
+    private Object absent(String key) {
+        var breath = settingsBefore.breathing().parameters();
+        if (key.equals(Parameter.RATE.key())) {
+            return breath.ratePerMin();
+        }
+        if (key.equals(Parameter.INSPIRATORY_FRACTION.key())) {
+            return breath.inspiratoryFraction();
+        }
+        return key.equals(Parameter.CHEST_SHARE.key()) ? breath.chestShare() : "none";
+    }
+
+    /** Whether what was changed since the start leaves the scene as it was assembled, so that it can begin anew as it is. */
+    boolean isAsAssembled() {
+        return log.stream().allMatch(c -> NOT_ASSEMBLED.contains(c.assignment().key()));
+    }
+
+    /** Which scheme the settings ask for. */
+    IntegratorKind integrator() {
+        return settings.integrator();
+    }
+}
