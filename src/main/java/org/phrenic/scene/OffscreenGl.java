@@ -141,9 +141,6 @@ public final class OffscreenGl implements AutoCloseable {
         debugging = true;
     }
 
-    /** Gives back what the graphics card holds for a renderer. */
-    public void release(Renderer renderer) {}
-
     /** What draws. */
     public GraphicsInfo info() {
         return info;
