@@ -12,7 +12,6 @@ import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JColorChooser;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
@@ -21,7 +20,7 @@ import org.phrenic.scene.SceneStyle;
 import org.phrenic.simulation.live.LiveScene;
 
 /** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
-final class OrgansDock extends JPanel {
+final class OrgansDock extends DockBody {
     private static final int WHOLE = 100;
 
     private final transient Looks looks;
@@ -29,7 +28,7 @@ final class OrgansDock extends JPanel {
     private boolean filling;
 
     OrgansDock(Session session, Looks looks) {
-        super(new MigLayout("insets 6 8 6 8, gap 4 2, wrap 4, novisualpadding", "[grow, fill, 96::][]4[64::90, fill]4[]", ""));
+        super(new MigLayout("insets 6 8 6 8, gap 4 2, wrap 4, novisualpadding", "[grow, fill, 0::][]4[40::96, grow, fill]4[]", ""));
         this.looks = looks;
         setName("organs");
         session.listen(new Session.Events() {
@@ -78,7 +77,7 @@ final class OrgansDock extends JPanel {
         wire.addActionListener(e -> choose(group, look -> look.withWireframe(wire.isSelected())));
         add(visible, "wmin 0");
         add(colour);
-        add(opacity, "wmin 40");
+        add(opacity, "wmin 40, w 72::");
         add(wire);
     }
 

@@ -23,7 +23,7 @@ import org.phrenic.simulation.Surface;
 import org.phrenic.simulation.live.LiveScene;
 
 /** What else is shown: parts of the model over the surfaces, the shape at rest, colours on a surface, a clip plane, and how well translucent surfaces are sorted. */
-final class ShowDock extends JPanel {
+final class ShowDock extends DockBody {
     private static final List<String> AXES = List.of("No clip plane", "From the left", "From the front", "From above");
     private static final int FROM_FRONT = 2;
     private static final int FROM_ABOVE = 3;
