@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {RunCommand.class, InfoCommand.class, BenchCommand.class},
+        subcommands = {RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class},
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
         description =
@@ -28,9 +28,10 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  phrenic                                   a quiet breath into ./phrenic-out",
             "  phrenic run --preset deep --out result    a deep one into ./result",
+            "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
             "",
-            "Exit codes: 0 done, 1 failure, 2 usage or bad input. Results go to stdout, log and progress to stderr.",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
@@ -60,7 +61,7 @@ public final class Phrenic implements Callable<Integer> {
      *
      * @param out for results
      * @param err for log, progress and the one sentence of a failure
-     * @return exit code: 0 done, 1 failure, 2 usage or bad input
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();

@@ -48,6 +48,9 @@ public record Camera(
     /** The near plane is never nearer than this share of the distance to the target: depth stays resolved. */
     private static final double NEAREST = 0.01;
 
+    /** Bodies move beyond the box in which they rest: what is drawn reaches farther by this factor. */
+    private static final double REACH = 1.25;
+
     /** Empty scenes are looked at as if they had this radius, mm. */
     private static final double EMPTY_RADIUS_MM = 100;
 
@@ -76,7 +79,7 @@ public record Camera(
         }
         double radius = Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
         boolean seen = radius > 0 && radius < Double.POSITIVE_INFINITY;
-        double size = seen ? radius : EMPTY_RADIUS_MM;
+        double size = seen ? REACH * radius : EMPTY_RADIUS_MM;
         double[] at = seen ? middle : new double[3];
         Camera camera = new Camera(
                 at[0],

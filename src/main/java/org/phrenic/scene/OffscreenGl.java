@@ -76,9 +76,10 @@ public final class OffscreenGl implements AutoCloseable {
 
     private static OffscreenGl start() throws NoGraphicsException {
         boolean display = DisplayServer.isNeedless() || DisplayServer.answers(System.getenv("DISPLAY"));
-        boolean without = NativeWindowFactory.isInitialized()
-                ? NativeWindowFactory.TYPE_EGL.equals(NativeWindowFactory.getNativeWindowType(false))
-                : !display;
+        // Only where a display answers may JOGL's window classes be touched here: they settle on X11 as they load.
+        boolean without = !display
+                || (NativeWindowFactory.isInitialized()
+                        && NativeWindowFactory.TYPE_EGL.equals(NativeWindowFactory.getNativeWindowType(false)));
         GLDrawableFactory factory = without ? EglWithoutDisplay.factory() : GLDrawableFactory.getDesktopFactory();
         if (factory == null) {
             throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
