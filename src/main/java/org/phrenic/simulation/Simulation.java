@@ -172,9 +172,9 @@ public final class Simulation implements AutoCloseable {
 
     /** Simulated time that all of the scenario takes, s. */
     public double durationS() {
-        return settings.givenSteps() >= 0
-                ? settings.givenSteps() * stepper.dt()
-                : settings.durationS(scene.drive().pattern());
+        return settings().givenSteps() >= 0
+                ? settings().givenSteps() * stepper.dt()
+                : settings().durationS(scene.drive().pattern());
     }
 
     /** Simulated time, s. */
