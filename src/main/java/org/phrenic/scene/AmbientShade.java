@@ -63,9 +63,10 @@ final class AmbientShade {
             }
             double longest = Math.max(length(u), length(v));
             int parts = Math.max(1, (int) Math.ceil(longest / (0.7 * CELL_MM)));
-            double area = 0.5 * Math.sqrt(square(u[1] * v[2] - u[2] * v[1])
-                    + square(u[2] * v[0] - u[0] * v[2])
-                    + square(u[0] * v[1] - u[1] * v[0]));
+            double area = 0.5
+                    * Math.sqrt(square(u[1] * v[2] - u[2] * v[1])
+                            + square(u[2] * v[0] - u[0] * v[2])
+                            + square(u[0] * v[1] - u[1] * v[0]));
             float share = (float) (area / (parts * (parts + 1) / 2.0) / (CELL_MM * CELL_MM));
             for (int a = 0; a < parts; a++) {
                 for (int b = 0; a + b < parts; b++) {

@@ -67,8 +67,8 @@ final class RenderTarget {
         }
         int status = gl.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
         if (status != GL.GL_FRAMEBUFFER_COMPLETE) {
-            throw new IllegalStateException(
-                    "a framebuffer of " + w + " x " + h + " pixels with " + wanted + " samples is refused by the driver");
+            throw new IllegalStateException("a framebuffer of " + w + " x " + h + " pixels with " + wanted
+                    + " samples is refused by the driver");
         }
     }
 

@@ -26,6 +26,10 @@ public final class Renderer {
         gl.glClear(GL3.GL_COLOR_BUFFER_BIT);
     }
 
+    void draw(GL3 gl, Frame frame, Camera camera, SceneStyle style, Tile tile) {
+        draw(gl, frame, camera, style, tile.width(), tile.height());
+    }
+
     /** Copies the picture into another framebuffer. */
     public void present(GL3 gl, int targetFramebuffer) {
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, targetFramebuffer);

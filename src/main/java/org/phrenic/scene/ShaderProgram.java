@@ -11,21 +11,24 @@ import java.util.Map;
 
 /** A program of shaders from the class path, GLSL 3.30, and its uniforms by name. */
 final class ShaderProgram {
+    private static final String VERSION = "#version 330 core\n";
+
     private final GlObjects objects;
     private final int program;
     private final Map<String, Integer> locations = new HashMap<>();
 
     /**
-     * @param files names of shaders beside this class; the ending tells the stage: {@code .vert}, {@code .geom}, {@code .frag}
+     * @param defines lines of {@code #define} that choose a variant
+     * @param files names of shaders beside this class; they tell the stage: {@code .vert.glsl}, {@code .geom.glsl}, {@code .frag.glsl}
      * @throws IllegalStateException if the driver refuses one; the message is the driver's
      */
-    ShaderProgram(GL3 gl, GlObjects objects, String... files) {
+    ShaderProgram(GL3 gl, GlObjects objects, String defines, String... files) {
         this.objects = objects;
         program = gl.glCreateProgram();
         objects.made();
         int[] shaders = new int[files.length];
         for (int i = 0; i < files.length; i++) {
-            shaders[i] = compile(gl, files[i]);
+            shaders[i] = compile(gl, defines, files[i]);
             gl.glAttachShader(program, shaders[i]);
         }
         gl.glLinkProgram(program);
@@ -40,12 +43,12 @@ final class ShaderProgram {
         }
     }
 
-    private static int compile(GL3 gl, String file) {
-        int type = file.endsWith(".vert")
+    private static int compile(GL3 gl, String defines, String file) {
+        int type = file.contains(".vert")
                 ? GL2ES2.GL_VERTEX_SHADER
-                : file.endsWith(".geom") ? GL3.GL_GEOMETRY_SHADER : GL2ES2.GL_FRAGMENT_SHADER;
+                : file.contains(".geom") ? GL3.GL_GEOMETRY_SHADER : GL2ES2.GL_FRAGMENT_SHADER;
         int shader = gl.glCreateShader(type);
-        gl.glShaderSource(shader, 1, new String[] {source(file)}, null, 0);
+        gl.glShaderSource(shader, 1, new String[] {VERSION + defines + source(file)}, null, 0);
         gl.glCompileShader(shader);
         int[] status = new int[1];
         gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, status, 0);
