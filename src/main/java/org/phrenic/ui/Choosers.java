@@ -5,15 +5,12 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.prefs.Preferences;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** Asks for files to write or read; remembers the folder. */
 final class Choosers {
-    private static final String FOLDER = "file_folder";
-
     private Choosers() {}
 
     /** Asks where to write; the suffix of {@code proposed} is added where it is missing. Empty if it was called off. */
@@ -50,18 +47,14 @@ final class Choosers {
     }
 
     private static JFileChooser chooser(String title, String suffix) {
-        String folder = preferences().get(FOLDER, null);
-        JFileChooser chooser = new JFileChooser(folder == null ? null : new File(folder));
+        JFileChooser chooser =
+                new JFileChooser(WindowPreferences.ofUser().folder().toFile());
         chooser.setDialogTitle(title);
         chooser.setFileFilter(new FileNameExtensionFilter(suffix.toUpperCase(Locale.ROOT) + " files", suffix));
         return chooser;
     }
 
     private static void remember(File file) {
-        preferences().put(FOLDER, file.getAbsoluteFile().getParent());
-    }
-
-    private static Preferences preferences() {
-        return Preferences.userNodeForPackage(Choosers.class);
+        WindowPreferences.ofUser().setFolder(file.getAbsoluteFile().getParentFile().toPath());
     }
 }
