@@ -2,9 +2,9 @@ package org.phrenic.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.phrenic.simulation.Scenario;
+import org.phrenic.ui.PhrenicWindow;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -18,15 +18,16 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class},
+        subcommands = {WindowCommand.class, RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class},
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
         description =
-                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: a quiet breath.",
+                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: the window; without a display, a quiet breath in numbers and pictures.",
         footer = {
             "",
             "Examples:",
-            "  phrenic                                   a quiet breath into ./phrenic-out",
+            "  phrenic                                   the window; without a display, a quiet breath into ./phrenic-out",
+            "  phrenic window scenario.yaml              the window with a scenario, a thorax folder or a trace",
             "  phrenic run --preset deep --out result    a deep one into ./result",
             "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
@@ -35,8 +36,6 @@ import picocli.CommandLine.Spec;
             Notice.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
-    private static final Path DEFAULT_OUT = Path.of("phrenic-out");
-
     @Spec
     private CommandSpec spec;
 
@@ -77,12 +76,12 @@ public final class Phrenic implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println("This version has no window: running the default quiet breath without one, into " + DEFAULT_OUT
-                + " (phrenic --help lists the commands).");
-        RunReport.run(
-                Scenario.defaults(), DEFAULT_OUT, false, spec.commandLine().getOut(), err);
+    public Integer call() throws InterruptedException {
+        if (PhrenicWindow.isPossible()) {
+            PhrenicWindow.open(Optional.empty());
+        } else {
+            BreathWithoutWindow.run(spec.commandLine().getOut(), spec.commandLine().getErr());
+        }
         return ExitCode.DONE;
     }
 }

@@ -175,8 +175,13 @@ final class RenderLoop implements AutoCloseable {
             renderer.draw(context, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
             image[0] = renderer.read(context);
         });
-        viewer.drawn(new Picture(image[0], wanted, frame.step(), Annotations.moment(frame)));
+        viewer.drawn(new Picture(image[0], wanted, frame.step(), moment(wanted)));
         return true;
+    }
+
+    private String moment(Wanted wanted) {
+        return Annotations.moment(
+                frame.timeS(), wanted.scrubbed() < 0 ? live.status().phaseLabel() : "recorded");
     }
 
     private boolean recorded(int index) {

@@ -18,6 +18,7 @@ import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.Pick;
+import org.phrenic.scene.SceneBounds;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.scene.View;
 import org.phrenic.simulation.Surface;
@@ -82,7 +83,7 @@ final class SceneView extends JPanel {
         looks.scene(now.surfaces());
         if (otherBody) {
             double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
-            home = Camera.of(View.ANTERIOR, Bounds.of(now.surfaces()), aspect);
+            home = Camera.of(View.ANTERIOR, SceneBounds.of(now.surfaces()), aspect);
             camera = home.withProjection(camera.orthographic());
         }
         ask();
@@ -100,7 +101,7 @@ final class SceneView extends JPanel {
     /** The camera as at first. */
     void resetCamera() {
         if (scene != null && getHeight() > 0) {
-            home = Camera.of(View.ANTERIOR, Bounds.of(scene.surfaces()), (double) getWidth() / getHeight());
+            home = Camera.of(View.ANTERIOR, SceneBounds.of(scene.surfaces()), (double) getWidth() / getHeight());
         }
         setCamera(home);
     }

@@ -17,6 +17,7 @@ import org.phrenic.scene.ClipPlane;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.Transparency;
 import org.phrenic.scene.ColourScale;
+import org.phrenic.scene.SceneBounds;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Surface;
@@ -132,7 +133,7 @@ final class ShowDock extends DockBody {
     }
 
     private void enter(LiveScene scene) {
-        box = Bounds.of(scene.surfaces());
+        box = SceneBounds.of(scene.surfaces());
         Object before = structure.getSelectedItem();
         structure.removeAllItems();
         scene.surfaces().stream()
