@@ -18,7 +18,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {WindowCommand.class, RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class},
+        subcommands = {WindowCommand.class, RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class
+        },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
         description =
@@ -80,7 +81,8 @@ public final class Phrenic implements Callable<Integer> {
         if (PhrenicWindow.isPossible()) {
             PhrenicWindow.open(Optional.empty());
         } else {
-            BreathWithoutWindow.run(spec.commandLine().getOut(), spec.commandLine().getErr());
+            BreathWithoutWindow.run(
+                    spec.commandLine().getOut(), spec.commandLine().getErr());
         }
         return ExitCode.DONE;
     }

@@ -13,14 +13,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "window",
         description = "Open the window. Without a display: exit code 4 and one sentence.",
-        footer = {
-            "",
-            "Examples:",
-            "  phrenic window",
-            "  phrenic window data/scenarios/deep.yaml",
-            "",
-            Notice.TEXT
-        })
+        footer = {"", "Examples:", "  phrenic window", "  phrenic window data/scenarios/deep.yaml", "", Notice.TEXT})
 final class WindowCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;

@@ -58,8 +58,8 @@ final class PlotChart {
         new ArrayList<Object>(plots.getSubplots()).forEach(plot -> plots.remove((XYPlot) plot));
         data.clear();
         Map<String, List<Curve>> byUnit = new LinkedHashMap<>();
-        curves.forEach(c -> byUnit.computeIfAbsent(c.unit(), unit -> new ArrayList<>())
-                .add(c));
+        curves.forEach(
+                c -> byUnit.computeIfAbsent(c.unit(), unit -> new ArrayList<>()).add(c));
         byUnit.forEach((unit, group) -> {
             CurveData own = new CurveData(group);
             NumberAxis axis = new NumberAxis(axisLabel(unit, group));
