@@ -2,6 +2,7 @@ package org.phrenic.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.ui.PhrenicWindow;
@@ -37,6 +38,8 @@ import picocli.CommandLine.Spec;
             Notice.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
+    private static final Path DEFAULT_OUT = Path.of("phrenic-out");
+
     @Spec
     private CommandSpec spec;
 
@@ -81,8 +84,10 @@ public final class Phrenic implements Callable<Integer> {
         if (PhrenicWindow.isPossible()) {
             PhrenicWindow.open(Optional.empty());
         } else {
-            BreathWithoutWindow.run(
-                    spec.commandLine().getOut(), spec.commandLine().getErr());
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("No window can be opened here for want of a display: running the default quiet breath without"
+                    + " one, into " + DEFAULT_OUT + " (phrenic --help lists the commands).");
+            HeadlessStart.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
         }
         return ExitCode.DONE;
     }

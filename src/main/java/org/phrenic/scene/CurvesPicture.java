@@ -6,13 +6,17 @@ import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.annotations.XYTitleAnnotation;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.title.TextTitle;
 import org.jfree.chart.ui.HorizontalAlignment;
+import org.jfree.chart.ui.RectangleAnchor;
 import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.format.CsvTable;
@@ -58,13 +62,13 @@ public final class CurvesPicture {
                 "sternum_cranial_mm",
                 "sternum, up"));
         all.add(panel(table, "liver, mm", "liver_si_mm", "up", "liver_ap_mm", "back", "liver_lr_mm", "to the left"));
-        JFreeChart chart = new JFreeChart(title, font(Font.PLAIN, 19), all, true);
+        JFreeChart chart = new JFreeChart(title, font(Font.PLAIN, 19), all, false);
         chart.setBackgroundPaint(Color.WHITE);
         TextTitle notice = new TextTitle(Annotations.NOTICE, font(Font.PLAIN, 13));
         notice.setPosition(RectangleEdge.BOTTOM);
         notice.setHorizontalAlignment(HorizontalAlignment.LEFT);
         chart.addSubtitle(notice);
-        chart.getLegend().setItemFont(font(Font.PLAIN, 14));
+        chart.setPadding(new RectangleInsets(10, 6, 8, 12));
         BufferedImage image = chart.createBufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB, null);
         PngFile.write(picture, image);
     }
@@ -75,7 +79,7 @@ public final class CurvesPicture {
         XYLineAndShapeRenderer lines = new XYLineAndShapeRenderer(true, false);
         for (int i = 0; i < columnsAndNames.length; i += 2) {
             double[] values = table.numbers(columnsAndNames[i]);
-            XYSeries series = new XYSeries(label.substring(0, label.indexOf(',')) + ": " + columnsAndNames[i + 1]);
+            XYSeries series = new XYSeries(columnsAndNames[i + 1]);
             for (int row = 0; row < time.length; row++) {
                 series.add(time[row], values[row]);
             }
@@ -88,6 +92,13 @@ public final class CurvesPicture {
         plot.setRangeGridlinePaint(new Color(0xc4cad0));
         plot.setDomainGridlinePaint(new Color(0xc4cad0));
         plot.setOutlineVisible(false);
+        LegendTitle names = new LegendTitle(plot);
+        names.setItemFont(font(Font.PLAIN, 13));
+        names.setBackgroundPaint(new Color(255, 255, 255, 220));
+        // Away from the curves, which end at rest: above those that go up, below those that go down.
+        boolean upward = curves.getRangeUpperBound(false) > -curves.getRangeLowerBound(false);
+        plot.addAnnotation(new XYTitleAnnotation(
+                0.995, upward ? 0.97 : 0.03, names, upward ? RectangleAnchor.TOP_RIGHT : RectangleAnchor.BOTTOM_RIGHT));
         return plot;
     }
 
