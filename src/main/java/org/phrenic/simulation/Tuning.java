@@ -96,7 +96,8 @@ final class Tuning {
         }
         boolean material = !dials.isMaterialDone(now - stepper.dt()) || other || after.timeStepS() != stepper.dt();
         for (Knob knob : Knob.values()) {
-            material |= knob.isMaterial() && Double.compare(knob.in(after), dials.of(knob).target()) != 0;
+            material |= knob.isMaterial()
+                    && Double.compare(knob.in(after), dials.of(knob).target()) != 0;
         }
         if (material || isMaterialAmong(atThisStep)) {
             StabilityLimit ahead = limitAt(after);

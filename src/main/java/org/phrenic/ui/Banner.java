@@ -47,9 +47,8 @@ final class Banner extends JPanel {
 
     /** Shows a message, with a button of this text that does {@code whenPressed}. */
     void show(Session.Message message, Optional<String> button, Runnable whenPressed) {
-        boolean keep = isVisible()
-                && kind == Session.Message.Kind.DIVERGED
-                && message.kind() == Session.Message.Kind.NOTE;
+        boolean keep =
+                isVisible() && kind == Session.Message.Kind.DIVERGED && message.kind() == Session.Message.Kind.NOTE;
         if (keep) {
             return;
         }

@@ -42,7 +42,7 @@ public final class BreathDock extends JPanel implements Session.Events {
     private final JLabel breath = new JLabel(" ");
     private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
     private final ButtonGroup group = new ButtonGroup();
-    private final JToggleButton hold = new JToggleButton("Hold now", Icons.HOLD);
+    private final JToggleButton hold = new JToggleButton("Hold now");
     private final JLabel trace = new JLabel("Breath by preset");
     private final JButton dropTrace = new JButton(Icons.CLOSE);
     private final transient List<ValueRow> rows = new ArrayList<>();
@@ -105,7 +105,8 @@ public final class BreathDock extends JPanel implements Session.Events {
         JPanel panel = new JPanel(new MigLayout("insets 6 8 4 6, fillx, hidemode 3", "[][grow,fill,0::][]"));
         JButton open = new JButton("Trace from CSV...");
         open.setToolTipText("Breathe as recorded: a CSV file with columns time_s,amplitude, or of a skin marker");
-        open.addActionListener(e -> Choosers.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
+        open.addActionListener(
+                e -> Choosers.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
         dropTrace.setToolTipText("Leave the recorded breath for the preset's; starts the scene anew");
         dropTrace.getAccessibleContext().setAccessibleName("Leave the recorded breath");
         dropTrace.putClientProperty("JButton.buttonType", "toolBarButton");
@@ -120,7 +121,9 @@ public final class BreathDock extends JPanel implements Session.Events {
     /** Breathes by a preset. Rate, fraction and balance that were set by hand go to those of the preset: who presses Deep wants its deep breath. */
     void choose(String name) {
         Scenario scenario = session.scenario();
-        if (scenario.preset().equals(name) && !scenario.hold() && scenario.trace().isEmpty()) {
+        if (scenario.preset().equals(name)
+                && !scenario.hold()
+                && scenario.trace().isEmpty()) {
             return;
         }
         Scenario next = scenario.with("preset=" + name);
@@ -134,8 +137,7 @@ public final class BreathDock extends JPanel implements Session.Events {
                 list.add(Settings.assignment(parameter, Settings.defaultOf(next, parameter)));
             }
         }
-        String change = Settings.changeName(
-                "Breathing", ChoiceRow.nameOf(scenario.preset()), ChoiceRow.nameOf(name));
+        String change = Settings.changeName("Breathing", ChoiceRow.nameOf(scenario.preset()), ChoiceRow.nameOf(name));
         session.edits().close();
         if (scenario.trace().isPresent()) {
             session.open(change, Settings.withoutTrace(scenario).with(list));

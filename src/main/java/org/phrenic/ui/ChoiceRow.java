@@ -103,8 +103,9 @@ final class ChoiceRow extends SettingRow {
             case "cheyne-stokes" -> "Cheyne-Stokes";
             case "hold-expiration" -> "Hold at expiration";
             case "hold-inspiration" -> "Hold at inspiration";
-            default -> option.substring(0, 1).toUpperCase(Locale.ROOT)
-                    + option.substring(1).replace('-', ' ');
+            default ->
+                option.substring(0, 1).toUpperCase(Locale.ROOT)
+                        + option.substring(1).replace('-', ' ');
         };
     }
 

@@ -55,6 +55,7 @@ final class Choosers {
     }
 
     private static void remember(File file) {
-        WindowPreferences.ofUser().setFolder(file.getAbsoluteFile().getParentFile().toPath());
+        WindowPreferences.ofUser()
+                .setFolder(file.getAbsoluteFile().getParentFile().toPath());
     }
 }

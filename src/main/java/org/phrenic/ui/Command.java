@@ -2,11 +2,11 @@ package org.phrenic.ui;
 
 import java.awt.AWTEvent;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.awt.KeyboardFocusManager;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
@@ -86,8 +86,7 @@ final class Command extends AbstractAction {
                         == 0
                 && key.getKeyCode() >= KeyEvent.VK_SPACE
                 && (key.getKeyCode() < KeyEvent.VK_F1 || key.getKeyCode() > KeyEvent.VK_F12)
-                && KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
-                        instanceof JTextComponent field
+                && KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() instanceof JTextComponent field
                 && field.isEditable();
     }
 }

@@ -64,8 +64,10 @@ final class Commands {
                 "menu C",
                 desk::copyCommand);
         quit = new Command("Quit", "Close the window", "menu Q", desk::quit);
-        undo = new Command("Undo", "Take back the last change", "menu Z", () -> session.edits().undo());
-        redo = new Command("Redo", "Do again what was taken back", "menu shift Z", () -> session.edits().redo());
+        undo = new Command("Undo", "Take back the last change", "menu Z", () -> session.edits()
+                .undo());
+        redo = new Command("Redo", "Do again what was taken back", "menu shift Z", () -> session.edits()
+                .redo());
         play = new Command("Play or pause", "Let it breathe, or stop", "SPACE", session::togglePlay)
                 .withIcon(Icons.PAUSE);
         step = new Command("One step", "Stop and go on by one time step", "S", () -> {
@@ -119,8 +121,8 @@ final class Commands {
     }
 
     private void dock(Desk desk, DockLayout.Place place, String name, String key) {
-        docks.add(new Command(name, "Show or put away: " + name.toLowerCase(java.util.Locale.ROOT), key,
-                () -> desk.toggle(place)));
+        docks.add(new Command(
+                name, "Show or put away: " + name.toLowerCase(java.util.Locale.ROOT), key, () -> desk.toggle(place)));
     }
 
     /** All of them, in the order of the menus. */

@@ -105,7 +105,8 @@ final class Dialogs {
         content.add(text("It implements and extends " + CITATION), "wmin 0");
         content.add(text("Apache License 2.0. It uses:"), "wmin 0, gapbottom 0");
         content.add(libraries(), "gapbottom 8");
-        content.add(text("Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("")), "wmin 0");
+        content.add(
+                text("Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("")), "wmin 0");
         return dialog(owner, "About Phrenic", content, new Dimension(620, 560));
     }
 

@@ -17,9 +17,7 @@ final class DockBody extends JPanel implements Scrollable {
     /** A dock's scroll pane around it: no frame, upright only. */
     static JScrollPane scroll(JPanel body) {
         JScrollPane scroll = new JScrollPane(
-                body,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                body, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(null);
         return scroll;
     }

@@ -124,8 +124,7 @@ final class DockLayout extends JPanel {
         }
         bottom.validate();
         if (component(Place.RIGHT) != null) {
-            right.setDividerLocation(
-                    Math.max(LEAST_VIEW, right.getWidth() - DIVIDER - sizes[Place.RIGHT.ordinal()]));
+            right.setDividerLocation(Math.max(LEAST_VIEW, right.getWidth() - DIVIDER - sizes[Place.RIGHT.ordinal()]));
         }
         revalidate();
     }
@@ -133,7 +132,9 @@ final class DockLayout extends JPanel {
     /** Remembers the sizes. */
     void remember() {
         for (Place place : Place.values()) {
-            int size = component(place) != null && placed && !fixed[place.ordinal()] ? size(place) : sizes[place.ordinal()];
+            int size = component(place) != null && placed && !fixed[place.ordinal()]
+                    ? size(place)
+                    : sizes[place.ordinal()];
             preferences.setNumber("dock." + place.name(), size);
         }
     }

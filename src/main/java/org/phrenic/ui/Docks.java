@@ -56,9 +56,7 @@ final class Docks {
 
     private static JScrollPane scrolled(JComponent dock) {
         JScrollPane pane = new JScrollPane(
-                dock,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                dock, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         pane.setBorder(BorderFactory.createEmptyBorder());
         pane.getVerticalScrollBar().setUnitIncrement(SCROLL_STEP);
         return pane;

@@ -16,8 +16,8 @@ import org.phrenic.simulation.live.LiveScene;
 
 /** Forces and parts of the model on and off one by one, as in the tables of Villard, Bourne and Bello 2009. What cannot be changed while it breathes starts the scene anew, and says so. */
 public final class ForcesDock extends JPanel implements Session.Events {
-    private static final List<Choice> SWITCHES = List.of(
-            Choice.MUSCLE, Choice.PRESSURE, Choice.RIBS, Choice.TENSEGRITY, Choice.CONTACT, Choice.LIVER);
+    private static final List<Choice> SWITCHES =
+            List.of(Choice.MUSCLE, Choice.PRESSURE, Choice.RIBS, Choice.TENSEGRITY, Choice.CONTACT, Choice.LIVER);
     private static final List<Choice> MODELS = List.of(Choice.STERNUM, Choice.LUNGS);
 
     private final transient Session session;
@@ -32,7 +32,8 @@ public final class ForcesDock extends JPanel implements Session.Events {
         for (Choice choice : SWITCHES) {
             JCheckBox box = new JCheckBox(choice.label());
             box.setToolTipText(SettingRow.tip(choice.meaning(), "key " + choice.key()));
-            box.addActionListener(e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
+            box.addActionListener(
+                    e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
             boxes.put(choice, box);
             JLabel when = new JLabel(Simulation.isLive(choice.key()) ? "" : "starts anew");
             when.setEnabled(false);
@@ -41,9 +42,10 @@ public final class ForcesDock extends JPanel implements Session.Events {
         }
         body.add(switches);
         for (Choice choice : MODELS) {
-            ChoiceRow row = new ChoiceRow(
-                    choice, choice.options(), s -> true, (from, to) -> change(choice, from, to));
-            row.hint(SettingRow.Hint.NOTE, Simulation.isLive(choice.key()) ? "" : "Another model starts the scene anew.");
+            ChoiceRow row = new ChoiceRow(choice, choice.options(), s -> true, (from, to) -> change(choice, from, to));
+            row.hint(
+                    SettingRow.Hint.NOTE,
+                    Simulation.isLive(choice.key()) ? "" : "Another model starts the scene anew.");
             rows.put(choice, row);
             body.add(row);
         }
@@ -60,7 +62,9 @@ public final class ForcesDock extends JPanel implements Session.Events {
         session.change(name, new Assignment("window", choice.key(), to));
         session.edits().close();
         if (!Simulation.isLive(choice.key())) {
-            session.say(Session.Message.Kind.NOTE, name + ": the scene starts anew; the present one goes on until it is there.");
+            session.say(
+                    Session.Message.Kind.NOTE,
+                    name + ": the scene starts anew; the present one goes on until it is there.");
         }
     }
 

@@ -66,10 +66,7 @@ final class Looks {
 
     /** Look of a group: that of its first structure. */
     Optional<Look> look(Group group) {
-        return surfaces.stream()
-                .filter(group::has)
-                .findFirst()
-                .flatMap(surface -> style.look(surface.name()));
+        return surfaces.stream().filter(group::has).findFirst().flatMap(surface -> style.look(surface.name()));
     }
 
     /** Another scene: what was chosen is chosen for it too. */

@@ -37,13 +37,7 @@ final class Menus extends JMenuBar {
         menu(
                 "Breath",
                 'B',
-                List.of(
-                        commands.play,
-                        commands.step,
-                        commands.reset,
-                        commands.quiet,
-                        commands.deep,
-                        commands.hold));
+                List.of(commands.play, commands.step, commands.reset, commands.quiet, commands.deep, commands.hold));
         JMenu view = menu("View", 'V', commands.views);
         view.addSeparator();
         commands.docks.forEach(view::add);

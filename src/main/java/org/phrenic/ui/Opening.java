@@ -42,7 +42,8 @@ final class Opening extends SwingWorker<Scenario, Void> {
      */
     static Scenario read(Path file, Scenario present) {
         if (!Files.exists(file)) {
-            throw new BadInputException(file + ": found nothing there, expected a scenario, a thorax folder or a trace");
+            throw new BadInputException(
+                    file + ": found nothing there, expected a scenario, a thorax folder or a trace");
         }
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         String place = file.toAbsolutePath().normalize().toString();
@@ -55,8 +56,8 @@ final class Opening extends SwingWorker<Scenario, Void> {
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             return Scenario.read(file);
         }
-        throw new BadInputException(
-                file + ": found a file of another kind, expected a scenario (.yaml), a thorax folder or a trace (.csv)");
+        throw new BadInputException(file
+                + ": found a file of another kind, expected a scenario (.yaml), a thorax folder or a trace (.csv)");
     }
 
     @Override

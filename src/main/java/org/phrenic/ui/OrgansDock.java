@@ -17,7 +17,6 @@ import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.scene.Look;
-import org.phrenic.scene.SceneStyle;
 import org.phrenic.simulation.live.LiveScene;
 
 /** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
@@ -29,7 +28,8 @@ final class OrgansDock extends JPanel {
     private boolean filling;
 
     OrgansDock(Session session, Looks looks) {
-        super(new MigLayout("insets 6 8 6 8, gap 4 2, wrap 4, novisualpadding", "[grow, fill, 96::][]4[64::90, fill]4[]", ""));
+        super(new MigLayout(
+                "insets 6 8 6 8, gap 4 2, wrap 4, novisualpadding", "[grow, fill, 96::][]4[64::90, fill]4[]", ""));
         this.looks = looks;
         setName("organs");
         session.listen(new Session.Events() {
@@ -73,7 +73,8 @@ final class OrgansDock extends JPanel {
                 choose(group, look -> look.withOpacity(opacity.getValue() / (float) WHOLE));
             }
         });
-        JToggleButton wire = named(new JToggleButton(Icons.MESH), label + " wireframe", "Surface or wireframe: " + label);
+        JToggleButton wire =
+                named(new JToggleButton(Icons.MESH), label + " wireframe", "Surface or wireframe: " + label);
         wire.putClientProperty("JButton.buttonType", "toolBarButton");
         wire.addActionListener(e -> choose(group, look -> look.withWireframe(wire.isSelected())));
         add(visible, "wmin 0");

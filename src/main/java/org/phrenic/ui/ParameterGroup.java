@@ -25,13 +25,8 @@ enum ParameterGroup {
     static ParameterGroup of(Parameter parameter) {
         return switch (parameter) {
             case MUSCLE_STIFFNESS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, MUSCLE_FORCE, ACTION_RADIUS -> MUSCLE;
-            case TENDON_RATIO,
-                    SPRING_STIFFNESS,
-                    NODE_MASS,
-                    AREA_DENSITY,
-                    DAMPING,
-                    DAMPING_RATE,
-                    LUNG_STIFFNESS -> TISSUE;
+            case TENDON_RATIO, SPRING_STIFFNESS, NODE_MASS, AREA_DENSITY, DAMPING, DAMPING_RATE, LUNG_STIFFNESS ->
+                TISSUE;
             case RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE, REST_PRESSURE, GREATEST_PRESSURE -> BREATHING;
             case RIB_ROTATION, STERNUM_COUPLING -> RIBS;
         };

@@ -62,7 +62,8 @@ public final class PhrenicWindow {
      * @throws org.phrenic.format.BadInputException with one sentence, if the file is none of these
      */
     public static void open(Optional<Path> file) throws InterruptedException {
-        Scenario first = file.map(path -> Opening.read(path, Scenario.defaults())).orElse(Scenario.defaults());
+        Scenario first =
+                file.map(path -> Opening.read(path, Scenario.defaults())).orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
         try {
             SwingUtilities.invokeAndWait(() -> {
@@ -114,8 +115,7 @@ public final class PhrenicWindow {
         frame.getContentPane().add(layout, BorderLayout.CENTER);
         frame.getContentPane().add(status, BorderLayout.SOUTH);
         frame.getRootPane()
-                .setTransferHandler(
-                        new FileDrop(files::open, text -> session.say(Session.Message.Kind.REFUSED, text)));
+                .setTransferHandler(new FileDrop(files::open, text -> session.say(Session.Message.Kind.REFUSED, text)));
         NumberPad.bind(frame.getRootPane(), commands.views);
         frame.setIconImages(AppIcon.images());
         frame.setMinimumSize(new Dimension(760, 520));

@@ -74,9 +74,7 @@ public final class PlotDock extends JPanel implements Session.Events {
         panel = new PlotPanel(chart, time -> readout(), this::freeze, this::follow);
         list = new CurveList(Curve.ofObservables(), SHOWN_FIRST, this::chosen);
         JScrollPane scroll = new JScrollPane(
-                list,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                list, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(null);
         add(tools(), BorderLayout.NORTH);
         add(panel, BorderLayout.CENTER);
@@ -98,8 +96,8 @@ public final class PlotDock extends JPanel implements Session.Events {
         reset.addActionListener(e -> follow());
         JButton csv = new JButton("CSV...");
         csv.setToolTipText("Save all samples at hand with the columns of observables.csv");
-        csv.addActionListener(e -> Choosers.save(this, "Save samples", "observables.csv")
-                .ifPresent(file -> saved(file, this::saveCsv)));
+        csv.addActionListener(e ->
+                Choosers.save(this, "Save samples", "observables.csv").ifPresent(file -> saved(file, this::saveCsv)));
         JButton png = new JButton("PNG...");
         png.setToolTipText("Save the plot as a picture of twice its size");
         png.addActionListener(

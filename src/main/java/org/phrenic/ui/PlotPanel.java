@@ -26,7 +26,8 @@ final class PlotPanel extends ChartPanel {
      * @param reset told when all is to be seen again
      */
     PlotPanel(PlotChart plot, Consumer<Double> cursor, Runnable zoomed, Runnable reset) {
-        // Drawn at the size it has, whatever that is; into a buffer, so that the cursor moves without drawing the curves again.
+        // Drawn at the size it has, whatever that is; into a buffer, so that the cursor moves without drawing the
+        // curves again.
         super(plot.chart(), 400, 200, 40, 40, 10_000, 10_000, true, false, false, false, false, false);
         this.plot = plot;
         this.cursor = cursor;

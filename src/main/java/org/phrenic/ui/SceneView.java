@@ -13,8 +13,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
-import org.phrenic.scene.Background;
 import org.phrenic.scene.Annotations;
+import org.phrenic.scene.Background;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.Pick;
@@ -77,7 +77,8 @@ final class SceneView extends JComponent {
 
     private void enter(LiveScene now) {
         boolean first = scene == null;
-        boolean otherBody = first || !scene.scenario().anatomy().equals(now.scenario().anatomy());
+        boolean otherBody =
+                first || !scene.scenario().anatomy().equals(now.scenario().anatomy());
         scene = now;
         looks.scene(now.surfaces());
         if (otherBody) {
@@ -139,14 +140,20 @@ final class SceneView extends JComponent {
             return;
         }
         double scale = scale();
-        loop.pick(x * scale, y * scale, wanted(), found -> SwingUtilities.invokeLater(() -> {
-            picked = found;
-            pointed.accept(found.map(pick -> pick.name() + "   " + pick.place()).orElse(""));
-            looks.change(style -> style.withHighlighted(found.map(Pick::surface).map(Surface::name).orElse("")));
-            if (turnAbout) {
-                found.ifPresent(pick -> setCamera(camera.withTarget(pick.x(), pick.y(), pick.z())));
-            }
-        }));
+        loop.pick(
+                x * scale,
+                y * scale,
+                wanted(),
+                found -> SwingUtilities.invokeLater(() -> {
+                    picked = found;
+                    pointed.accept(found.map(pick -> pick.name() + "   " + pick.place())
+                            .orElse(""));
+                    looks.change(style -> style.withHighlighted(
+                            found.map(Pick::surface).map(Surface::name).orElse("")));
+                    if (turnAbout) {
+                        found.ifPresent(pick -> setCamera(camera.withTarget(pick.x(), pick.y(), pick.z())));
+                    }
+                }));
     }
 
     /** Makes a picture to be kept, with its annotations; {@code done} is told on the drawing thread. */
@@ -161,11 +168,9 @@ final class SceneView extends JComponent {
 
     private Annotations annotations(String moment) {
         SceneStyle style = looks.style();
-        Annotations plain = Annotations.on(style.background() == Background.LIGHT)
-                .withMoment(moment);
-        return Looks.fieldName(style).isEmpty()
-                ? plain
-                : plain.withScale(Looks.fieldName(style), style.scale());
+        Annotations plain =
+                Annotations.on(style.background() == Background.LIGHT).withMoment(moment);
+        return Looks.fieldName(style).isEmpty() ? plain : plain.withScale(Looks.fieldName(style), style.scale());
     }
 
     /** Pictures a second; 0 while nothing moves. */
@@ -221,8 +226,7 @@ final class SceneView extends JComponent {
             double fit = (double) getHeight() / image.getHeight();
             g.setColor(new Color(image.getRGB(0, 0)));
             g.fillRect(0, 0, getWidth(), getHeight());
-            AffineTransform place =
-                    AffineTransform.getTranslateInstance((getWidth() - fit * image.getWidth()) / 2, 0);
+            AffineTransform place = AffineTransform.getTranslateInstance((getWidth() - fit * image.getWidth()) / 2, 0);
             place.scale(fit, fit);
             g.drawImage(image, place, null);
         }

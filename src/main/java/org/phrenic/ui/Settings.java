@@ -63,8 +63,7 @@ final class Settings {
 
     /** The same scenario without its recorded trace: it breathes as its preset does. */
     static Scenario withoutTrace(Scenario scenario) {
-        return restated(scenario, scenario.material(), Set.of("trace"))
-                .with(stated(scenario, scenario.material()));
+        return restated(scenario, scenario.material(), Set.of("trace")).with(stated(scenario, scenario.material()));
     }
 
     /** Everything but the numbers of {@link Parameter} and some keys, said anew over the defaults: a key that is left out is as it comes. */

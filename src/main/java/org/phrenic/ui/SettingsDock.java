@@ -53,7 +53,8 @@ public final class SettingsDock extends JPanel {
                 }
             }
         });
-        JPanel body = new JPanel(new MigLayout("insets 8, fillx, hidemode 3", "[grow,fill,sg b][grow,fill,sg b][grow,fill,sg b]"));
+        JPanel body = new JPanel(
+                new MigLayout("insets 8, fillx, hidemode 3", "[grow,fill,sg b][grow,fill,sg b][grow,fill,sg b]"));
         body.add(new JScrollPane(list), "spanx 3, growx, growy, pushy, h 90:140:, wrap");
         body.add(button("Save...", "Keep the present settings under a name", this::save));
         body.add(button("Restore", "Go to the selected settings; can be undone", this::restore));
@@ -88,12 +89,13 @@ public final class SettingsDock extends JPanel {
     }
 
     void save() {
-        askName.get().ifPresent(name -> trying(() -> {
-            store.save(name, session.scenario());
-            refresh();
-            list.setSelectedValue(name.strip(), true);
-            session.say(Session.Message.Kind.NOTE, "Settings '" + name.strip() + "' are stored.");
-        }));
+        askName.get()
+                .ifPresent(name -> trying(() -> {
+                    store.save(name, session.scenario());
+                    refresh();
+                    list.setSelectedValue(name.strip(), true);
+                    session.say(Session.Message.Kind.NOTE, "Settings '" + name.strip() + "' are stored.");
+                }));
     }
 
     void restore() {
@@ -161,8 +163,8 @@ public final class SettingsDock extends JPanel {
         stored.forEach(box::addItem);
         if (stored.contains(before)) {
             box.setSelectedItem(before);
-        } else if (otherwise < stored.size()) {
-            box.setSelectedIndex(otherwise);
+        } else {
+            box.setSelectedIndex(otherwise < stored.size() ? otherwise : -1);
         }
     }
 

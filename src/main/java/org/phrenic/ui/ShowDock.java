@@ -15,9 +15,8 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.scene.ClipPlane;
 import org.phrenic.scene.ColourField;
-import org.phrenic.scene.Transparency;
 import org.phrenic.scene.ColourScale;
-import org.phrenic.scene.SceneStyle;
+import org.phrenic.scene.Transparency;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Surface;
 import org.phrenic.simulation.live.LiveScene;
@@ -30,7 +29,8 @@ final class ShowDock extends JPanel {
     private static final int WHOLE = 1000;
 
     private final transient Looks looks;
-    private final JComboBox<String> field = new JComboBox<>(new String[] {"No colours", "Displacement", "Change of area"});
+    private final JComboBox<String> field =
+            new JComboBox<>(new String[] {"No colours", "Displacement", "Change of area"});
     private final JComboBox<String> structure = new JComboBox<>();
     private final JTextField least = new JTextField("0", 4);
     private final JTextField most = new JTextField("20", 4);
@@ -76,8 +76,8 @@ final class ShowDock extends JPanel {
         heading("Translucency");
         JComboBox<String> sorting = new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"});
         sorting.setToolTipText("Sorted is right for organs within organs, and takes longer");
-        sorting.addActionListener(e -> looks.change(style -> style.withTransparency(
-                Transparency.values()[sorting.getSelectedIndex()])));
+        sorting.addActionListener(
+                e -> looks.change(style -> style.withTransparency(Transparency.values()[sorting.getSelectedIndex()])));
         add(named(sorting, "Quality of translucency"), "wmin 0");
         listen(session);
     }
@@ -159,9 +159,8 @@ final class ShowDock extends JPanel {
         try {
             double from = Double.parseDouble(least.getText().strip());
             double to = Double.parseDouble(most.getText().strip());
-            ColourScale scale = what == ColourField.STRAIN
-                    ? ColourScale.signed(1, "%")
-                    : ColourScale.magnitude(1, "mm");
+            ColourScale scale =
+                    what == ColourField.STRAIN ? ColourScale.signed(1, "%") : ColourScale.magnitude(1, "mm");
             return Optional.of(scale.withRange(from, to));
         } catch (IllegalArgumentException e) {
             return Optional.empty();

@@ -164,7 +164,8 @@ final class TimelineBar extends JComponent {
             double x = x(k * step);
             g.fill(new Rectangle2D.Double(x - 0.5, BAND + 3, 1, 4));
             String text = Figures.text(k * step) + " s";
-            float at = (float) Math.max(0, Math.min(getWidth() - metrics.stringWidth(text), x - metrics.stringWidth(text) / 2.0));
+            float at = (float)
+                    Math.max(0, Math.min(getWidth() - metrics.stringWidth(text), x - metrics.stringWidth(text) / 2.0));
             g.drawString(text, at, BAND + 7 + metrics.getAscent());
         }
     }

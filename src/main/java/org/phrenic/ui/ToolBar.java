@@ -48,8 +48,7 @@ final class ToolBar extends JToolBar {
         JComboBox<String> views = new JComboBox<>(VIEW_NAMES);
         views.setToolTipText("From where to look");
         views.getAccessibleContext().setAccessibleName("View");
-        views.addActionListener(
-                e -> view.setCamera(view.camera().seen(VIEWS[views.getSelectedIndex()])));
+        views.addActionListener(e -> view.setCamera(view.camera().seen(VIEWS[views.getSelectedIndex()])));
         fixed(views);
         gap();
         button(new JButton(), commands.picture);

@@ -21,7 +21,8 @@ final class WelcomeCard extends JPanel {
      * @param dismiss called when the card is closed without
      */
     WelcomeCard(Consumer<Arrangement> enter, Runnable dismiss) {
-        super(new MigLayout("insets 12 16 12 12, gap 6 4, novisualpadding", "[grow, fill, sg]16[grow, fill, sg][]", ""));
+        super(new MigLayout(
+                "insets 12 16 12 12, gap 6 4, novisualpadding", "[grow, fill, sg]16[grow, fill, sg][]", ""));
         setName("welcome");
         setOpaque(false);
         getAccessibleContext().setAccessibleName("Welcome");

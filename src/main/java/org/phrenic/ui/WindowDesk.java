@@ -46,7 +46,9 @@ final class WindowDesk implements Commands.Desk {
         if (pick.isPresent()) {
             window.docks().plots().track(pick.get().index(), pick.get().vertex());
             window.session()
-                    .say(Session.Message.Kind.NOTE, "Plotting a point of " + pick.get().name() + ".");
+                    .say(
+                            Session.Message.Kind.NOTE,
+                            "Plotting a point of " + pick.get().name() + ".");
         } else {
             window.session().say(Session.Message.Kind.NOTE, "Click on a structure first, then plot that point.");
         }

@@ -25,8 +25,7 @@ public final class WindowPreferences {
 
     /** Those of this user. */
     public static WindowPreferences ofUser() {
-        return new WindowPreferences(
-                Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
+        return new WindowPreferences(Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
     }
 
     /** Whether the window was dark. */

@@ -66,7 +66,8 @@ final class DockGallery {
             Thread.sleep(100);
         }
         SwingUtilities.invokeAndWait(() -> {
-            session[0].change("Muscle stiffness 300 -> 420 N/m", new Assignment("gallery", "muscle_stiffness_n_per_m", "420"));
+            session[0].change(
+                    "Muscle stiffness 300 -> 420 N/m", new Assignment("gallery", "muscle_stiffness_n_per_m", "420"));
             session[0].change("Hold of the breath", new Assignment("gallery", "hold", "true"));
         });
         Thread.sleep(600);
@@ -76,8 +77,8 @@ final class DockGallery {
         });
         Thread.sleep(400);
         for (Map.Entry<String, JFrame> entry : frames.entrySet()) {
-            SwingUtilities.invokeAndWait(() -> picture(
-                    entry.getValue().getContentPane(), folder.resolve(entry.getKey() + "-" + theme + ".png")));
+            SwingUtilities.invokeAndWait(() ->
+                    picture(entry.getValue().getContentPane(), folder.resolve(entry.getKey() + "-" + theme + ".png")));
         }
         SwingUtilities.invokeAndWait(() -> {
             session[0].close();
@@ -95,8 +96,7 @@ final class DockGallery {
     }
 
     private static void picture(Component content, Path file) {
-        BufferedImage image =
-                new BufferedImage(content.getWidth(), content.getHeight(), BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = new BufferedImage(content.getWidth(), content.getHeight(), BufferedImage.TYPE_INT_RGB);
         content.paint(image.getGraphics());
         try {
             ImageIO.write(image, "png", file.toFile());
