@@ -42,7 +42,7 @@ public final class BreathDock extends JPanel implements Session.Events {
     private final JLabel breath = new JLabel(" ");
     private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
     private final ButtonGroup group = new ButtonGroup();
-    private final JToggleButton hold = new JToggleButton("Hold now", Icons.HOLD);
+    private final JToggleButton hold = new JToggleButton("Hold now");
     private final JLabel trace = new JLabel("Breath by preset");
     private final JButton dropTrace = new JButton(Icons.CLOSE);
     private final transient List<ValueRow> rows = new ArrayList<>();

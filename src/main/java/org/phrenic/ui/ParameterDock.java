@@ -8,6 +8,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
@@ -32,6 +33,7 @@ import org.phrenic.simulation.live.Status;
  */
 public final class ParameterDock extends JPanel implements Session.Events {
     private static final int MOST_OFFERED_THREADS = 16;
+    private static final Pattern NUMBER = Pattern.compile("\\d+\\.\\d+(e-?\\d+)?");
 
     private final transient Session session;
     private final transient Map<ParameterGroup, RowGroup> groups = new EnumMap<>(ParameterGroup.class);
@@ -184,10 +186,7 @@ public final class ParameterDock extends JPanel implements Session.Events {
 
     @Override
     public void onTick(Status status) {
-        String now = status.limitSentence().isEmpty()
-                ? ""
-                : "Runs with " + status.substeps() + " substeps, because the "
-                        + status.limitSentence().replaceFirst(": split into.*$", ".");
+        String now = limitInWords(status);
         if (!now.equals(limit)) {
             limit = now;
             Scenario scenario = session.scenario();
@@ -197,6 +196,16 @@ public final class ParameterDock extends JPanel implements Session.Events {
                     .filter(row -> !now.isEmpty() && isCause(row, scenario))
                     .forEach(row -> row.hint(SettingRow.Hint.WARNING, now));
         }
+    }
+
+    /** The sentence of the limit as it fits below a row: what is done, and why; no more digits than somebody reads. */
+    static String limitInWords(Status status) {
+        if (status.limitSentence().isEmpty()) {
+            return "";
+        }
+        String why = status.limitSentence().replaceFirst(": split into.*$", "").replaceFirst(" \\([^)]*\\)$", "");
+        why = NUMBER.matcher(why).replaceAll(found -> Figures.text(Double.parseDouble(found.group()), 3));
+        return "Runs with " + status.substeps() + " substeps, because the " + why + ".";
     }
 
     /** Whether a row was moved to where it asks for a smaller step: the step itself always, the others when they are off their defaults. */

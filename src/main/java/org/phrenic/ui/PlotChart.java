@@ -55,14 +55,14 @@ final class PlotChart {
 
     /** Shows these curves and no others. */
     void choose(List<Curve> curves) {
-        new ArrayList<Object>(plots.getSubplots()).forEach(plot -> plots.remove((XYPlot) plot));
+        new ArrayList<>(plots.getSubplots()).forEach(plots::remove);
         data.clear();
         Map<String, List<Curve>> byUnit = new LinkedHashMap<>();
         curves.forEach(
                 c -> byUnit.computeIfAbsent(c.unit(), unit -> new ArrayList<>()).add(c));
         byUnit.forEach((unit, group) -> {
             CurveData own = new CurveData(group);
-            NumberAxis axis = new NumberAxis(axisLabel(unit, group));
+            NumberAxis axis = new NumberAxis(axisLabel(unit));
             axis.setAutoRange(false);
             axis.setStandardTickUnits(new NumberTickUnitSource());
             axis.setAutoTickUnitSelection(true);
@@ -73,9 +73,13 @@ final class PlotChart {
         theme();
     }
 
-    private static String axisLabel(String unit, List<Curve> group) {
-        String what = group.size() == 1 ? group.get(0).label() : unit.equals("mm") ? "Way" : "";
-        return unit.equals("1") ? what : (what + " (" + unit + ")").strip();
+    private static String axisLabel(String unit) {
+        return switch (unit) {
+            case "mm" -> "Way (mm)";
+            case "ml" -> "Air (ml)";
+            case "%" -> "Fibres (%)";
+            default -> "Turn";
+        };
     }
 
     /** Draws what the ring has between two times. */
@@ -84,7 +88,7 @@ final class PlotChart {
         time.setRange(from, Math.max(to, from + 1e-3));
         for (int i = 0; i < data.size(); i++) {
             data.get(i).show(ring, from, to);
-            fit((NumberAxis) ((XYPlot) plots.getSubplots().get(i)).getRangeAxis(), data.get(i));
+            fit((NumberAxis) plots.getSubplots().get(i).getRangeAxis(), data.get(i));
         }
         chart.setNotify(true);
     }
@@ -128,7 +132,7 @@ final class PlotChart {
         plots.setBackgroundPaint(back);
         style(time, text, font);
         for (int i = 0; i < data.size(); i++) {
-            XYPlot plot = (XYPlot) plots.getSubplots().get(i);
+            XYPlot plot = plots.getSubplots().get(i);
             plot.setBackgroundPaint(paper);
             plot.setOutlinePaint(grid);
             plot.setDomainGridlinePaint(grid);

@@ -15,7 +15,8 @@ abstract class SettingRow extends JPanel {
         WARNING
     }
 
-    private static final String COLUMNS = "[70:122:124]4[40::,grow,fill]4[54!]3[46!]1[20!]";
+    private static final String COLUMNS =
+            "[70:122:122,shrinkprio 50]4[40:60:,grow,fill,shrinkprio 200]4[54!]3[46!]1[20!]";
 
     private final String key;
     private final String words;

@@ -163,8 +163,8 @@ public final class SettingsDock extends JPanel {
         stored.forEach(box::addItem);
         if (stored.contains(before)) {
             box.setSelectedItem(before);
-        } else if (otherwise < stored.size()) {
-            box.setSelectedIndex(otherwise);
+        } else {
+            box.setSelectedIndex(otherwise < stored.size() ? otherwise : -1);
         }
     }
 

@@ -107,7 +107,8 @@ final class ValueRow extends SettingRow {
         reset.getAccessibleContext().setAccessibleName("Reset " + name);
         reset.addActionListener(e -> toDefault());
         add(slider);
-        add(field, "growx");
+        field.putClientProperty("JComponent.minimumWidth", 0);
+        add(field, "w 54!");
         add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")));
         add(reset, "w 20!, h 22!");
         finish(field, name);
