@@ -24,7 +24,7 @@ import org.phrenic.simulation.live.LiveScene;
 /** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
 final class OrgansDock extends DockBody {
     private static final int WHOLE = 100;
-    private static final int OPACITY_WIDTH = 76;
+    private static final int OPACITY_WIDTH = 72;
 
     private record Row(Looks.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
 
