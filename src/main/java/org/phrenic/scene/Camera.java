@@ -40,7 +40,7 @@ public record Camera(
 
     private static final double TANGENT = Math.tan(Math.toRadians(FIELD_OF_VIEW_DEG / 2));
     /** Room left about the body, a share of the picture. */
-    private static final double MARGIN = 1.14;
+    private static final double MARGIN = 1.1;
 
     private static final double SMALLEST_HEIGHT_MM = 2;
     /** The largest height of a picture, in radii of what there is to see. */
