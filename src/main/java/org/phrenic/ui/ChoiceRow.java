@@ -90,8 +90,7 @@ final class ChoiceRow extends SettingRow {
             return "Virtual " + option.substring("virtual/".length()).replace('-', ' ');
         }
         if (option.indexOf('/') >= 0 || option.indexOf('\\') >= 0) {
-            String[] parts = option.split("[/\\\\]");
-            return parts[parts.length - 1];
+            return option.substring(Math.max(option.lastIndexOf('/'), option.lastIndexOf('\\')) + 1);
         }
         return switch (option) {
             case "rk2" -> "Midpoint Runge-Kutta (rk2)";

@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -16,7 +17,9 @@ abstract class SettingRow extends JPanel {
     }
 
     private static final String COLUMNS =
-            "[70:122:122,shrinkprio 50]4[40:60:,grow,fill,shrinkprio 200]4[54!]3[46!]1[20!]";
+            "[70:136:136,shrinkprio 50]4[40:60:,grow,fill,shrinkprio 200]4[58!]3[46!]1[20!]";
+
+    private static final Pattern SPACES = Pattern.compile("\\s+");
 
     private final String key;
     private final String words;
@@ -90,12 +93,7 @@ abstract class SettingRow extends JPanel {
 
     /** Whether a search finds it: all words of the search are in its name, key or meaning. */
     final boolean matches(String search) {
-        for (String word : search.toLowerCase(Locale.ROOT).strip().split("\\s+")) {
-            if (!words.contains(word)) {
-                return false;
-            }
-        }
-        return true;
+        return SPACES.splitAsStream(search.toLowerCase(Locale.ROOT).strip()).allMatch(words::contains);
     }
 
     /** Shows what the scenario has; the user's own unfinished input stays. */

@@ -70,8 +70,8 @@ final class Settings {
     private static Scenario restated(Scenario scenario, Material material, Set<String> without) {
         List<Assignment> list = new ArrayList<>();
         scenario.toMap().forEach((key, value) -> {
-            boolean open = key.equals("time_step_s") && Double.isNaN(scenario.givenTimeStepS())
-                    || key.equals("name") && scenario.givenName() == null
+            boolean open = (key.equals("time_step_s") && Double.isNaN(scenario.givenTimeStepS()))
+                    || (key.equals("name") && scenario.givenName() == null)
                     || key.equals("changes")
                     || key.equals("steps");
             if (!open && !without.contains(key) && !Parameter.keys().contains(key)) {

@@ -8,6 +8,8 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
@@ -22,6 +24,7 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
+import org.phrenic.breathing.BreathLabel;
 
 /** Recorded time from left to right: bands of what the breath did, times below, and a mark to drag. Arrow keys go a frame, page keys ten, Home to the first; End follows the present. */
 final class TimelineBar extends JComponent {
@@ -64,14 +67,14 @@ final class TimelineBar extends JComponent {
         bind("PAGE_DOWN", () -> byFrames.accept(10));
         bind("HOME", () -> byFrames.accept(-Integer.MAX_VALUE));
         bind("END", () -> byFrames.accept(Integer.MAX_VALUE));
-        addFocusListener(new java.awt.event.FocusAdapter() {
+        addFocusListener(new FocusAdapter() {
             @Override
-            public void focusGained(java.awt.event.FocusEvent e) {
+            public void focusGained(FocusEvent e) {
                 repaint();
             }
 
             @Override
-            public void focusLost(java.awt.event.FocusEvent e) {
+            public void focusLost(FocusEvent e) {
                 repaint();
             }
         });
@@ -93,9 +96,9 @@ final class TimelineBar extends JComponent {
     }
 
     /**
-     * What is recorded.
+     * Shows what is recorded.
      *
-     * @param mark time that is shown, s
+     * @param newMark time that is looked at, s
      */
     void show(double newFrom, double newTo, double newMark, List<BreathBands.Band> newBands) {
         from = newFrom;
@@ -123,7 +126,7 @@ final class TimelineBar extends JComponent {
         g.setFont(getFont());
         RoundRectangle2D strip = new RoundRectangle2D.Double(SIDE, 2, getWidth() - 2.0 * SIDE, BAND, 6, 6);
         Graphics2D inside = (Graphics2D) g.create();
-        inside.setColor(PhaseColours.of(org.phrenic.breathing.BreathLabel.PAUSE));
+        inside.setColor(PhaseColours.of(BreathLabel.PAUSE));
         inside.clip(strip);
         inside.fill(strip);
         bands.forEach(band -> paintBand(inside, band));

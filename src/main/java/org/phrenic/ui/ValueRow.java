@@ -108,7 +108,7 @@ final class ValueRow extends SettingRow {
         reset.addActionListener(e -> toDefault());
         add(slider);
         field.putClientProperty("JComponent.minimumWidth", 0);
-        add(field, "w 54!");
+        add(field, "w 58!");
         add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")));
         add(reset, "w 20!, h 22!");
         finish(field, name);
