@@ -167,7 +167,9 @@ final class WindowHarness implements AutoCloseable {
                 || at instanceof javax.swing.JSlider
                 || at instanceof javax.swing.JComboBox
                 || at instanceof javax.swing.JTextField) {
-            list.add(at);
+            if (at.isFocusable()) {
+                list.add(at);
+            }
         } else if (at instanceof Container container) {
             for (Component child : container.getComponents()) {
                 collect(child, list);

@@ -18,7 +18,6 @@ import javax.swing.JSlider;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,20 +62,20 @@ class WindowTest {
         }
     }
 
-    @BeforeEach
-    void asAtFirst() throws Exception {
+    /** The first scene from its beginning, flat out. */
+    private static void asAtFirst() throws Exception {
+        long before = id();
         WindowHarness.doOnEdt(() -> {
             window.session().open("Start", start());
             window.session().live().setSpeed(Double.POSITIVE_INFINITY);
             window.session().live().play();
         });
-        reloaded("low");
+        reloaded("low", before);
         window.breathe(0.05);
     }
 
     /** Waits until a scene of this resolution runs from its beginning. */
-    private static void reloaded(String resolution) throws InterruptedException {
-        long before = id();
+    private static void reloaded(String resolution, long before) throws InterruptedException {
         WindowHarness.await(
                 "a scene of resolution " + resolution,
                 () -> id() != before && resolution.equals(running().toMap().get("resolution")));
@@ -117,6 +116,7 @@ class WindowTest {
 
     @Test
     void slidersChangeWhatIsSetAndUndoTakesItBack() throws Exception {
+        asAtFirst();
         for (String[] row : new String[][] {
             {"Damping", "damping_ns_per_m"},
             {"Spring stiffness", "spring_stiffness_n_per_m"},
@@ -135,6 +135,7 @@ class WindowTest {
 
     @Test
     void moreMuscleForcePullsTheDomesDeeper() throws Exception {
+        asAtFirst();
         window.breathe(BREATH_S);
         double usual = window.lowest("dome_right_mm", 0);
         slide("Muscle force", 1);
@@ -145,6 +146,7 @@ class WindowTest {
 
     @Test
     void deepIsDeeperThanQuiet() throws Exception {
+        asAtFirst();
         window.breathe(BREATH_S);
         double quiet = window.lowest("dome_right_mm", 0);
         window.command("Deep");
@@ -156,6 +158,7 @@ class WindowTest {
 
     @Test
     void aHeldBreathStaysWhereItIs() throws Exception {
+        asAtFirst();
         window.breathe(1);
         window.command("Hold");
         window.breathe(2);
@@ -171,11 +174,13 @@ class WindowTest {
 
     @Test
     void anotherResolutionIsAnotherScene() throws Exception {
+        asAtFirst();
         int nodes =
                 WindowHarness.onEdt(() -> window.session().scene().orElseThrow().nodes());
+        long before = id();
         JComboBox<?> box = window.control(JComboBox.class, "Resolution");
         WindowHarness.doOnEdt(() -> box.setSelectedIndex(1));
-        reloaded("medium");
+        reloaded("medium", before);
         assertThat(WindowHarness.onEdt(
                         () -> window.session().scene().orElseThrow().nodes()))
                 .isGreaterThan(nodes);
@@ -243,7 +248,7 @@ class WindowTest {
     }
 
     @Test
-    void everythingHasANameAndATooltip() {
+    void everythingOnTheKeyboardsTourHasAName() {
         for (Component control : window.controls()) {
             String name = control.getAccessibleContext().getAccessibleName();
             assertThat(name).as("accessible name of " + control).isNotBlank();
