@@ -4,8 +4,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
-import org.phrenic.simulation.Frame;
-import org.phrenic.simulation.Observation;
 
 /**
  * What is written over a picture of the scene, in a window and without one alike: letters of orientation at the edges, a figure that stands as the patient does, a ruler in parallel projection, the scale
@@ -54,11 +52,9 @@ public record Annotations(
         return new Annotations(lightBackground, title, moment, name, Optional.of(colours));
     }
 
-    /** Time and place in the breath of a frame: "1.25 s, breath 1 at 31 %". */
-    public static String moment(Frame frame) {
-        double breath = frame.values()[Observation.COLUMNS.indexOf("breath")];
-        double phase = frame.values()[Observation.COLUMNS.indexOf("phase")];
-        return String.format(Locale.ROOT, "%.2f s, breath %.0f at %.0f %%", frame.timeS(), breath + 1, 100 * phase);
+    /** Time and what the breath is doing: "1.25 s, inspiration". */
+    public static String moment(double timeS, String phase) {
+        return String.format(Locale.ROOT, "%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
     }
 
     /** Size of letters and lines for a picture to be kept: they grow with it. */

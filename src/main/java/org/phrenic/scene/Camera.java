@@ -40,13 +40,16 @@ public record Camera(
 
     private static final double TANGENT = Math.tan(Math.toRadians(FIELD_OF_VIEW_DEG / 2));
     /** Room left about the body, a share of the picture. */
-    private static final double MARGIN = 1.14;
+    private static final double MARGIN = 1.1;
 
     private static final double SMALLEST_HEIGHT_MM = 2;
     /** The largest height of a picture, in radii of what there is to see. */
     private static final double LARGEST_HEIGHT = 40;
     /** The near plane is never nearer than this share of the distance to the target: depth stays resolved. */
     private static final double NEAREST = 0.01;
+
+    /** Bodies move beyond the box in which they rest: what is drawn reaches farther by this factor. */
+    private static final double REACH = 1.25;
 
     /** Empty scenes are looked at as if they had this radius, mm. */
     private static final double EMPTY_RADIUS_MM = 100;
@@ -76,7 +79,7 @@ public record Camera(
         }
         double radius = Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
         boolean seen = radius > 0 && radius < Double.POSITIVE_INFINITY;
-        double size = seen ? radius : EMPTY_RADIUS_MM;
+        double size = seen ? REACH * radius : EMPTY_RADIUS_MM;
         double[] at = seen ? middle : new double[3];
         Camera camera = new Camera(
                 at[0],

@@ -17,11 +17,14 @@ final class EglWithoutDisplay extends JNILibLoaderBase {
     /** EGL_PLATFORM_SURFACELESS_MESA. */
     private static final int SURFACELESS = 0x31DD;
 
+    /** NativeWindowFactory.TYPE_EGL, which to ask for would be too early: that class reads the property below as it loads. */
+    private static final String WINDOW_SYSTEM = ".egl";
+
     private EglWithoutDisplay() {}
 
     /** Must come before anything else of JOGL in this process. */
     static GLDrawableFactory factory() throws NoGraphicsException {
-        System.setProperty("nativewindow.ws.name", NativeWindowFactory.TYPE_EGL);
+        System.setProperty("nativewindow.ws.name", WINDOW_SYSTEM);
         System.setProperty("jogl.quirks.force", "NoSurfacelessCtx");
         System.setProperty("jogl.quirks.ignore", "GLES3ViaEGLES2Config");
         Platform.initSingleton();

@@ -1,6 +1,5 @@
 package org.phrenic.scene;
 
-import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.DebugGL3;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
@@ -76,10 +75,7 @@ public final class OffscreenGl implements AutoCloseable {
 
     private static OffscreenGl start() throws NoGraphicsException {
         boolean display = DisplayServer.isNeedless() || DisplayServer.answers(System.getenv("DISPLAY"));
-        boolean without = NativeWindowFactory.isInitialized()
-                ? NativeWindowFactory.TYPE_EGL.equals(NativeWindowFactory.getNativeWindowType(false))
-                : !display;
-        GLDrawableFactory factory = without ? EglWithoutDisplay.factory() : GLDrawableFactory.getDesktopFactory();
+        GLDrawableFactory factory = display ? GLDrawableFactory.getDesktopFactory() : EglWithoutDisplay.factory();
         if (factory == null) {
             throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
         }

@@ -26,6 +26,7 @@ public final class Picker {
     private int found;
 
     private double along;
+    private double farthest = Double.POSITIVE_INFINITY;
     private int vertex;
 
     public Picker(List<Surface> surfaces) {
@@ -47,9 +48,38 @@ public final class Picker {
         return solid.isPresent() ? solid : nearest(frame, sight, opacity, Double.MIN_VALUE);
     }
 
+    /** What a ray meets first of what a style shows, on this side of its clip plane. */
+    public Optional<Pick> pick(Frame frame, double[] sight, SceneStyle style) {
+        farthest = Double.POSITIVE_INFINITY;
+        double[] kept = sight.clone();
+        style.clip().ifPresent(plane -> clip(plane, kept));
+        Optional<Pick> pick = pick(frame, kept, s -> style.look(s.name())
+                .filter(Look::visible)
+                .map(Look::opacity)
+                .orElse(0f));
+        farthest = Double.POSITIVE_INFINITY;
+        return pick;
+    }
+
+    /** Begins the ray where it enters what is left of the body, or ends it where it leaves that. */
+    private void clip(ClipPlane plane, double[] sight) {
+        double outside = plane.nx() * sight[0] + plane.ny() * sight[1] + plane.nz() * sight[2] - plane.offsetMm();
+        double rate = plane.nx() * sight[3] + plane.ny() * sight[4] + plane.nz() * sight[5];
+        double crossing = -outside / rate;
+        if (outside <= 0) {
+            farthest = crossing > 0 ? crossing : Double.POSITIVE_INFINITY;
+        } else if (crossing > 0) {
+            for (int i = 0; i < 3; i++) {
+                sight[i] += crossing * sight[3 + i];
+            }
+        } else {
+            farthest = 0;
+        }
+    }
+
     private Optional<Pick> nearest(Frame frame, double[] sight, ToDoubleFunction<Surface> opacity, double least) {
         found = -1;
-        along = Double.POSITIVE_INFINITY;
+        along = farthest;
         for (int i = 0; i < surfaces.size(); i++) {
             Surface s = surfaces.get(i);
             if (opacity.applyAsDouble(s) >= least) {

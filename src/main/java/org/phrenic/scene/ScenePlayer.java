@@ -98,6 +98,11 @@ public final class ScenePlayer implements AutoCloseable {
         return frame;
     }
 
+    /** Hash of the state, as a run reports it. */
+    String stateHash() {
+        return simulation.stateHash();
+    }
+
     /** Changes of the scenario act before the step they name. */
     private void makeChanges() {
         List<Change> changes = scenario.changes();

@@ -69,6 +69,11 @@ public record SceneStyle(
         return Optional.ofNullable(looks.get(structure));
     }
 
+    /** Whether a structure shows a quantity in colours. */
+    boolean showsFieldOn(String structure) {
+        return field != ColourField.NONE && structure.equals(fieldOn);
+    }
+
     public SceneStyle withLooks(Map<String, Look> changed) {
         return new SceneStyle(
                 changed,

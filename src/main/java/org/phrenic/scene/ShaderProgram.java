@@ -24,8 +24,7 @@ final class ShaderProgram {
      */
     ShaderProgram(GL3 gl, GlObjects objects, String defines, String... files) {
         this.objects = objects;
-        program = gl.glCreateProgram();
-        objects.made();
+        program = objects.program(gl);
         int[] shaders = new int[files.length];
         for (int i = 0; i < files.length; i++) {
             shaders[i] = compile(gl, defines, files[i]);
@@ -93,16 +92,14 @@ final class ShaderProgram {
         gl.glUniform1f(at(gl, name), value);
     }
 
-    void set(GL3 gl, String name, float x, float y) {
-        gl.glUniform2f(at(gl, name), x, y);
-    }
-
-    void set(GL3 gl, String name, float[] rgb) {
-        gl.glUniform3f(at(gl, name), rgb[0], rgb[1], rgb[2]);
-    }
-
-    void set(GL3 gl, String name, float x, float y, float z, float w) {
-        gl.glUniform4f(at(gl, name), x, y, z, w);
+    /** Two, three or four numbers. */
+    void set(GL3 gl, String name, float... v) {
+        switch (v.length) {
+            case 2 -> gl.glUniform2f(at(gl, name), v[0], v[1]);
+            case 3 -> gl.glUniform3f(at(gl, name), v[0], v[1], v[2]);
+            case 4 -> gl.glUniform4f(at(gl, name), v[0], v[1], v[2], v[3]);
+            default -> throw new IllegalArgumentException(name + ": found " + v.length + " numbers, expected 2 to 4");
+        }
     }
 
     /** A column-major 4 x 4 matrix. */
@@ -111,7 +108,6 @@ final class ShaderProgram {
     }
 
     void dispose(GL3 gl) {
-        gl.glDeleteProgram(program);
-        objects.gone();
+        objects.deleteProgram(gl, program);
     }
 }

@@ -16,7 +16,7 @@ final class Banner extends JPanel {
     private static final int TEXT_WIDTH = 420;
 
     private final JLabel text = new JLabel();
-    private final JButton help = new JButton();
+    private final JButton help = new JButton("Help");
     private final JButton close = new JButton(Icons.CLOSE);
     private final Timer leave = new Timer(NOTE_MS, e -> setVisible(false));
     private Session.Message.Kind kind = Session.Message.Kind.NOTE;

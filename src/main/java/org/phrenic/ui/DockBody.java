@@ -9,9 +9,13 @@ import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 
 /** What a dock scrolls: as wide as the dock, as high as it needs to be. */
-final class DockBody extends JPanel implements Scrollable {
+class DockBody extends JPanel implements Scrollable {
     DockBody() {
-        super(new MigLayout("insets 0 0 8 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
+        this(new MigLayout("insets 0 0 8 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
+    }
+
+    DockBody(MigLayout layout) {
+        super(layout);
     }
 
     /** A dock's scroll pane around it: no frame, upright only. */

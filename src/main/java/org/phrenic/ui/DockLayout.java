@@ -11,9 +11,9 @@ import javax.swing.JSplitPane;
 final class DockLayout extends JPanel {
     /** Where a dock stands. */
     enum Place {
-        LEFT(248),
-        RIGHT(372),
-        BOTTOM(250);
+        LEFT(288),
+        RIGHT(368),
+        BOTTOM(228);
 
         private final int size;
 

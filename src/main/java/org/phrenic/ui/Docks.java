@@ -6,14 +6,10 @@ import java.util.Map;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
-import javax.swing.ScrollPaneConstants;
 
 /** The docks about the view, arranged for a clinician or for a researcher, each place shown or put away. */
 final class Docks {
-    private static final int SCROLL_STEP = 14;
-
     private final DockLayout layout;
     private final WindowPreferences preferences;
     private final Map<DockLayout.Place, JComponent> docks = new EnumMap<>(DockLayout.Place.class);
@@ -54,22 +50,14 @@ final class Docks {
         return tabs;
     }
 
-    private static JScrollPane scrolled(JComponent dock) {
-        JScrollPane pane = new JScrollPane(
-                dock, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        pane.setBorder(BorderFactory.createEmptyBorder());
-        pane.getVerticalScrollBar().setUnitIncrement(SCROLL_STEP);
-        return pane;
-    }
-
     /** Arranges all docks; places that were put away stay so. */
     void arrange(Arrangement arrangement) {
         boolean research = arrangement == Arrangement.RESEARCHER;
         left.removeAll();
-        left.addTab("Organs", null, scrolled(organs), "What is shown of the body, and how");
+        left.addTab("Organs", null, DockBody.scroll(organs), "What is shown of the body, and how");
         right.removeAll();
         if (research) {
-            left.addTab("Show", null, scrolled(show), "The model over the surfaces, colours, clip plane");
+            left.addTab("Show", null, DockBody.scroll(show), "The model over the surfaces, colours, clip plane");
             right.addTab("Parameters", null, parameters, "Every number that can be tuned");
         }
         right.addTab("Breath", null, breath, "How it breathes");

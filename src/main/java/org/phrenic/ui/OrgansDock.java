@@ -1,12 +1,14 @@
 package org.phrenic.ui;
 
+import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -20,16 +22,19 @@ import org.phrenic.scene.Look;
 import org.phrenic.simulation.live.LiveScene;
 
 /** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
-final class OrgansDock extends JPanel {
+final class OrgansDock extends DockBody {
     private static final int WHOLE = 100;
+    private static final int OPACITY_WIDTH = 72;
+
+    private record Row(Looks.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
 
     private final transient Looks looks;
+    private final transient List<Row> rows = new ArrayList<>();
     private transient List<Looks.Group> shown = List.of();
     private boolean filling;
 
     OrgansDock(Session session, Looks looks) {
-        super(new MigLayout(
-                "insets 6 8 6 8, gap 4 2, wrap 4, novisualpadding", "[grow, fill, 96::][]4[64::90, fill]4[]", ""));
+        super(new MigLayout("insets 6 8 6 8, gap 0 2, wrap 1, fillx, novisualpadding", "[grow, fill]", ""));
         this.looks = looks;
         setName("organs");
         session.listen(new Session.Events() {
@@ -48,13 +53,14 @@ final class OrgansDock extends JPanel {
         }
         shown = looks.groups();
         removeAll();
+        rows.clear();
         for (Looks.Group group : shown) {
             row(group);
         }
         JButton reset = new JButton("As in an atlas");
         reset.setToolTipText("All organs as they were at first");
         reset.addActionListener(e -> looks.reset());
-        add(reset, "span 4, gaptop 6, growx 0, alignx left");
+        add(reset, "gaptop 6, growx 0, alignx left");
         refresh();
         revalidate();
         repaint();
@@ -77,10 +83,16 @@ final class OrgansDock extends JPanel {
                 named(new JToggleButton(Icons.MESH), label + " wireframe", "Surface or wireframe: " + label);
         wire.putClientProperty("JButton.buttonType", "toolBarButton");
         wire.addActionListener(e -> choose(group, look -> look.withWireframe(wire.isSelected())));
-        add(visible, "wmin 0");
-        add(colour);
-        add(opacity, "wmin 40");
-        add(wire);
+        opacity.setPreferredSize(new Dimension(OPACITY_WIDTH, opacity.getPreferredSize().height));
+        JPanel tools = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", "[][][]", "[center]"));
+        tools.add(colour);
+        tools.add(opacity, "w " + OPACITY_WIDTH + "!");
+        tools.add(wire);
+        JPanel row = new JPanel(new BorderLayout(4, 0));
+        row.add(visible, BorderLayout.CENTER);
+        row.add(tools, BorderLayout.EAST);
+        rows.add(new Row(group, visible, opacity, wire));
+        add(row, "wmin 0");
     }
 
     private static <C extends JComponent> C named(C component, String name, String tip) {
@@ -114,15 +126,12 @@ final class OrgansDock extends JPanel {
     /** Shows what is chosen now, whoever chose it. */
     private void refresh() {
         filling = true;
-        int at = 0;
-        for (Looks.Group group : shown) {
-            Optional<Look> look = looks.look(group);
-            if (look.isPresent()) {
-                ((JCheckBox) getComponent(at)).setSelected(look.get().visible());
-                ((JSlider) getComponent(at + 2)).setValue(Math.round(look.get().opacity() * WHOLE));
-                ((JToggleButton) getComponent(at + 3)).setSelected(look.get().wireframe());
-            }
-            at += 4;
+        for (Row row : rows) {
+            looks.look(row.group()).ifPresent(look -> {
+                row.visible().setSelected(look.visible());
+                row.opacity().setValue(Math.round(look.opacity() * WHOLE));
+                row.wire().setSelected(look.wireframe());
+            });
         }
         filling = false;
         repaint();

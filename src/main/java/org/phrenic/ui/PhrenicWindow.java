@@ -139,7 +139,7 @@ public final class PhrenicWindow {
         }
     }
 
-    private void show() {
+    void show() {
         frame.setVisible(true);
         view.requestFocusInWindow();
     }
@@ -165,6 +165,7 @@ public final class PhrenicWindow {
 
     private void dismissWelcome() {
         welcome.setVisible(false);
+        welcome.getParent().revalidate();
         view.requestFocusInWindow();
     }
 

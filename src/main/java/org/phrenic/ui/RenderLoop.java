@@ -170,10 +170,18 @@ final class RenderLoop implements AutoCloseable {
         if (!another && !fresh && !asAsked) {
             return false;
         }
-        BufferedImage image =
-                gl.picture(renderer, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
-        viewer.drawn(new Picture(image, wanted, frame.step(), Annotations.moment(frame)));
+        BufferedImage[] image = new BufferedImage[1];
+        gl.run(context -> {
+            renderer.draw(context, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
+            image[0] = renderer.read(context);
+        });
+        viewer.drawn(new Picture(image[0], wanted, frame.step(), moment(wanted)));
         return true;
+    }
+
+    private String moment(Wanted wanted) {
+        return Annotations.moment(
+                frame.timeS(), wanted.scrubbed() < 0 ? live.status().phaseLabel() : "recorded");
     }
 
     private boolean recorded(int index) {

@@ -11,13 +11,14 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Background;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.Pick;
+import org.phrenic.scene.SceneBounds;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.scene.View;
 import org.phrenic.simulation.Surface;
@@ -27,7 +28,7 @@ import org.phrenic.simulation.live.LiveScene;
  * The thorax, as it breathes. The picture itself comes from a {@link RenderLoop}, drawn into a framebuffer on another thread at the pixels of the device; here it is put on the screen with its annotations
  * over it, which takes a few milliseconds of the event dispatch thread. So menus and cards stay above the view on every platform, and a slow driver slows nothing but the view.
  */
-final class SceneView extends JComponent {
+final class SceneView extends JPanel {
     private final transient Session session;
     private final transient Looks looks;
     private final transient RenderLoop loop;
@@ -83,7 +84,7 @@ final class SceneView extends JComponent {
         looks.scene(now.surfaces());
         if (otherBody) {
             double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
-            home = Camera.of(View.ANTERIOR, Bounds.of(now.surfaces()), aspect);
+            home = Camera.of(View.ANTERIOR, SceneBounds.of(now.surfaces()), aspect);
             camera = home.withProjection(camera.orthographic());
         }
         ask();
@@ -101,7 +102,7 @@ final class SceneView extends JComponent {
     /** The camera as at first. */
     void resetCamera() {
         if (scene != null && getHeight() > 0) {
-            home = Camera.of(View.ANTERIOR, Bounds.of(scene.surfaces()), (double) getWidth() / getHeight());
+            home = Camera.of(View.ANTERIOR, SceneBounds.of(scene.surfaces()), (double) getWidth() / getHeight());
         }
         setCamera(home);
     }

@@ -16,22 +16,32 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.scene.ClipPlane;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.ColourScale;
+import org.phrenic.scene.SceneBounds;
+import org.phrenic.scene.StructureNames;
 import org.phrenic.scene.Transparency;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Surface;
 import org.phrenic.simulation.live.LiveScene;
 
 /** What else is shown: parts of the model over the surfaces, the shape at rest, colours on a surface, a clip plane, and how well translucent surfaces are sorted. */
-final class ShowDock extends JPanel {
+final class ShowDock extends DockBody {
     private static final List<String> AXES = List.of("No clip plane", "From the left", "From the front", "From above");
     private static final int FROM_FRONT = 2;
     private static final int FROM_ABOVE = 3;
     private static final int WHOLE = 1000;
 
+    /** A structure by its name for people. */
+    private record Coloured(String structure, String name) {
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
     private final transient Looks looks;
     private final JComboBox<String> field =
             new JComboBox<>(new String[] {"No colours", "Displacement", "Change of area"});
-    private final JComboBox<String> structure = new JComboBox<>();
+    private final JComboBox<Coloured> structure = new JComboBox<>();
     private final JTextField least = new JTextField("0", 4);
     private final JTextField most = new JTextField("20", 4);
     private final JLabel unit = new JLabel("mm");
@@ -79,6 +89,7 @@ final class ShowDock extends JPanel {
         sorting.addActionListener(
                 e -> looks.change(style -> style.withTransparency(Transparency.values()[sorting.getSelectedIndex()])));
         add(named(sorting, "Quality of translucency"), "wmin 0");
+        cut.setEnabled(false);
         listen(session);
     }
 
@@ -132,27 +143,27 @@ final class ShowDock extends JPanel {
     }
 
     private void enter(LiveScene scene) {
-        box = Bounds.of(scene.surfaces());
+        box = SceneBounds.of(scene.surfaces());
         Object before = structure.getSelectedItem();
         structure.removeAllItems();
         scene.surfaces().stream()
                 .filter(surface -> surface.motion() == Surface.Motion.DEFORMING)
-                .forEach(surface -> structure.addItem(surface.name()));
+                .forEach(surface -> structure.addItem(new Coloured(surface.name(), StructureNames.of(surface))));
         if (before != null) {
             structure.setSelectedItem(before);
         }
     }
 
     private void colour() {
-        Object name = structure.getSelectedItem();
-        if (name == null) {
+        Coloured chosen = (Coloured) structure.getSelectedItem();
+        if (chosen == null) {
             return;
         }
         ColourField what = ColourField.values()[field.getSelectedIndex()];
         Optional<ColourScale> scale = scale(what);
         least.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         most.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
-        scale.ifPresent(colours -> looks.change(style -> style.withField(what, name.toString(), colours)));
+        scale.ifPresent(colours -> looks.change(style -> style.withField(what, chosen.structure(), colours)));
     }
 
     private Optional<ColourScale> scale(ColourField what) {

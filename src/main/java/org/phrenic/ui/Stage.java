@@ -1,11 +1,10 @@
 package org.phrenic.ui;
 
-import java.awt.Component;
 import java.awt.Dimension;
 import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
 
-/** The view, and over it what comes and goes: a banner at the top, how far loading is at the bottom, the welcome card above that. */
+/** The view with the welcome card above it, and over it what comes and goes: a banner at the top, how far loading is at the bottom. */
 final class Stage extends JLayeredPane {
     private static final int MARGIN = 14;
     private static final int FOOT = 34;
@@ -42,20 +41,14 @@ final class Stage extends JLayeredPane {
     public void doLayout() {
         int w = getWidth();
         int h = getHeight();
-        view.setBounds(0, 0, w, h);
+        int top = welcome.isVisible() ? welcome.getPreferredSize().height : 0;
+        welcome.setBounds(0, 0, w, top);
+        view.setBounds(0, top, w, Math.max(0, h - top));
         Dimension b = banner.getPreferredSize();
         int wide = Math.max(0, Math.min(Math.min(WIDEST_BANNER, b.width), w - 2 * MARGIN));
-        banner.setBounds((w - wide) / 2, MARGIN, wide, b.height);
-        int foot = h - FOOT;
-        foot = rise(welcome, foot);
-        rise(loading, foot);
-    }
-
-    /** Puts a card in the middle above {@code foot}; returns what is above it then. */
-    private int rise(Component card, int foot) {
-        Dimension size = card.getPreferredSize();
-        int wide = Math.max(0, Math.min(size.width, getWidth() - 2 * MARGIN));
-        card.setBounds((getWidth() - wide) / 2, foot - size.height, wide, size.height);
-        return card.isVisible() ? foot - size.height - MARGIN / 2 : foot;
+        banner.setBounds((w - wide) / 2, top + MARGIN, wide, b.height);
+        Dimension l = loading.getPreferredSize();
+        wide = Math.max(0, Math.min(l.width, w - 2 * MARGIN));
+        loading.setBounds((w - wide) / 2, h - FOOT - l.height, wide, l.height);
     }
 }

@@ -1,9 +1,7 @@
 package org.phrenic.ui;
 
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -12,8 +10,6 @@ import net.miginfocom.swing.MigLayout;
 
 /** What is seen first beside the breathing thorax: two doors, and what the program is not for. */
 final class WelcomeCard extends JPanel {
-    private static final int ARC = 12;
-
     private final JLabel[] quiet;
 
     /**
@@ -21,10 +17,8 @@ final class WelcomeCard extends JPanel {
      * @param dismiss called when the card is closed without
      */
     WelcomeCard(Consumer<Arrangement> enter, Runnable dismiss) {
-        super(new MigLayout(
-                "insets 12 16 12 12, gap 6 4, novisualpadding", "[grow, fill, sg]16[grow, fill, sg][]", ""));
+        super(new MigLayout("insets 8 12 8 8, gap 8 2, novisualpadding", "[sg, fill][sg, fill]push[]", ""));
         setName("welcome");
-        setOpaque(false);
         getAccessibleContext().setAccessibleName("Welcome");
         JButton liver = door(Arrangement.CLINICIAN, "Quiet, deep and held breaths, without terms of physics", enter);
         JButton tune = door(Arrangement.RESEARCHER, "Every parameter, force and plot", enter);
@@ -33,17 +27,18 @@ final class WelcomeCard extends JPanel {
         close.setToolTipText("Close this card");
         close.getAccessibleContext().setAccessibleName("Close this card");
         close.addActionListener(e -> dismiss.run());
-        JLabel underLiver = new JLabel("Plain words; the needle comes with a later version");
-        JLabel underTune = new JLabel("Parameters, forces and live plots");
+        JLabel underLiver = new JLabel("Plain words; needle in a later version");
+        JLabel underTune = new JLabel("Parameters, forces, live plots");
         JLabel notice = new JLabel(Notice.TEXT);
         notice.setName("notice");
+        notice.setFont(notice.getFont().deriveFont(java.awt.Font.BOLD));
         quiet = new JLabel[] {underLiver, underTune};
         add(liver);
         add(tune);
         add(close, "aligny top, wrap");
-        add(underLiver, "gapx 2");
-        add(underTune, "gapx 2, wrap");
-        add(notice, "span 3, gapy 6 0, gapx 2");
+        add(underLiver, "gapx 2, wmin 0");
+        add(underTune, "gapx 2, wmin 0, wrap");
+        add(notice, "span 3, gapy 4 0, gapx 2, wmin 0");
         colour();
     }
 
@@ -67,19 +62,10 @@ final class WelcomeCard extends JPanel {
     }
 
     private void colour() {
+        setBackground(UIManager.getColor("Panel.background"));
+        setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.line()));
         for (JLabel label : quiet) {
             label.setForeground(Theme.quietText());
         }
-    }
-
-    @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setColor(UIManager.getColor("Panel.background"));
-        g.fillRoundRect(0, 0, getWidth() - 1, getHeight() - 1, ARC, ARC);
-        g.setColor(Theme.line());
-        g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, ARC, ARC);
-        g.dispose();
     }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.Surface;
 
 /** What lies under the cursor, on the coarse virtual adult male in mid-inspiration. */
@@ -21,6 +22,9 @@ class PickerTest {
     private static final int HEIGHT = 480;
     /** Frames hold float coordinates of about 1000 mm. */
     private static final double FLOAT_MM = 0.01;
+
+    private static final Scenario SCENARIO =
+            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic");
 
     private static ScenePlayer player;
     private static Frame frame;
@@ -161,6 +165,14 @@ class PickerTest {
         camera.project(pick.x(), pick.y(), pick.z(), WIDTH, HEIGHT, xy);
         assertThat(xy[0]).isCloseTo(300, within(FLOAT_MM));
         assertThat(xy[1]).isCloseTo(200, within(FLOAT_MM));
+    }
+
+    @Test
+    void thePlayerIsWhereARunOfThatLengthEnds() {
+        String run = SimulationRun.execute(SCENARIO.with("duration_s=0.3"), null, (at, of, rate) -> {})
+                .get("state_sha256")
+                .toString();
+        assertThat(player.stateHash()).isEqualTo(run);
     }
 
     @Test
