@@ -27,6 +27,8 @@ final class Looks {
         OTHER("Other", StructureKind.OTHER);
 
         private final String label;
+        /** Never changes: {@code Set.of} makes a set that refuses to. */
+        @SuppressWarnings("ImmutableEnumChecker")
         private final Set<StructureKind> kinds;
 
         Group(String label, StructureKind... kinds) {
