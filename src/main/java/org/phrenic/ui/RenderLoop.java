@@ -51,6 +51,8 @@ final class RenderLoop implements AutoCloseable {
     private Wanted asked;
     private long version;
     private boolean closed;
+    /** Something was asked since the last rest. */
+    private boolean told;
 
     private LiveScene scene;
     private Renderer renderer;
@@ -103,6 +105,7 @@ final class RenderLoop implements AutoCloseable {
         lock.lock();
         try {
             what.run();
+            told = true;
             news.signalAll();
         } finally {
             lock.unlock();
@@ -192,9 +195,11 @@ final class RenderLoop implements AutoCloseable {
     private void rest(long ns) {
         lock.lock();
         try {
-            if (ns > 0 && tasks.isEmpty() && !closed) {
-                news.awaitNanos(ns);
+            long left = ns;
+            while (left > 0 && !told && tasks.isEmpty() && !closed) {
+                left = news.awaitNanos(left);
             }
+            told = false;
         } catch (InterruptedException e) {
             closed = true;
         } finally {
