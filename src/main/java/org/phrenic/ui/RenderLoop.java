@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
-import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.phrenic.scene.Annotations;
@@ -46,7 +46,6 @@ final class RenderLoop implements AutoCloseable {
     private final Viewer viewer;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition news = lock.newCondition();
     private final Queue<Consumer<OffscreenGl>> tasks = new ArrayDeque<>();
     private Wanted asked;
     private long version;
@@ -103,10 +102,10 @@ final class RenderLoop implements AutoCloseable {
         lock.lock();
         try {
             what.run();
-            news.signalAll();
         } finally {
             lock.unlock();
         }
+        LockSupport.unpark(thread);
     }
 
     private void run() {
@@ -189,17 +188,9 @@ final class RenderLoop implements AutoCloseable {
         return history != null && history.frame(index, frame);
     }
 
-    private void rest(long ns) {
-        lock.lock();
-        try {
-            if (ns > 0 && tasks.isEmpty() && !closed) {
-                news.awaitNanos(ns);
-            }
-        } catch (InterruptedException e) {
-            closed = true;
-        } finally {
-            lock.unlock();
-        }
+    /** Waits so long, or until there is something to do; {@link #tell} wakes it. */
+    private static void rest(long ns) {
+        LockSupport.parkNanos(ns);
     }
 
     /** Ends the thread; what it held of the driver goes with it. */
