@@ -17,7 +17,7 @@ record SliderScale(double minimum, double maximum, double smallest) {
     static final int PLACES = 400;
 
     private static final double DECADE_AND_A_HALF = 31.6;
-    private static final double SMALL_SHARE = 0.02;
+    private static final double SMALL_SHARE = 0.06;
     private static final double BELOW_USUAL = 0.01;
     // Three digits tell neighbours apart that differ by more than 1.5 %.
     private static final double COARSE = 1.015;
