@@ -55,7 +55,7 @@ final class HeadlessStart {
         ProgressPrinter progress = new ProgressPrinter(stderr, ProgressPrinter.isTerminal());
         try (Studio studio = Studio.open(scenario, progress)) {
             SceneStyle style = SceneStyle.atlas(studio.surfaces())
-                    .withTransparency(Transparency.PEELED)
+                    .withTransparency(Transparency.TWO_PASS)
                     .withSamples(SAMPLES);
             for (double time : new double[] {0, inspiredS}) {
                 for (View view : List.of(View.ANTERIOR, View.LEFT)) {

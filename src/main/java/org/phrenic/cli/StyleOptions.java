@@ -84,7 +84,7 @@ final class StyleOptions {
                 .withRestWireframe(restWireframe)
                 .withOverlays(kinds())
                 .withClip(clipPlane())
-                .withTransparency(Transparency.PEELED)
+                .withTransparency(Transparency.TWO_PASS)
                 .withSamples(SAMPLES);
         if (!only.isEmpty()) {
             for (String name : style.looks().keySet()) {

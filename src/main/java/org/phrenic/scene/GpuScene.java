@@ -5,10 +5,8 @@ import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Surface;
@@ -80,20 +78,6 @@ final class GpuScene {
 
     List<OverlayBuffers> overlays() {
         return overlays;
-    }
-
-    /** Longest side of each surface at rest, mm, by name: what is outside is larger than what it holds. */
-    static Map<String, Double> sizes(List<Surface> surfaces) {
-        Map<String, Double> sizes = new HashMap<>();
-        for (Surface s : surfaces) {
-            TriangleMesh mesh = s.rest();
-            double[] box = mesh.bounds();
-            double dx = box[3] - box[0];
-            double dy = box[4] - box[1];
-            double dz = box[5] - box[2];
-            sizes.put(s.name(), Math.max(dx, Math.max(dy, dz)));
-        }
-        return sizes;
     }
 
     void dispose(GL3 gl) {

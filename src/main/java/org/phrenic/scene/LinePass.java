@@ -12,9 +12,6 @@ final class LinePass {
     private static final int REST_LIGHT = 0x24405c;
     private static final int REST_DARK = 0xbfd8ea;
 
-    /** Drawn without moving it. */
-    private static final float[] IN_PLACE = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
     /** How an overlay is drawn: colour, opacity, width of lines, size of points, lift towards the eye. */
     private record Ink(int rgb, float opacity, float width, float point, float lift) {
         /** Colours of Okabe and Ito 2008, told apart with any colour vision. */
@@ -42,7 +39,7 @@ final class LinePass {
     void drawEdges(GL3 gl, SurfaceBuffers buffers, Sight sight, SceneStyle style) {
         Look look = style.look(buffers.surface().name()).orElseThrow();
         ShaderProgram program = lines(gl, sight, style);
-        program.matrix(gl, "pose", buffers.pose());
+        program.matrix(gl, "toEye", sight.toEye(buffers.pose()));
         program.set(gl, "faded", 1);
         float[] rgb = look.rgb();
         ink(
@@ -57,7 +54,7 @@ final class LinePass {
     /** Edges of a surface as it rests. */
     void drawRest(GL3 gl, SurfaceBuffers buffers, Sight sight, SceneStyle style) {
         ShaderProgram program = lines(gl, sight, style);
-        program.matrix(gl, "pose", IN_PLACE);
+        program.matrix(gl, "toEye", sight.view());
         program.set(gl, "faded", 0);
         int rgb = style.background() == Background.LIGHT ? REST_LIGHT : REST_DARK;
         ink(gl, program, rgba(rgb, 0.55f), sight.pixels(REST_WIDTH), LIFT_MM);
@@ -72,13 +69,13 @@ final class LinePass {
             }
             Ink ink = Ink.of(overlay.kind());
             ShaderProgram program = lines(gl, sight, style);
-            program.matrix(gl, "pose", IN_PLACE);
+            program.matrix(gl, "toEye", sight.view());
             program.set(gl, "faded", 0);
             ink(gl, program, rgba(ink.rgb(), ink.opacity()), sight.pixels(ink.width()), ink.lift());
             overlay.drawLines(gl);
             if (overlay.hasPoints()) {
                 ShaderProgram dots = points(gl, sight, style);
-                dots.matrix(gl, "pose", IN_PLACE);
+                dots.matrix(gl, "toEye", sight.view());
                 dots.set(gl, "faded", 0);
                 dots.set(gl, "pointSize", sight.pixels(ink.point()));
                 dots.set(gl, "lineColour", rgba(ink.rgb(), ink.opacity()));
@@ -118,9 +115,8 @@ final class LinePass {
 
     private static void see(GL3 gl, ShaderProgram program, Sight sight, SceneStyle style) {
         program.use(gl);
-        program.matrix(gl, "view", sight.view());
         program.matrix(gl, "projection", sight.projection());
-        program.set(gl, "clip", SurfacePass.clip(style));
+        program.set(gl, "clip", sight.clip(style.clip()));
         program.set(gl, "parallel", sight.parallelFlag());
     }
 

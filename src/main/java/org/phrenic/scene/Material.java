@@ -15,15 +15,15 @@ record Material(Look look, float gloss, float shininess) {
 
     static Material of(StructureKind kind) {
         return switch (kind) {
-            case RIB -> new Material(Look.of(0xe8d9b8, 1), 0.16f, 28);
-            case STERNUM -> new Material(Look.of(0xe6d6b4, 1), 0.16f, 28);
-            case VERTEBRA -> new Material(Look.of(0xe0cfaa, 1), 0.12f, 24);
-            case COSTAL_CARTILAGE -> new Material(Look.of(0xbfd0d2, 1), 0.30f, 48);
+            case RIB -> new Material(Look.of(0xecd9ae, 1), 0.20f, 30);
+            case STERNUM -> new Material(Look.of(0xead5aa, 1), 0.20f, 30);
+            case VERTEBRA -> new Material(Look.of(0xe3cda0, 1), 0.14f, 24);
+            case COSTAL_CARTILAGE -> new Material(Look.of(0xb9cdd2, 1), 0.30f, 48);
             case DISC -> new Material(Look.of(0xa9bcc0, 1), 0.20f, 32);
-            case DIAPHRAGM -> new Material(Look.of(0xa63a32, 1), 0.22f, 30);
-            case LUNG -> new Material(Look.of(0xe0a09c, 0.45f), 0.22f, 36);
-            case LIVER -> new Material(Look.of(0x7d3527, 1), 0.40f, 60);
-            case SKIN -> new Material(Look.of(0xdcae92, 0.16f), 0.25f, 40);
+            case DIAPHRAGM -> new Material(Look.of(0x87302b, 1), 0.24f, 26);
+            case LUNG -> new Material(Look.of(0xd98f8d, 0.42f), 0.22f, 36);
+            case LIVER -> new Material(Look.of(0x64271f, 1), 0.42f, 55);
+            case SKIN -> new Material(Look.of(0xd8a283, 0.15f), 0.25f, 40);
             case OTHER -> new Material(Look.of(0xb9a98f, 1), 0.15f, 30);
         };
     }

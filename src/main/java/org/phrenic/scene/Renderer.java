@@ -29,7 +29,7 @@ public final class Renderer {
 
     private final List<Surface> surfaces;
     private final List<Overlay> overlays;
-    private final Map<String, Double> sizes;
+    private final Map<String, Box> boxes = new LinkedHashMap<>();
     private final Map<String, float[]> given = new LinkedHashMap<>();
     private int givenCount;
     private final GlObjects objects = new GlObjects();
@@ -46,7 +46,7 @@ public final class Renderer {
     public Renderer(List<Surface> surfaces, List<Overlay> overlays) {
         this.surfaces = List.copyOf(surfaces);
         this.overlays = List.copyOf(overlays);
-        sizes = GpuScene.sizes(surfaces);
+        surfaces.forEach(s -> boxes.put(s.name(), Box.of(s.rest())));
     }
 
     /** Draws into the framebuffer of this renderer. */
@@ -124,14 +124,22 @@ public final class Renderer {
             gl.glEnable(GL3.GL_CLIP_DISTANCE0);
         }
         gl.glEnable(GL3.GL_DEPTH_TEST);
-        for (SurfaceBuffers surface : shown(style, false)) {
+        List<SurfaceBuffers> shown = shown(style, false).stream()
+                .sorted(Comparator.comparing(s -> boxes.get(s.surface().name()).nearest(sight)))
+                .toList();
+        for (SurfaceBuffers surface : shown) {
             faces.draw(gl, surface, sight, style, cut ? SurfacePass.Faces.BOTH : SurfacePass.Faces.FRONT);
         }
         gl.glDisable(GL3.GL_CLIP_DISTANCE0);
         listener.done(gl, "opaque");
         int depth = targets.depthSoFar(gl);
         targets.bindColour(gl);
+        int[] part = Box.pixels(
+                shown.stream().map(s -> boxes.get(s.surface().name())).toList(), sight);
+        gl.glEnable(GL3.GL_SCISSOR_TEST);
+        gl.glScissor(part[0], part[1], part[2], part[3]);
         screen.edges(gl, depth, sight);
+        gl.glDisable(GL3.GL_SCISSOR_TEST);
         targets.work().bind(gl);
         listener.done(gl, "edges");
     }
@@ -170,7 +178,7 @@ public final class Renderer {
 
     private void clear(GL3 gl, Sight sight, SceneStyle style) {
         List<SurfaceBuffers> clear = shown(style, true).stream()
-                .sorted(Comparator.comparing(s -> sizes.get(s.surface().name())))
+                .sorted(Comparator.comparing(s -> boxes.get(s.surface().name()).longestSide()))
                 .toList();
         if (clear.isEmpty()) {
             return;

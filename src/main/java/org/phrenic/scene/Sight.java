@@ -1,5 +1,7 @@
 package org.phrenic.scene;
 
+import java.util.Optional;
+
 /**
  * How a picture is looked at: what all shaders need to know of camera and picture.
  *
@@ -49,5 +51,37 @@ record Sight(
 
     float parallelFlag() {
         return parallel ? 1 : 0;
+    }
+
+    /** From a surface's own coordinates to eye coordinates, column-major. */
+    float[] toEye(float[] pose) {
+        float[] m = new float[16];
+        for (int column = 0; column < 4; column++) {
+            for (int row = 0; row < 4; row++) {
+                double sum = 0;
+                for (int k = 0; k < 4; k++) {
+                    sum += (double) view[4 * k + row] * pose[4 * column + k];
+                }
+                m[4 * column + row] = (float) sum;
+            }
+        }
+        return m;
+    }
+
+    /** The plane that cuts, in eye coordinates as shaders want it: {@code a x + b y + c z + d} is positive for what is kept. */
+    float[] clip(Optional<ClipPlane> plane) {
+        if (plane.isEmpty()) {
+            return new float[] {0, 0, 0, 1};
+        }
+        ClipPlane c = plane.get();
+        float[] eye = new float[4];
+        double away = c.offsetMm();
+        for (int row = 0; row < 3; row++) {
+            double n = view[row] * c.nx() + view[4 + row] * c.ny() + view[8 + row] * c.nz();
+            eye[row] = (float) -n;
+            away += n * view[12 + row];
+        }
+        eye[3] = (float) away;
+        return eye;
     }
 }

@@ -14,7 +14,6 @@ final class SurfaceBuffers {
     private static final int NORMAL = 1;
     private static final int TRAIT = 2;
     private static final int QUANTITY = 3;
-    private static final int BYTE = 0xff;
 
     private final GlObjects objects;
     private final Surface surface;
@@ -67,7 +66,7 @@ final class SurfaceBuffers {
         attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
         objects.fill(gl, GL3.GL_ARRAY_BUFFER, normalBuffer, packed, usage);
         attribute(gl, NORMAL, 4, GL3.GL_INT_2_10_10_10_REV, true);
-        IntBuffer traits = traits(openness.of(mesh, normals));
+        IntBuffer traits = new VertexTraits(surface).packed(openness.of(mesh, normals));
         objects.fill(gl, GL3.GL_ARRAY_BUFFER, traitBuffer, traits, GL3.GL_STATIC_DRAW);
         attribute(gl, TRAIT, 4, GL3.GL_UNSIGNED_BYTE, true);
         IntBuffer corners = Buffers.newDirectIntBuffer(triangles);
@@ -106,28 +105,6 @@ final class SurfaceBuffers {
             }
         }
         return triangles;
-    }
-
-    /** Openness and share of tendon of each vertex, a byte each; the share is the mean over a vertex and its neighbours, so that muscle fades into tendon. */
-    private IntBuffer traits(float[] open) {
-        int n = open.length;
-        float[] tendon = new float[n];
-        float[] count = new float[n];
-        if (surface.tendon().length == n) {
-            int[] t = surface.rest().triangles();
-            for (int i = 0; i < t.length; i++) {
-                for (int k = 0; k < 3; k++) {
-                    tendon[t[i]] += surface.tendon()[t[i / 3 * 3 + k]] ? 1 : 0;
-                    count[t[i]]++;
-                }
-            }
-        }
-        IntBuffer traits = Buffers.newDirectIntBuffer(n);
-        for (int i = 0; i < n; i++) {
-            int share = count[i] > 0 ? Math.round(BYTE * tendon[i] / count[i]) : 0;
-            traits.put(i, Math.round(BYTE * open[i]) | (share << 8));
-        }
-        return traits;
     }
 
     /** Takes over where the surface is in a frame. */

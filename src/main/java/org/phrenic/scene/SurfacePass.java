@@ -83,10 +83,9 @@ final class SurfacePass {
         }
         ShaderProgram program = program(gl, features);
         program.use(gl);
-        program.matrix(gl, "pose", buffers.pose());
-        program.matrix(gl, "view", sight.view());
+        program.matrix(gl, "toEye", sight.toEye(buffers.pose()));
         program.matrix(gl, "projection", sight.projection());
-        program.set(gl, "clip", clip(style));
+        program.set(gl, "clip", sight.clip(style.clip()));
         program.set(gl, "base", linear(look.rgb()));
         program.set(gl, "tendonBase", linear(Look.of(Material.TENDON, 1).rgb()));
         Material material = Material.of(surface.kind());
@@ -150,13 +149,6 @@ final class SurfacePass {
             gl.glTexParameteri(GL3.GL_TEXTURE_1D, GL3.GL_TEXTURE_WRAP_S, GL3.GL_CLAMP_TO_EDGE);
             return texture;
         });
-    }
-
-    /** The plane as shaders want it: what is kept is positive. */
-    static float[] clip(SceneStyle style) {
-        return style.clip()
-                .map(c -> new float[] {(float) -c.nx(), (float) -c.ny(), (float) -c.nz(), (float) c.offsetMm()})
-                .orElse(new float[] {0, 0, 0, 1});
     }
 
     private static float[] linear(float[] rgb) {

@@ -2,7 +2,7 @@
 // (Hejl and Burgess-Dawson 2010).
 in vec3 eyePosition;
 in vec3 eyeNormal;
-in vec2 shownTrait;
+in vec3 shownTrait;
 out vec4 colour;
 
 uniform vec3 base;          // linear
@@ -22,6 +22,10 @@ uniform sampler2D peeledDepth;
 uniform float firstLayer;
 #endif
 
+#ifdef PEEL
+// Depths are kept in 24 bits: what is no farther away than two of their steps is the same surface.
+const float SAME_DEPTH = 1.3e-7;
+#endif
 const vec3 KEY = vec3(-0.44, 0.60, 0.67);
 const vec3 FILL = vec3(0.78, 0.05, 0.62);
 
@@ -34,7 +38,7 @@ void main() {
 #ifdef PEEL
     float behind = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
     float before = texelFetch(peeledDepth, ivec2(gl_FragCoord.xy), 0).r;
-    if (gl_FragCoord.z >= behind || (firstLayer < 0.5 && gl_FragCoord.z <= before)) {
+    if (gl_FragCoord.z >= behind || (firstLayer < 0.5 && gl_FragCoord.z <= before + SAME_DEPTH)) {
         discard;
     }
 #endif
@@ -65,12 +69,12 @@ void main() {
     encoded = mix(encoded, sqrt(accent.rgb), accent.a * 0.5);
 #else
     float up = n.y * 0.5 + 0.5;
-    vec3 ambient = mix(vec3(0.27, 0.23, 0.21), vec3(0.42, 0.45, 0.50), up) * openness;
+    vec3 ambient = mix(vec3(0.22, 0.17, 0.15), vec3(0.36, 0.36, 0.37), up) * openness;
     vec3 halfway = normalize(KEY + toEye);
     float gloss = shine.x * pow(max(dot(n, halfway), 0.0), shine.y) * openness;
     float edge = 1.0 - facing;
     float rim = edge * edge * edge * (0.35 + 0.65 * up) * openness;
-    vec3 light = albedo * (key * mix(0.55, 1.0, openness) * vec3(1.28, 1.22, 1.13) + fill * vec3(0.26, 0.29, 0.34) + ambient)
+    vec3 light = albedo * (key * mix(0.55, 1.0, openness) * vec3(1.34, 1.27, 1.15) + fill * vec3(0.22, 0.24, 0.27) + ambient)
             + vec3(gloss) + rim * 0.22 * (albedo + 0.25);
     light = mix(light, accent.rgb * (0.5 + 0.5 * key), accent.a) + accent.rgb * accent.a * edge * edge;
     vec3 encoded = film(light * 1.05);
@@ -79,7 +83,7 @@ void main() {
 #ifdef CLEAR
     // What passes a thin shell falls with the length of the way through it, 1 / cos: a clear middle and a full outline.
     float through = pow(1.0 - opacity, 1.0 / max(facing, 0.08));
-    colour = vec4(encoded, 1.0 - through);
+    colour = vec4(encoded, (1.0 - through) * shownTrait.z);
 #else
     colour = vec4(encoded, 1.0);
 #endif
