@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.phrenic.format.BadInputException;
 import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Change;
 import org.phrenic.simulation.Scenario;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -75,6 +76,15 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--meshes", paramLabel = "every=S", description = "Write the moving surfaces every S seconds.")
     private String meshes;
 
+    @Option(names = "--steps", paramLabel = "N", description = "So many steps, whatever the duration.")
+    private String steps;
+
+    @Option(
+            names = "--change",
+            paramLabel = "STEP:KEY=VALUE",
+            description = "Change a key when so many steps are done; may be repeated, in the order of the steps.")
+    private List<String> changes = new ArrayList<>();
+
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
@@ -82,6 +92,9 @@ final class RunCommand implements Callable<Integer> {
     public Integer call() {
         Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);
         Scenario resolved = base.with(assignments());
+        if (!changes.isEmpty()) {
+            resolved = resolved.withChanges(changes.stream().map(Change::parse).toList());
+        }
         RunReport.run(
                 resolved,
                 out,
@@ -100,6 +113,7 @@ final class RunCommand implements Callable<Integer> {
         add(list, "--duration", "duration_s", duration);
         add(list, "--time-step", "time_step_s", timeStep);
         add(list, "--integrator", "integrator", integrator);
+        add(list, "--steps", "steps", steps);
         add(list, "--threads", "threads", threads);
         if (meshes != null) {
             if (out == null) {

@@ -217,9 +217,7 @@ final class DiaphragmPart {
     /** Where the action line of a side (-1 right, 1 left) stands: x and y, mm. */
     double[] linePlace(int side) {
         double[] box = diaphragm.sheet().bounds();
-        return new double[] {
-            0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4])
-        };
+        return new double[] {0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4])};
     }
 
     /** Triangles that the abdomen presses on, as nodes of the scene. */

@@ -47,13 +47,15 @@ final class Holding {
                     + " sheet whose two faces meet at its insertion");
         }
         double[] rim = SceneParts.points(positions, diaphragm.first, inserted);
-        system.prescribe(SceneParts.shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
+        system.prescribe(
+                SceneParts.shifted(inserted, diaphragm.first), new BlendedMotion(pose, rim, bones.at(rim), workers));
         if (scenario.material() == Material.PAPER) {
             Diaphragm sheet = diaphragm.diaphragm;
             for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
                 double fade = FallOff.at(sheet.distanceFromInsertion(i), ATTACHMENT_MM);
                 if (fade > 0 && !sheet.isInserted(i)) {
-                    parts.attach(diaphragm.first + i, ATTACHMENT_SHARE * scenario.value(Parameter.SPRING_STIFFNESS) * fade);
+                    parts.attach(
+                            diaphragm.first + i, ATTACHMENT_SHARE * scenario.value(Parameter.SPRING_STIFFNESS) * fade);
                 }
             }
         }
@@ -86,10 +88,12 @@ final class Holding {
      * The paper's sheet has no pressure below it and no bending: nothing would bring it back after a breath. Every node is held to its place by a spring of low elasticity, soft enough that the action lines move the
      * dome, quick enough (6 1/s) to follow a breath.
      */
-    private static Attachments home(Scenario scenario, ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
+    private static Attachments home(
+            Scenario scenario, ParticleSystem system, DiaphragmPart diaphragm, double[] positions) {
         int[] free = SceneParts.shifted(diaphragm.free(), diaphragm.first);
         double[] stiffness = new double[free.length];
         Arrays.fill(stiffness, HOME_SHARE * scenario.value(Parameter.SPRING_STIFFNESS));
-        return new Attachments(system.layout(), free, stiffness, 0, PrescribedMotion.still(SceneParts.points(positions, 0, free)));
+        return new Attachments(
+                system.layout(), free, stiffness, 0, PrescribedMotion.still(SceneParts.points(positions, 0, free)));
     }
 }

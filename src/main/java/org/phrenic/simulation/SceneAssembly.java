@@ -43,8 +43,6 @@ final class SceneAssembly {
     private static final double LINK_TOLERANCE = 1e-6;
     private static final int LINK_SWEEPS = 50;
 
-
-
     private final Scenario scenario;
     private final Thorax thorax;
     private final Workers workers;
@@ -104,8 +102,7 @@ final class SceneAssembly {
             system.setViscosity(value(Parameter.DAMPING));
         }
         system.add(drive);
-        Holding holding =
-                new Holding(scenario, thorax, parts, system, diaphragm, bones, pose, positions, refresh);
+        Holding holding = new Holding(scenario, thorax, parts, system, diaphragm, bones, pose, positions, refresh);
         Optional<SlidingContact> contact = Optional.empty();
         Optional<RestPressure> rest = Optional.empty();
         if (physical) {

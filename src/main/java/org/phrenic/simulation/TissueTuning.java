@@ -10,9 +10,7 @@ import org.phrenic.engine.force.Attachments;
  * settled at end-expiration, {@code f} the factor by which its tissue is stiffer than as assembled; T goes with the pressure at rest. Springs to bone likewise. With all factors at 1 every number is the one assembled.
  */
 final class TissueTuning {
-    private static final Knob[] SHEET = {
-        Knob.STIFFNESS, Knob.TENDON_RATIO, Knob.REST_PRESSURE, Knob.LEFT_OVER_RIGHT
-    };
+    private static final Knob[] SHEET = {Knob.STIFFNESS, Knob.TENDON_RATIO, Knob.REST_PRESSURE, Knob.LEFT_OVER_RIGHT};
     private static final Knob[] PASSIVE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS};
     private static final Knob[] BONE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS, Knob.COUPLING};
     private static final Knob[] MASSES = {
@@ -45,7 +43,9 @@ final class TissueTuning {
         applied = base.clone();
         NodeLayout layout = system.layout();
         sheet = new SpringNumbers(forces.sheet(), layout, scene.rest());
-        passive = forces.passive().map(s -> new SpringNumbers(s, layout, scene.rest())).orElse(null);
+        passive = forces.passive()
+                .map(s -> new SpringNumbers(s, layout, scene.rest()))
+                .orElse(null);
         bone = forces.bone().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
         home = forces.home().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
         mass = system.masses().clone();
@@ -185,9 +185,7 @@ final class TissueTuning {
                 double f = asAssembled ? 1 : nodes[i] >= firstLungNode ? lung : muscle;
                 stiffness[i] = f * assembled[i];
                 for (int c = 3 * i; c < 3 * i + 3; c++) {
-                    constant[c] = asAssembled
-                            ? 0
-                            : (coupling * assembled[i] - nowCoupling * stiffness[i]) * stretch[c];
+                    constant[c] = asAssembled ? 0 : (coupling * assembled[i] - nowCoupling * stiffness[i]) * stretch[c];
                 }
             }
             springs.setFactor(nowCoupling);

@@ -22,8 +22,7 @@ public final class ActionLine implements ForceField {
      * @param y the line's place front to back, mm (LPS)
      * @param radius of action, mm
      */
-    public ActionLine(
-            NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
+    public ActionLine(NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
         nodes = new BlockedNodes(layout, callerNodes);
         distance = new double[callerNodes.length];
         weight = new double[callerNodes.length];
