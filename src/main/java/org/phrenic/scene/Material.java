@@ -11,7 +11,7 @@ import org.phrenic.anatomy.StructureKind;
  */
 record Material(Look look, float gloss, float shininess) {
     /** Colour of the central tendon; the diaphragm's own colour is that of its muscle. */
-    static final int TENDON = 0xe9ddc8;
+    static final int TENDON = 0xe2d6bf;
 
     static Material of(StructureKind kind) {
         return switch (kind) {
@@ -20,9 +20,9 @@ record Material(Look look, float gloss, float shininess) {
             case VERTEBRA -> new Material(Look.of(0xe3cda0, 1), 0.14f, 24);
             case COSTAL_CARTILAGE -> new Material(Look.of(0xb9cdd2, 1), 0.30f, 48);
             case DISC -> new Material(Look.of(0xa9bcc0, 1), 0.20f, 32);
-            case DIAPHRAGM -> new Material(Look.of(0x87302b, 1), 0.24f, 26);
+            case DIAPHRAGM -> new Material(Look.of(0x8d3c35, 1), 0.24f, 26);
             case LUNG -> new Material(Look.of(0xd98f8d, 0.42f), 0.22f, 36);
-            case LIVER -> new Material(Look.of(0x64271f, 1), 0.42f, 55);
+            case LIVER -> new Material(Look.of(0x68352a, 1), 0.42f, 55);
             case SKIN -> new Material(Look.of(0xd8a283, 0.15f), 0.25f, 40);
             case OTHER -> new Material(Look.of(0xb9a98f, 1), 0.15f, 30);
         };

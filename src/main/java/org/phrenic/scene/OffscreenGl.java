@@ -95,8 +95,14 @@ public final class OffscreenGl implements AutoCloseable {
     /** Draws one picture of any size. */
     public BufferedImage picture(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
-        BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         int side = Math.min(LARGEST_TILE, Tile.largest(style, info.maxSize()));
+        return picture(renderer, frame, camera, style, width, height, side);
+    }
+
+    /** Draws one picture in tiles of at most this side. */
+    BufferedImage picture(
+            Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height, int side) {
+        BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         run(gl -> {
             for (Tile tile : Tile.cut(width, height, side)) {
                 renderer.draw(gl, frame, camera, style, tile);

@@ -58,7 +58,7 @@ final class ScreenPass {
     private static void texture(GL3 gl, ShaderProgram program, String name, int texture) {
         gl.glActiveTexture(GL3.GL_TEXTURE0);
         gl.glBindTexture(GL3.GL_TEXTURE_2D, texture);
-        program.set(gl, name, 0);
+        program.sampler(gl, name, 0);
     }
 
     private void cover(GL3 gl) {

@@ -84,7 +84,8 @@ final class ShaderProgram {
         return locations.computeIfAbsent(name, key -> gl.glGetUniformLocation(program, key));
     }
 
-    void set(GL3 gl, String name, int value) {
+    /** The unit of textures that a sampler looks at. */
+    void sampler(GL3 gl, String name, int value) {
         gl.glUniform1i(at(gl, name), value);
     }
 

@@ -37,6 +37,7 @@ final class SurfacePass {
      */
     record Layer(int opaqueDepth, int peeledDepth, boolean first) {}
 
+    private static final float LIFT_MM = 5;
     private static final int COLOURS = 256;
     private static final double GAMMA = 2.2;
     private static final float[] ACCENT = {1.0f, 0.62f, 0.10f};
@@ -92,22 +93,23 @@ final class SurfacePass {
         program.set(gl, "shine", material.gloss(), material.shininess());
         program.set(gl, "parallel", sight.parallelFlag());
         program.set(gl, "opacity", look.opacity());
+        program.set(gl, "lift", surface.kind() == StructureKind.LUNG ? LIFT_MM : 0);
         float accent = surface.name().equals(style.highlighted()) ? ACCENT_STRENGTH : 0;
         program.set(gl, "accent", ACCENT[0], ACCENT[1], ACCENT[2], accent);
         if (features.contains(Feature.FIELD)) {
             ColourScale scale = style.scale();
             gl.glActiveTexture(GL3.GL_TEXTURE0);
             gl.glBindTexture(GL3.GL_TEXTURE_1D, colours(gl, scale.map()));
-            program.set(gl, "colours", 0);
+            program.sampler(gl, "colours", 0);
             program.set(gl, "range", (float) scale.min(), (float) (1 / (scale.max() - scale.min())));
         }
         if (layer != null) {
             gl.glActiveTexture(GL3.GL_TEXTURE1);
             gl.glBindTexture(GL3.GL_TEXTURE_2D, layer.opaqueDepth());
-            program.set(gl, "opaqueDepth", 1);
+            program.sampler(gl, "opaqueDepth", 1);
             gl.glActiveTexture(GL3.GL_TEXTURE2);
             gl.glBindTexture(GL3.GL_TEXTURE_2D, layer.peeledDepth());
-            program.set(gl, "peeledDepth", 2);
+            program.sampler(gl, "peeledDepth", 2);
             program.set(gl, "firstLayer", layer.first() ? 1f : 0f);
         }
         cull(gl, faces);

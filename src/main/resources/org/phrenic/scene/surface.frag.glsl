@@ -55,7 +55,7 @@ void main() {
 #endif
 #ifdef CUT
     if (!gl_FrontFacing) {
-        colour = vec4(film(albedo * 0.55 + accent.rgb * accent.a * 0.2), 1.0);
+        colour = vec4(film(albedo * 1.15 + 0.02 + accent.rgb * accent.a * 0.4), 1.0);
         return;
     }
 #endif

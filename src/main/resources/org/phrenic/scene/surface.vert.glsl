@@ -9,6 +9,9 @@ out float shownQuantity;
 
 uniform mat4 toEye;
 uniform mat4 projection;
+#ifdef CLEAR
+uniform float lift;                   // mm
+#endif
 #ifdef CLIP
 uniform vec4 clip;                    // in eye coordinates; keeps clip.xyz . x + clip.w >= 0
 #endif
@@ -29,4 +32,10 @@ void main() {
     gl_ClipDistance[0] = dot(clip.xyz, eye.xyz) + clip.w;
 #endif
     gl_Position = projection * eye;
+#ifdef CLEAR
+    // The far side of what is clear and lies on something else, as a lung on the diaphragm, would be hidden in patches: its depth is taken a little nearer.
+    float turnedAway = dot(eyeNormal, eye.xyz) > 0.0 ? 1.0 : 0.0;
+    vec4 nearer = projection * vec4(eye.xyz + vec3(0.0, 0.0, lift * turnedAway), 1.0);
+    gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+#endif
 }
