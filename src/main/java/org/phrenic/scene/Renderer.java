@@ -117,7 +117,8 @@ public final class Renderer {
         gl.glDisable(GL3.GL_CLIP_DISTANCE0);
         gl.glClear(GL3.GL_DEPTH_BUFFER_BIT);
         gl.glDepthFunc(GL3.GL_LESS);
-        screen.background(gl, style.background(), sight);
+        targets.background(
+                gl, List.of(style.background(), sight.tile()), () -> screen.background(gl, style.background(), sight));
         listener.done(gl, "background");
         boolean cut = style.clip().isPresent();
         if (cut) {

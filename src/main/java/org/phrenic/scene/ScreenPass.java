@@ -40,7 +40,8 @@ final class ScreenPass {
         edge.use(gl);
         texture(gl, edge, "depth", depthTexture);
         float[] p = sight.wholeProjection();
-        edge.set(gl, "unproject", p[10], p[14], sight.parallelFlag(), 1 / EDGE_REACH_MM);
+        edge.set(gl, "unproject", p[10], p[14], sight.parallelFlag());
+        edge.set(gl, "reach", EDGE_REACH_MM);
         edge.set(gl, "radius", sight.pixels(EDGE_PIXELS));
         gl.glEnable(GL3.GL_BLEND);
         gl.glBlendFunc(GL3.GL_ZERO, GL3.GL_SRC_COLOR);

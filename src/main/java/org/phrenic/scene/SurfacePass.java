@@ -15,6 +15,7 @@ final class SurfacePass {
     /** What a program can do besides lighting. */
     enum Feature {
         CLEAR,
+        DULL,
         FIELD,
         TENDON,
         CLIP,
@@ -36,6 +37,9 @@ final class SurfacePass {
      * @param peeledDepth texture; not looked at for the first layer
      */
     record Layer(int opaqueDepth, int peeledDepth, boolean first) {}
+
+    /** Beyond this a clear surface is as good as opaque. */
+    private static final float MOST_CLEAR = 0.9999f;
 
     private static final float LIFT_MM = 5;
     private static final int COLOURS = 256;
@@ -70,6 +74,9 @@ final class SurfacePass {
         }
         if (look.translucent()) {
             features.add(Feature.CLEAR);
+            if (faces == Faces.BACK) {
+                features.add(Feature.DULL);
+            }
         }
         if (style.showsFieldOn(surface.name())) {
             features.add(Feature.FIELD);
@@ -92,7 +99,7 @@ final class SurfacePass {
         Material material = Material.of(surface.kind());
         program.set(gl, "shine", material.gloss(), material.shininess());
         program.set(gl, "parallel", sight.parallelFlag());
-        program.set(gl, "opacity", look.opacity());
+        program.set(gl, "thinness", (float) (Math.log(1 - Math.min(look.opacity(), MOST_CLEAR)) / Math.log(2)));
         program.set(gl, "lift", surface.kind() == StructureKind.LUNG ? LIFT_MM : 0);
         float accent = surface.name().equals(style.highlighted()) ? ACCENT_STRENGTH : 0;
         program.set(gl, "accent", ACCENT[0], ACCENT[1], ACCENT[2], accent);

@@ -12,6 +12,8 @@ final class Targets {
     private final Target work;
     private final Target finished;
     private Target workColour;
+    private Target background;
+    private Object backgroundIs = "";
     private Target[] layers;
     private Target gathered;
 
@@ -64,6 +66,30 @@ final class Targets {
         workColour.bind(gl);
     }
 
+    /**
+     * Fills the picture with a background that is drawn once and copied from then on: one of many pixels that do not change.
+     *
+     * @param what tells backgrounds apart
+     * @param drawing draws it into what is bound
+     */
+    void background(GL3 gl, Object what, Runnable drawing) {
+        if (samples > 0) {
+            work.bind(gl);
+            drawing.run();
+            return;
+        }
+        if (background == null) {
+            background = new Target(gl, objects, work.width(), work.height(), 0, false);
+        }
+        if (!what.equals(backgroundIs)) {
+            background.bind(gl);
+            drawing.run();
+            backgroundIs = what;
+        }
+        background.copyTo(gl, work, GL3.GL_COLOR_BUFFER_BIT);
+        work.bind(gl);
+    }
+
     /** Two framebuffers that take layers in turns. */
     Target[] layers(GL3 gl) {
         if (layers == null) {
@@ -97,6 +123,9 @@ final class Targets {
         }
         if (workColour != null) {
             workColour.dispose(gl);
+        }
+        if (background != null) {
+            background.dispose(gl);
         }
         if (layers != null) {
             layers[0].dispose(gl);

@@ -1,25 +1,25 @@
 // Darkens what lies behind its neighbours in the picture, more the farther behind: eye-dome lighting (Boucheny 2009) on a ring of four points.
 uniform sampler2D depth;
-uniform vec4 unproject;     // projection[10], projection[14], 1 if parallel, 1 / reach in mm
+uniform vec3 unproject;     // projection[10], projection[14], 1 if parallel
+uniform float reach;        // a step in depth of this size is as dark as it gets, mm
 uniform float radius;       // pixels
 out vec4 factor;
 
-float distanceAt(ivec2 at, ivec2 most) {
-    float z = texelFetch(depth, clamp(at, ivec2(0), most), 0).r * 2.0 - 1.0;
-    return unproject.z > 0.5 ? (unproject.y - z) / unproject.x : unproject.y / (z + unproject.x);
-}
-
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    if (texelFetch(depth, at, 0).r >= 1.0) {
-        discard;
-    }
+    float here = texelFetch(depth, at, 0).r;
+    // Millimetres a unit of depth, near here.
+    float z = here * 2.0 - 1.0;
+    float away = unproject.y / (z + unproject.x);
+    float slope = unproject.z > 0.5 ? 2.0 / unproject.x : 2.0 * away * away / unproject.y;
+    float shares = -slope / reach;
     ivec2 most = textureSize(depth, 0) - 1;
-    float here = distanceAt(at, most);
     int r = int(radius + 0.5);
-    float behind = clamp((here - distanceAt(at + ivec2(r, 0), most)) * unproject.w, 0.0, 1.0)
-            + clamp((here - distanceAt(at - ivec2(r, 0), most)) * unproject.w, 0.0, 1.0)
-            + clamp((here - distanceAt(at + ivec2(0, r), most)) * unproject.w, 0.0, 1.0)
-            + clamp((here - distanceAt(at - ivec2(0, r), most)) * unproject.w, 0.0, 1.0);
-    factor = vec4(vec3(1.0 - 0.14 * behind), 1.0);
+    vec4 around = vec4(
+            texelFetch(depth, ivec2(min(at.x + r, most.x), at.y), 0).r,
+            texelFetch(depth, ivec2(max(at.x - r, 0), at.y), 0).r,
+            texelFetch(depth, ivec2(at.x, min(at.y + r, most.y)), 0).r,
+            texelFetch(depth, ivec2(at.x, max(at.y - r, 0)), 0).r);
+    float behind = dot(clamp((here - around) * shares, 0.0, 1.0), vec4(1.0));
+    factor = vec4(vec3(here < 1.0 ? 1.0 - 0.14 * behind : 1.0), 1.0);
 }

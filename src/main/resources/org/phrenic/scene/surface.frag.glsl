@@ -9,7 +9,7 @@ uniform vec3 base;          // linear
 uniform vec3 tendonBase;    // linear
 uniform vec2 shine;         // strength and exponent of the highlight
 uniform float parallel;     // 1: parallel projection
-uniform float opacity;
+uniform float thinness;     // log2 of the light that passes straight through
 uniform vec4 accent;        // linear colour and strength of what stands out
 #ifdef FIELD
 in float shownQuantity;
@@ -70,8 +70,12 @@ void main() {
 #else
     float up = n.y * 0.5 + 0.5;
     vec3 ambient = mix(vec3(0.22, 0.17, 0.15), vec3(0.36, 0.36, 0.37), up) * openness;
+#ifdef DULL
+    float gloss = 0.0;
+#else
     vec3 halfway = normalize(KEY + toEye);
     float gloss = shine.x * pow(max(dot(n, halfway), 0.0), shine.y) * openness;
+#endif
     float edge = 1.0 - facing;
     float rim = edge * edge * edge * (0.35 + 0.65 * up) * openness;
     vec3 light = albedo * (key * mix(0.55, 1.0, openness) * vec3(1.34, 1.27, 1.15) + fill * vec3(0.22, 0.24, 0.27) + ambient)
@@ -82,7 +86,7 @@ void main() {
 
 #ifdef CLEAR
     // What passes a thin shell falls with the length of the way through it, 1 / cos: a clear middle and a full outline.
-    float through = pow(1.0 - opacity, 1.0 / max(facing, 0.08));
+    float through = exp2(thinness / max(facing, 0.08));
     colour = vec4(encoded, (1.0 - through) * shownTrait.z);
 #else
     colour = vec4(encoded, 1.0);

@@ -17,7 +17,7 @@ import org.phrenic.simulation.SimulationRun;
 
 /**
  * What a picture costs, pass by pass: {@code DrawingBenchmark [WIDTH HEIGHT [SAMPLES [ANATOMY]]]}. Each pass is waited for, and each picture is of a new frame. "wall" is the least and the median of the
- * pictures; "cpu" is the median of what all threads of the process used together, which other programs on the machine disturb less.
+ * pictures; "cpu" is the mean of what all threads of the process used together, which other programs on the machine disturb less.
  */
 final class DrawingBenchmark {
     private static final int WARM_UP = 10;
@@ -105,13 +105,12 @@ final class DrawingBenchmark {
 
     private static void row(String name, double[] ms, double[] cpuMs) {
         Arrays.sort(ms);
-        Arrays.sort(cpuMs);
         System.out.printf(
                 Locale.ROOT,
                 "%-12s wall %6.1f least %6.1f median   cpu %6.1f ms%n",
                 name,
                 ms[0],
                 ms[ms.length / 2],
-                cpuMs[cpuMs.length / 2]);
+                Arrays.stream(cpuMs).average().orElseThrow());
     }
 }
