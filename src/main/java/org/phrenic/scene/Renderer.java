@@ -42,6 +42,7 @@ public final class Renderer {
     private ScreenPass screen;
     private ClearPass clearPass;
     private Targets targets;
+    private IntBuffer pixels = IntBuffer.allocate(0);
 
     public Renderer(List<Surface> surfaces, List<Overlay> overlays) {
         this.surfaces = List.copyOf(surfaces);
@@ -203,7 +204,9 @@ public final class Renderer {
     public BufferedImage read(GL3 gl) {
         int width = targets.finished().width();
         int height = targets.finished().height();
-        IntBuffer pixels = Buffers.newDirectIntBuffer(width * height);
+        if (pixels.capacity() != width * height) {
+            pixels = Buffers.newDirectIntBuffer(width * height);
+        }
         GlState state = GlState.of(gl);
         gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, targets.finished().framebuffer());
         gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
