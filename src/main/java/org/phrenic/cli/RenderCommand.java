@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
+import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.scene.FfmpegMovie;
 import org.phrenic.scene.GifMovie;
 import org.phrenic.scene.NoGraphicsException;
@@ -72,6 +73,7 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() throws NoGraphicsException {
         check();
         Scenario scenario = scenarioOptions.resolved();
+        Optional<TriangleMesh> reference = styleOptions.reference();
         List<Shot> shots = shotOptions.shots(title(scenario));
         if (timeOptions.movie() != null && shots.size() > 1) {
             throw new BadInputException("--movie: found " + shots.size() + " views, expected one");
@@ -83,6 +85,7 @@ final class RenderCommand implements Callable<Integer> {
                 progress.note("This Java has no fonts: the pictures have no letters.");
             }
             SceneStyle style = styleOptions.on(studio.surfaces());
+            reference.ifPresent(studio::measureFrom);
             double[] times = timeOptions.times(studio.totalS());
             if (timeOptions.movie() == null) {
                 pictures(studio, shots, style, times);

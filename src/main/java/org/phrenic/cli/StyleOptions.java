@@ -1,5 +1,6 @@
 package org.phrenic.cli;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
@@ -9,6 +10,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.KeySuggestion;
+import org.phrenic.format.MeshFiles;
+import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.scene.Background;
 import org.phrenic.scene.ClipPlane;
 import org.phrenic.scene.ColourField;
@@ -31,8 +34,12 @@ final class StyleOptions {
     @Option(
             names = "--field",
             paramLabel = "NAME",
-            description = "Colours on the diaphragm: displacement (mm) or strain (change of area, %%).")
+            description =
+                    "Colours on the diaphragm: displacement (mm), strain (change of area, %%) or distance from --reference (mm).")
     private String field;
+
+    @Option(names = "--reference", paramLabel = "MESH", description = "Surface that --field distance is measured from.")
+    private Path reference;
 
     @Option(names = "--range", paramLabel = "MIN:MAX", description = "Range of the colours of --field.")
     private String range;
@@ -70,10 +77,21 @@ final class StyleOptions {
     /** Refuses, before anything is computed, what is wrong whatever the body. */
     void check() {
         quantity();
+        if ((quantity() == ColourField.DISTANCE) != (reference != null)) {
+            throw new BadInputException(
+                    reference == null
+                            ? "--field distance: found no --reference, expected a surface to measure from"
+                            : "--reference " + reference + ": found no --field distance, expected both or neither");
+        }
         scale();
         behind();
         clipPlane();
         kinds();
+    }
+
+    /** The surface that distances are measured from, if one is given. */
+    Optional<TriangleMesh> reference() {
+        return Optional.ofNullable(reference).map(MeshFiles::read);
     }
 
     /** The style for these surfaces. */
@@ -116,7 +134,8 @@ final class StyleOptions {
                 : switch (field) {
                     case "displacement" -> ColourField.DISPLACEMENT;
                     case "strain" -> ColourField.STRAIN;
-                    default -> throw unknown("--field", field, List.of("displacement", "strain"));
+                    case "distance" -> ColourField.DISTANCE;
+                    default -> throw unknown("--field", field, List.of("displacement", "strain", "distance"));
                 };
     }
 
@@ -128,7 +147,8 @@ final class StyleOptions {
             return usual;
         }
         if (field == null) {
-            throw new BadInputException("--range " + range + ": found no --field, expected displacement or strain");
+            throw new BadInputException(
+                    "--range " + range + ": found no --field, expected displacement, strain or distance");
         }
         int colon = range.indexOf(':');
         if (colon < 1) {

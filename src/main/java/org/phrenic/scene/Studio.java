@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -18,6 +19,7 @@ public final class Studio implements AutoCloseable {
     private final ScenePlayer player;
     private final Renderer renderer;
     private final boolean letters = Annotations.canWrite();
+    private Optional<DistanceField> distances = Optional.empty();
 
     private Studio(OffscreenGl gl, ScenePlayer player) {
         this.gl = gl;
@@ -39,6 +41,11 @@ public final class Studio implements AutoCloseable {
             gl.close();
             throw failed;
         }
+    }
+
+    /** Sets what {@link ColourField#DISTANCE} is measured from. */
+    public void measureFrom(TriangleMesh reference) {
+        distances = Optional.of(new DistanceField(reference));
     }
 
     /** The surfaces of the scene. */
@@ -91,6 +98,9 @@ public final class Studio implements AutoCloseable {
 
     private BufferedImage drawn(Frame frame, Shot shot, SceneStyle style) {
         Camera camera = shot.camera(SceneBounds.of(visible(style)));
+        if (style.field() == ColourField.DISTANCE) {
+            distances.ifPresent(field -> field.colour(renderer, frame, style.fieldOn()));
+        }
         BufferedImage picture = gl.picture(renderer, frame, camera, style, shot.width(), shot.height());
         if (shot.annotated() && letters) {
             annotations(frame, shot, style).draw(picture, camera);

@@ -289,6 +289,8 @@ class BadInputTest {
                 bad("movie of an unknown kind", "expected .mp4 or .gif", render("--movie", "m.avi")),
                 bad("movie of two views", "found 2 views", render("--movie", "m.gif", "--view", "left,right")),
                 bad("unknown field", "did you mean 'displacement'?", render("--field", "displacment")),
+                bad("distance from nothing", "--reference", render("--field", "distance")),
+                bad("reference without distance", "--field distance", render("--reference", "a.ply")),
                 bad("range without a field", "--field", render("--range", "0:10")),
                 bad("range without colon", "MIN:MAX", render("--field", "strain", "--range", "10")),
                 bad("range the wrong way", "smaller number first", render("--field", "strain", "--range", "10:-10")),

@@ -56,7 +56,8 @@ final class Loop implements Runnable {
         }
     }
 
-    /** The scenario may change settings of its own while it runs. */
+    /** The scenario may change settings of its own while it runs; settings are immutable, so another object is another setting and comparing values, several times a turn, would be waste. */
+    @SuppressWarnings("ReferenceEquality")
     private void followChanges(Scenario set) {
         if (set != followed) {
             settle();
