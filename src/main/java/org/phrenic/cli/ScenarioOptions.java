@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Change;
 import org.phrenic.simulation.Scenario;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -44,6 +45,15 @@ final class ScenarioOptions {
     @Option(names = "--threads", paramLabel = "N", description = "Threads; the numbers do not depend on it.")
     private String threads;
 
+    @Option(names = "--steps", paramLabel = "N", description = "So many steps, whatever the duration.")
+    private String steps;
+
+    @Option(
+            names = "--change",
+            paramLabel = "STEP:KEY=VALUE",
+            description = "Change a key when so many steps are done; may be repeated, in the order of the steps.")
+    private List<String> changes = new ArrayList<>();
+
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
@@ -62,10 +72,14 @@ final class ScenarioOptions {
         add(list, "--duration", "duration_s", duration);
         add(list, "--time-step", "time_step_s", timeStep);
         add(list, "--integrator", "integrator", integrator);
+        add(list, "--steps", "steps", steps);
         add(list, "--threads", "threads", threads);
         list.addAll(Arrays.asList(more));
         settings.forEach(text -> list.add(Assignment.parse(text)));
-        return base.with(list);
+        Scenario resolved = base.with(list);
+        return changes.isEmpty()
+                ? resolved
+                : resolved.withChanges(changes.stream().map(Change::parse).toList());
     }
 
     private static void add(List<Assignment> list, String option, String key, String value) {

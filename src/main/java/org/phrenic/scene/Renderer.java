@@ -264,7 +264,7 @@ public final class Renderer {
     }
 
     /** Objects of OpenGL that are held now. */
-    int held() {
+    public int held() {
         return objects.alive();
     }
 

@@ -3,7 +3,6 @@ package org.phrenic.scene;
 import java.util.List;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.format.BadInputException;
-import org.phrenic.simulation.Change;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Scenario;
@@ -22,7 +21,6 @@ public final class ScenePlayer implements AutoCloseable {
     private final SimulationRun.Progress progress;
     private final Frame frame;
     private final double totalS;
-    private int changesMade;
 
     /**
      * Grows or loads the body and settles it.
@@ -85,7 +83,6 @@ public final class ScenePlayer implements AutoCloseable {
         long begun = told;
         long first = simulation.steps();
         while (simulation.steps() < target) {
-            makeChanges();
             simulation.step();
             long now = System.nanoTime();
             if ((now - told) * 1e-9 > PROGRESS_EVERY_S) {
@@ -101,15 +98,6 @@ public final class ScenePlayer implements AutoCloseable {
     /** Hash of the state, as a run reports it. */
     String stateHash() {
         return simulation.stateHash();
-    }
-
-    /** Changes of the scenario act before the step they name. */
-    private void makeChanges() {
-        List<Change> changes = scenario.changes();
-        while (changesMade < changes.size() && changes.get(changesMade).step() <= simulation.steps()) {
-            simulation.change(changes.get(changesMade).assignment());
-            changesMade++;
-        }
     }
 
     @Override

@@ -34,17 +34,17 @@ final class LiveBreath implements BreathingPattern {
     }
 
     /**
-     * Goes over to what a scenario asks for; of two changes at one step the first is as if it had not been.
+     * Goes over to another pattern; of two changes at one step the first is as if it had not been.
      *
+     * @param next its pattern
      * @param anew whether it begins with a breath of its own, or goes on where the breath is
      */
-    void change(Scenario to, boolean anew, long step, double nowS) {
+    void change(BreathingPattern next, boolean anew, long step, double nowS) {
         if (step == changed) {
             base = baseBefore;
             leaf = leafBefore;
             pattern = before;
         }
-        BreathingPattern next = Patterns.of(to);
         double intoS = anew ? 0 : place(next, leaf.intoS(nowS));
         WarpedPattern nextLeaf = new WarpedPattern(next, clock, clock.tau(nowS) - intoS);
         baseBefore = base;

@@ -24,6 +24,7 @@ final class LiverPart {
     private final DiaphragmPart diaphragm;
     private final int[] attached;
     private final double[] share;
+    private final double[] moved;
 
     LiverPart(Structure liver, DiaphragmPart part) {
         structure = liver;
@@ -43,6 +44,7 @@ final class LiverPart {
         int[] near = roof(d, normals, distance, middle, ATTACHED_MM);
         attached = near.length >= FEWEST ? near : roof(d, normals, distance, middle, 3 * ATTACHED_MM);
         share = new double[mesh.vertexCount()];
+        moved = mesh.positions().clone();
         for (int i = 0; i < share.length; i++) {
             double height = (mesh.z(i) - liverBox[2]) / (liverBox[5] - liverBox[2]);
             share[i] = LOWEST_SHARE + (1 - LOWEST_SHARE) * height * height * (3 - 2 * height);
@@ -60,13 +62,14 @@ final class LiverPart {
     }
 
     /**
-     * Where the liver's vertices are.
+     * Where the liver's vertices are; valid until the next call.
      *
      * @param rest positions of the whole scene at rest, caller's order
      * @param now positions of the whole scene now
      */
     double[] positions(double[] rest, double[] now) {
-        double[] p = structure.mesh().positions().clone();
+        double[] p = moved;
+        double[] start = structure.mesh().positions();
         if (attached.length < FEWEST) {
             return p;
         }
@@ -78,7 +81,7 @@ final class LiverPart {
             }
         }
         for (int i = 0; i < p.length; i++) {
-            p[i] += share[i / 3] * mean[i % 3];
+            p[i] = start[i] + share[i / 3] * mean[i % 3];
         }
         return p;
     }

@@ -28,6 +28,7 @@ final class ScenarioReader {
     private static final double LONGEST_S = 86_400;
     static final double LONGEST_STEP_S = 0.1;
     static final int MOST_THREADS = 256;
+    private static final String NO_TRACE = "none";
     private static final int MOST_LINKS = 3;
     private static final long MOST_STEPS = 1_000_000_000_000L;
 
@@ -81,7 +82,7 @@ final class ScenarioReader {
         Scenario scenario = new Scenario(
                 yaml.text("name", name),
                 preset(base.preset()),
-                yaml.has("trace") ? Optional.of(trace()) : base.trace(),
+                yaml.has("trace") ? trace() : base.trace(),
                 material,
                 yaml.has("anatomy") ? anatomy() : base.anatomy(),
                 choice("resolution", Resolution.values(), ScenarioReader::label, base.resolution()),
@@ -125,8 +126,9 @@ final class ScenarioReader {
             try {
                 Change change = Change.parse(text);
                 Assignment set = change.assignment();
-                String value =
-                        set.key().equals("trace") ? path("changes", set.value()).toString() : set.value();
+                String value = set.key().equals("trace") && !set.value().equals(NO_TRACE)
+                        ? path("changes", set.value()).toString()
+                        : set.value();
                 String origin = yaml.bad("changes", "'" + text + "'").getMessage();
                 list.add(new Change(change.step(), new Assignment(origin, set.key(), value)));
             } catch (BadInputException e) {
@@ -194,7 +196,10 @@ final class ScenarioReader {
         return path.toString();
     }
 
-    private Path trace() {
+    private Optional<Path> trace() {
+        if (yaml.text("trace").equals(NO_TRACE)) {
+            return Optional.empty();
+        }
         Path path = path("trace", yaml.text("trace"));
         if (!Files.isRegularFile(path)) {
             throw yaml.bad(
@@ -205,7 +210,7 @@ final class ScenarioReader {
         } catch (IOException e) {
             throw new BadInputException(e.getMessage(), e);
         }
-        return path;
+        return Optional.of(path);
     }
 
     private Path path(String key, String text) {

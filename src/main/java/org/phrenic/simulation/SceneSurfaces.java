@@ -7,6 +7,7 @@ import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.geometry.TriangleMesh;
 
 /** Every surface of a simulation, and where it is now. Used by the simulation's thread alone. */
@@ -146,9 +147,7 @@ public final class SceneSurfaces {
 
     /** Writes the scene as it stands between two steps. */
     public void capture(Frame frame) {
-        double time = simulation.time();
-        scene.system().layout().toCaller(scene.system().positions(), now);
-        scene.pose().update(time);
+        double time = look();
         for (int i = 0; i < surfaces.size(); i++) {
             switch (surfaces.get(i).motion()) {
                 case DEFORMING -> narrow(places.get(i).at(time, now), frame.positions(i));
@@ -164,6 +163,35 @@ public final class SceneSurfaces {
                 simulation.stepper().steps(),
                 time,
                 observer.at(time).values());
+    }
+
+    /** Takes over where the nodes and bones are; returns the time. */
+    private double look() {
+        double time = simulation.time();
+        scene.system().layout().toCaller(scene.system().positions(), now);
+        scene.pose().update(time);
+        return time;
+    }
+
+    /** All surfaces as the scene stands, in double precision; for files. */
+    List<TriangleMesh> meshes() {
+        double time = look();
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (int i = 0; i < surfaces.size(); i++) {
+            TriangleMesh rest = surfaces.get(i).rest();
+            meshes.add(
+                    switch (surfaces.get(i).motion()) {
+                        case DEFORMING ->
+                            rest.withPositions(places.get(i).at(time, now).clone());
+                        case RIGID -> {
+                            double[] p = new double[rest.positions().length];
+                            HelicalBody.move(scene.pose().pose(bodies.get(i)), rest.positions(), 0, p, 0, p.length / 3);
+                            yield rest.withPositions(p);
+                        }
+                        case STILL -> rest;
+                    });
+        }
+        return meshes;
     }
 
     /** Observables as the scene stands, in the order of {@link Observation#COLUMNS}. */

@@ -54,9 +54,8 @@ public final class SimulationRun {
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
             Recorder recorder = new Recorder(scenario, simulation, out);
-            double total = scenario.durationS(simulation.scene().drive().pattern());
             List<Observation> samples = new ArrayList<>();
-            double stepping = advance(scenario, simulation, total, samples, recorder, progress);
+            double stepping = advance(scenario, simulation, samples, recorder, progress);
             Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
             recorder.finish(summary, samples);
             return summary;
@@ -65,34 +64,36 @@ public final class SimulationRun {
 
     /** Steps to the end, looking at the scene every so many steps; returns the seconds that stepping took. */
     private static double advance(
-            Scenario scenario,
-            Simulation simulation,
-            double total,
-            List<Observation> samples,
-            Recorder recorder,
-            Progress progress) {
-        double dt = scenario.timeStepS();
-        long steps = Math.max(1, Math.round(total / dt));
-        long every = Math.max(1, Math.round(scenario.recordEveryS() / dt));
+            Scenario scenario, Simulation simulation, List<Observation> samples, Recorder recorder, Progress progress) {
+        double total = scenario.durationS(simulation.scene().drive().pattern());
+        double dt = simulation.stepper().dt();
+        long end = scenario.givenSteps() >= 0 ? scenario.givenSteps() : Math.max(1, Math.round(total / dt));
         Observer observer = new Observer(simulation.scene());
         samples.add(observer.at(0));
-        recorder.at(0, 0, observer);
+        recorder.at(0);
         long stepping = 0;
         long told = System.nanoTime();
-        for (long done = 0; done < steps; ) {
-            long chunk = Math.min(every, steps - done);
+        while (simulation.steps() < end) {
+            long chunk = Math.min(Math.max(1, Math.round(scenario.recordEveryS() / dt)), end - simulation.steps());
             long start = System.nanoTime();
             for (long i = 0; i < chunk; i++) {
                 simulation.step();
             }
             long now = System.nanoTime();
             stepping += now - start;
-            done += chunk;
+            if (simulation.stepper().dt() != dt) {
+                // Changed on the way: other steps make up the time that is left.
+                dt = simulation.stepper().dt();
+                end = scenario.givenSteps() >= 0
+                        ? end
+                        : simulation.steps() + Math.max(0, Math.round((total - simulation.time()) / dt));
+            }
             samples.add(observer.at(simulation.time()));
-            recorder.at(done, simulation.time(), observer);
-            if ((now - told) * 1e-9 > PROGRESS_EVERY_S || done == steps) {
+            recorder.at(simulation.time());
+            if ((now - told) * 1e-9 > PROGRESS_EVERY_S || simulation.steps() >= end) {
                 told = now;
-                progress.at(simulation.time(), steps * dt, done / (stepping * 1e-9));
+                double endS = simulation.time() + (end - simulation.steps()) * dt;
+                progress.at(simulation.time(), endS, simulation.steps() / (stepping * 1e-9));
             }
         }
         return stepping * 1e-9;
@@ -112,7 +113,7 @@ public final class SimulationRun {
         map.put("anatomy", thorax.name());
         map.put("material", scenario.material().label());
         map.put("resolution", scenario.resolution().name().toLowerCase(java.util.Locale.ROOT));
-        map.put("integrator", scenario.integrator().label());
+        map.put("integrator", stepper.integrator().kind().label());
         map.put("nodes", scene.system().nodeCount());
         map.put("springs", scene.springs());
         map.put("rigid_links", scene.links().map(l -> l.count()).orElse(0));
@@ -120,11 +121,14 @@ public final class SimulationRun {
         map.put("steps", stepper.steps());
         map.put("substeps", stepper.substeps());
         map.put("dt_s", stepper.dt());
-        map.put("stability_limit_s", stepper.limit().largestStep(scenario.integrator()));
+        double limit = stepper.limit().largestStep(stepper.integrator().kind());
+        if (Double.isFinite(limit)) {
+            map.put("stability_limit_s", limit);
+        }
         map.put("until_first_step_s", untilFirstStep);
         map.put("wall_s", stepping);
-        map.put("steps_per_s", stepper.steps() / stepping);
-        map.put("realtime_factor", stepper.time() / stepping);
+        map.put("steps_per_s", stepping > 0 ? stepper.steps() / stepping : 0.0);
+        map.put("realtime_factor", stepping > 0 ? stepper.time() / stepping : 0.0);
         map.put("prestress_residual", scene.prestressResidual());
         map.put("mass_added_percent", scene.massAddedPercent());
         map.put("settled_by_rms_mm", simulation.settledBy());

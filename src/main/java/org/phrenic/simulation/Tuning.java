@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.integrator.Integrator;
@@ -87,6 +88,9 @@ final class Tuning {
         assignments.forEach(a -> put(atThisStep, a));
         Scenario after = before.with(List.copyOf(atThisStep.values()));
 
+        // What the settings cannot breathe is refused before anything is changed.
+        BreathingPattern pattern =
+                atThisStep.keySet().stream().anyMatch(PATTERN_KEYS::contains) ? Patterns.of(after) : null;
         scene.drive().forget();
         scene.drive().prepare(now);
         Integrator integrator = stepper.integrator();
@@ -107,7 +111,7 @@ final class Tuning {
         } else {
             stepper.keep();
         }
-        commit(after, atThisStep, step, now);
+        commit(after, atThisStep, pattern, step, now);
         settingsBefore = before;
         settings = after;
         log.removeIf(c -> c.step() == step);
@@ -138,7 +142,8 @@ final class Tuning {
         return StabilityLimit.of(system);
     }
 
-    private void commit(Scenario after, Map<String, Assignment> changes, long step, double now) {
+    private void commit(
+            Scenario after, Map<String, Assignment> changes, BreathingPattern pattern, long step, double now) {
         boolean linksOn = dials.of(Knob.LINKS).target() == 1;
         boolean contactOn = dials.of(Knob.CONTACT).target() == 1;
         for (Knob knob : Knob.values()) {
@@ -159,9 +164,9 @@ final class Tuning {
         if (changes.containsKey("hold")) {
             scene.drive().pattern().hold(after.hold(), now);
         }
-        if (changes.keySet().stream().anyMatch(PATTERN_KEYS::contains)) {
+        if (pattern != null) {
             boolean anew = changes.keySet().stream().anyMatch(NEW_BREATH_KEYS::contains);
-            scene.drive().pattern().change(after, anew, step, now);
+            scene.drive().pattern().change(pattern, anew, step, now);
         }
         scene.drive().forget();
         limitPending = !dials.isMaterialDone(now);

@@ -3,6 +3,10 @@ package org.phrenic.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -29,8 +33,8 @@ final class DockLayout extends JPanel {
     private final JSplitPane left = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
-    private final int[] sizes = new int[Place.values().length];
-    private final boolean[] fixed = new boolean[Place.values().length];
+    private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
+    private final transient Set<Place> fixed = EnumSet.noneOf(Place.class);
     private boolean placed;
 
     DockLayout(WindowPreferences preferences, JComponent view) {
@@ -47,33 +51,37 @@ final class DockLayout extends JPanel {
             pane.setContinuousLayout(true);
         }
         for (Place place : Place.values()) {
-            sizes[place.ordinal()] = preferences.number("dock." + place.name(), place.size);
+            sizes.put(place, preferences.number("dock." + place.name(), place.size));
         }
         add(bottom);
     }
 
     /** Whether a place is only as large as what stands there needs. */
     void setFixed(Place place, boolean value) {
-        if (placed && component(place) != null && !fixed[place.ordinal()]) {
-            sizes[place.ordinal()] = size(place);
+        if (placed && component(place) != null && !fixed.contains(place)) {
+            sizes.put(place, size(place));
         }
-        fixed[place.ordinal()] = value;
+        if (value) {
+            fixed.add(place);
+        } else {
+            fixed.remove(place);
+        }
     }
 
     /** Puts a component where a dock stands; null puts the place away. */
     void put(Place place, JComponent dock) {
-        if (placed && component(place) != null && !fixed[place.ordinal()]) {
-            sizes[place.ordinal()] = size(place);
+        if (placed && component(place) != null && !fixed.contains(place)) {
+            sizes.put(place, size(place));
         }
         if (dock != null) {
-            dock.setMinimumSize(new Dimension(120, fixed[place.ordinal()] ? 30 : 90));
+            dock.setMinimumSize(new Dimension(120, fixed.contains(place) ? 30 : 90));
         }
         switch (place) {
             case LEFT -> left.setLeftComponent(dock);
             case RIGHT -> right.setRightComponent(dock);
             case BOTTOM -> bottom.setBottomComponent(dock);
         }
-        pane(place).setDividerSize(dock == null || fixed[place.ordinal()] ? 0 : DIVIDER);
+        pane(place).setDividerSize(dock == null || fixed.contains(place) ? 0 : DIVIDER);
         if (placed) {
             apply();
         }
@@ -114,17 +122,17 @@ final class DockLayout extends JPanel {
     private void apply() {
         validate();
         if (component(Place.BOTTOM) != null) {
-            int size = fixed[Place.BOTTOM.ordinal()]
+            int size = fixed.contains(Place.BOTTOM)
                     ? component(Place.BOTTOM).getPreferredSize().height
-                    : sizes[Place.BOTTOM.ordinal()] + DIVIDER;
+                    : sizes.get(Place.BOTTOM) + DIVIDER;
             bottom.setDividerLocation(Math.max(LEAST_VIEW / 2, getHeight() - size));
         }
         if (component(Place.LEFT) != null) {
-            left.setDividerLocation(sizes[Place.LEFT.ordinal()]);
+            left.setDividerLocation(sizes.get(Place.LEFT));
         }
         bottom.validate();
         if (component(Place.RIGHT) != null) {
-            right.setDividerLocation(Math.max(LEAST_VIEW, right.getWidth() - DIVIDER - sizes[Place.RIGHT.ordinal()]));
+            right.setDividerLocation(Math.max(LEAST_VIEW, right.getWidth() - DIVIDER - sizes.get(Place.RIGHT)));
         }
         revalidate();
     }
@@ -132,9 +140,7 @@ final class DockLayout extends JPanel {
     /** Remembers the sizes. */
     void remember() {
         for (Place place : Place.values()) {
-            int size = component(place) != null && placed && !fixed[place.ordinal()]
-                    ? size(place)
-                    : sizes[place.ordinal()];
+            int size = component(place) != null && placed && !fixed.contains(place) ? size(place) : sizes.get(place);
             preferences.setNumber("dock." + place.name(), size);
         }
     }

@@ -5,7 +5,6 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.Look;
@@ -16,32 +15,42 @@ import org.phrenic.simulation.Surface;
 final class Looks {
     /** Structures that are chosen together. */
     enum Group {
-        SKIN("Skin", StructureKind.SKIN),
-        RIBS("Ribs", StructureKind.RIB),
-        CARTILAGES("Costal cartilages", StructureKind.COSTAL_CARTILAGE),
-        STERNUM("Sternum", StructureKind.STERNUM),
-        SPINE("Spine", StructureKind.VERTEBRA, StructureKind.DISC),
-        DIAPHRAGM("Diaphragm", StructureKind.DIAPHRAGM),
-        LUNGS("Lungs", StructureKind.LUNG),
-        LIVER("Liver", StructureKind.LIVER),
-        OTHER("Other", StructureKind.OTHER);
+        SKIN("Skin"),
+        RIBS("Ribs"),
+        CARTILAGES("Costal cartilages"),
+        STERNUM("Sternum"),
+        SPINE("Spine"),
+        DIAPHRAGM("Diaphragm"),
+        LUNGS("Lungs"),
+        LIVER("Liver"),
+        OTHER("Other");
 
         private final String label;
-        /** Never changes: {@code Set.of} makes a set that refuses to. */
-        @SuppressWarnings("ImmutableEnumChecker")
-        private final Set<StructureKind> kinds;
 
-        Group(String label, StructureKind... kinds) {
+        Group(String label) {
             this.label = label;
-            this.kinds = Set.of(kinds);
         }
 
         String label() {
             return label;
         }
 
+        private static Group of(StructureKind kind) {
+            return switch (kind) {
+                case SKIN -> SKIN;
+                case RIB -> RIBS;
+                case COSTAL_CARTILAGE -> CARTILAGES;
+                case STERNUM -> STERNUM;
+                case VERTEBRA, DISC -> SPINE;
+                case DIAPHRAGM -> DIAPHRAGM;
+                case LUNG -> LUNGS;
+                case LIVER -> LIVER;
+                case OTHER -> OTHER;
+            };
+        }
+
         boolean has(Surface surface) {
-            return kinds.contains(surface.kind());
+            return of(surface.kind()) == this;
         }
     }
 

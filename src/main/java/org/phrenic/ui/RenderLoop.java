@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
-import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.phrenic.scene.Annotations;
@@ -46,13 +46,10 @@ final class RenderLoop implements AutoCloseable {
     private final Viewer viewer;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition news = lock.newCondition();
     private final Queue<Consumer<OffscreenGl>> tasks = new ArrayDeque<>();
     private Wanted asked;
     private long version;
     private boolean closed;
-    /** Something was asked since the last rest. */
-    private boolean told;
 
     private LiveScene scene;
     private Renderer renderer;
@@ -105,11 +102,10 @@ final class RenderLoop implements AutoCloseable {
         lock.lock();
         try {
             what.run();
-            told = true;
-            news.signalAll();
         } finally {
             lock.unlock();
         }
+        LockSupport.unpark(thread);
     }
 
     private void run() {
@@ -192,19 +188,9 @@ final class RenderLoop implements AutoCloseable {
         return history != null && history.frame(index, frame);
     }
 
-    private void rest(long ns) {
-        lock.lock();
-        try {
-            long left = ns;
-            while (left > 0 && !told && tasks.isEmpty() && !closed) {
-                left = news.awaitNanos(left);
-            }
-            told = false;
-        } catch (InterruptedException e) {
-            closed = true;
-        } finally {
-            lock.unlock();
-        }
+    /** Waits so long, or until there is something to do; {@link #tell} wakes it. */
+    private static void rest(long ns) {
+        LockSupport.parkNanos(ns);
     }
 
     /** Ends the thread; what it held of the driver goes with it. */

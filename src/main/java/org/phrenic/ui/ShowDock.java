@@ -86,8 +86,8 @@ final class ShowDock extends DockBody {
         heading("Translucency");
         JComboBox<String> sorting = new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"});
         sorting.setToolTipText("Sorted is right for organs within organs, and takes longer");
-        sorting.addActionListener(
-                e -> looks.change(style -> style.withTransparency(Transparency.values()[sorting.getSelectedIndex()])));
+        sorting.addActionListener(e -> looks.change(style ->
+                style.withTransparency(sorting.getSelectedIndex() == 0 ? Transparency.TWO_PASS : Transparency.PEELED)));
         add(named(sorting, "Quality of translucency"), "wmin 0");
         cut.setEnabled(false);
         listen(session);
@@ -159,7 +159,12 @@ final class ShowDock extends DockBody {
         if (chosen == null) {
             return;
         }
-        ColourField what = ColourField.values()[field.getSelectedIndex()];
+        ColourField what =
+                switch (field.getSelectedIndex()) {
+                    case 1 -> ColourField.DISPLACEMENT;
+                    case 2 -> ColourField.STRAIN;
+                    default -> ColourField.NONE;
+                };
         Optional<ColourScale> scale = scale(what);
         least.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         most.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");

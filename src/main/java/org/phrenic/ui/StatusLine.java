@@ -17,7 +17,7 @@ final class StatusLine extends JPanel {
     private final JLabel pointed = new JLabel(" ");
 
     StatusLine() {
-        super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 80::]", "[]"));
+        super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
         setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.line()));
         pointed.setName("pointed");
         pointed.getAccessibleContext().setAccessibleName("Structure and place pointed at");

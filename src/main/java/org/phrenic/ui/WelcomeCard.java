@@ -17,7 +17,7 @@ final class WelcomeCard extends JPanel {
      * @param dismiss called when the card is closed without
      */
     WelcomeCard(Consumer<Arrangement> enter, Runnable dismiss) {
-        super(new MigLayout("insets 8 12 8 8, gap 8 2, novisualpadding", "[sg, fill][sg, fill]push[]", ""));
+        super(new MigLayout("insets 8 12 8 8, gap 8 2, novisualpadding", "[0::, sg, fill][0::, sg, fill]push[]", ""));
         setName("welcome");
         getAccessibleContext().setAccessibleName("Welcome");
         JButton liver = door(Arrangement.CLINICIAN, "Quiet, deep and held breaths, without terms of physics", enter);
@@ -33,8 +33,8 @@ final class WelcomeCard extends JPanel {
         notice.setName("notice");
         notice.setFont(notice.getFont().deriveFont(java.awt.Font.BOLD));
         quiet = new JLabel[] {underLiver, underTune};
-        add(liver);
-        add(tune);
+        add(liver, "wmin 0");
+        add(tune, "wmin 0");
         add(close, "aligny top, wrap");
         add(underLiver, "gapx 2, wmin 0");
         add(underTune, "gapx 2, wmin 0, wrap");

@@ -12,6 +12,7 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
@@ -96,17 +97,23 @@ class WindowTest {
         window.breathe(0.3);
         if (!window.window().view().isImpossible()) {
             WindowHarness.await("a newer picture", () -> window.window().view().shownStep() > step);
-            BufferedImage picture = window.screenshot("first-minute");
-            assertThat(colours(picture)).as("colours in the window").isGreaterThan(100);
+            BufferedImage picture = WindowHarness.onEdt(
+                    () -> window.window().view().picture().orElseThrow().image());
+            assertThat(reds(picture))
+                    .as("share of the view that is red, as muscle is")
+                    .isGreaterThan(0.005);
+            window.screenshot("first-minute");
         }
         assertThat(window.control(JComponent.class, "Welcome").isVisible()).isTrue();
     }
 
-    private static long colours(BufferedImage picture) {
-        return java.util.stream.IntStream.range(0, picture.getWidth() * picture.getHeight())
+    private static double reds(BufferedImage picture) {
+        int all = picture.getWidth() * picture.getHeight();
+        long red = IntStream.range(0, all)
                 .map(i -> picture.getRGB(i % picture.getWidth(), i / picture.getWidth()))
-                .distinct()
+                .filter(rgb -> (rgb >> 16 & 0xff) > 1.5 * (rgb >> 8 & 0xff) && (rgb >> 16 & 0xff) > 80)
                 .count();
+        return (double) red / all;
     }
 
     private static void slide(String name, double share) {

@@ -42,16 +42,6 @@ public final class History {
         return frame.bytes();
     }
 
-    /** Forgets everything. */
-    synchronized void clear() {
-        rows = 0;
-        dropped = 0;
-        spare.addAll(ring);
-        ring.clear();
-        firstFrame = 0;
-        lastFrameS = Double.NEGATIVE_INFINITY;
-    }
-
     /** Forgets what was seen after a time, s: the run goes on from there. */
     synchronized void forgetAfter(double timeS) {
         while (rows > 0 && time(rows - 1) > timeS) {

@@ -1,6 +1,7 @@
 package org.phrenic.simulation.live;
 
 import java.util.List;
+import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
@@ -12,6 +13,9 @@ final class Running implements AutoCloseable {
     /** Wall time between frames that are published although nobody took the last one, ns. */
     private static final long UNSEEN_NS = 250_000_000;
 
+    /** Wall time between two frames however fast they are taken, ns: 60 a second. */
+    private static final long LEAST_NS = 16_000_000;
+
     /** Frames kept for the timeline cost the simulation time: no more than this many a second of wall time. */
     private static final long KEPT_NS = 25_000_000;
 
@@ -22,7 +26,11 @@ final class Running implements AutoCloseable {
     private final SceneSurfaces surfaces;
     private long nextSample;
     private long publishedNs;
+    private long publishedStep;
     private long keptNs;
+    private String limitSentence = "";
+    private StabilityLimit limitSaid;
+    private int substepsSaid;
 
     Running(Simulation simulation, SceneSurfaces surfaces, List<String> notes, long id) {
         this.simulation = simulation;
@@ -41,7 +49,6 @@ final class Running implements AutoCloseable {
                 id);
         sample();
         publish();
-        keep();
     }
 
     /** The scenario that gives this run again: as started, with the changes made since. */
@@ -49,15 +56,25 @@ final class Running implements AutoCloseable {
         return simulation.start().withChanges(simulation.changes()).withSteps(simulation.steps());
     }
 
+    /** See {@link Simulation#limitSentence}; worked out anew only when the limit was measured anew, for it costs a search. */
+    String limitSentence() {
+        Stepper stepper = simulation.stepper();
+        if (stepper.limit() != limitSaid || stepper.substeps() != substepsSaid) {
+            limitSentence = simulation.limitSentence();
+            limitSaid = stepper.limit();
+            substepsSaid = stepper.substeps();
+        }
+        return limitSentence;
+    }
+
     /** One step, and what is to be seen of it. */
     void step() {
         simulation.step();
         if (simulation.steps() >= nextSample) {
             sample();
-            long now = System.nanoTime();
-            if (history.wantsFrame(simulation.time()) && now - keptNs > KEPT_NS) {
+            if (history.wantsFrame(simulation.time()) && System.nanoTime() - keptNs > KEPT_NS) {
+                keptNs = System.nanoTime();
                 publish();
-                keep();
             }
         }
     }
@@ -68,40 +85,35 @@ final class Running implements AutoCloseable {
         nextSample = stepper.steps() + Math.max(1, Math.round(simulation.start().recordEveryS() / stepper.dt()));
     }
 
-    private void keep() {
-        // The frame just published may be with a reader; capturing another is cheaper than waiting for it.
-        surfaces.capture(pipe.writing());
-        history.add(pipe.writing());
-        keptNs = System.nanoTime();
-    }
-
-    /** Publishes a frame if somebody waits for one, or nobody has for long. */
+    /** Publishes a frame if there is another to see and somebody waits for one, or nobody has for long. */
     void publishIfWanted() {
-        if (pipe.wanted() || System.nanoTime() - publishedNs > UNSEEN_NS) {
+        long since = System.nanoTime() - publishedNs;
+        if (simulation.steps() != publishedStep && (since > UNSEEN_NS || (since > LEAST_NS && pipe.wanted()))) {
             publish();
         }
     }
 
+    /** Publishes a frame, and keeps it for the timeline if it is time for one. Nobody ever sees a frame with a number that is none. */
     void publish() {
         surfaces.capture(pipe.writing());
         if (pipe.writing().isFinite()) {
+            if (history.wantsFrame(simulation.time())) {
+                history.add(pipe.writing());
+            }
             pipe.publish();
         }
         publishedNs = System.nanoTime();
+        publishedStep = simulation.steps();
     }
 
-    /** Back at the start, or at an earlier state: what was seen later is forgotten. */
+    /** At the start again, or at an earlier state: what was seen later is forgotten. */
     void wentBack() {
-        history.forgetAfter(simulation.time());
+        history.forgetAfter(simulation.steps() == 0 ? Double.NEGATIVE_INFINITY : simulation.time());
+        nextSample = 0;
         if (simulation.steps() == 0) {
-            history.clear();
             sample();
-            publish();
-            keep();
-        } else {
-            nextSample = simulation.steps();
-            publish();
         }
+        publish();
     }
 
     @Override
