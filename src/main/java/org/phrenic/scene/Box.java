@@ -32,6 +32,57 @@ record Box(double[] bounds) {
         return nearest;
     }
 
+    /** Whether a plane may cut what is in the box, with room for motion. */
+    boolean isNear(ClipPlane plane) {
+        double reach = 0;
+        double middle = -plane.offsetMm();
+        double[] n = {plane.nx(), plane.ny(), plane.nz()};
+        for (int i = 0; i < 3; i++) {
+            middle += n[i] * (bounds[i] + bounds[3 + i]) / 2;
+            reach += Math.abs(n[i]) * ((bounds[3 + i] - bounds[i]) / 2 + PLAY_MM);
+        }
+        return Math.abs(middle) <= reach;
+    }
+
+    /** Corners, in the order of a strip and in eye coordinates, of a square in a plane that covers the section of the box, with room for motion. */
+    float[] section(ClipPlane plane, float[] view) {
+        double[] n = {plane.nx(), plane.ny(), plane.nz()};
+        double[] middle = new double[3];
+        double away = -plane.offsetMm();
+        double radius = PLAY_MM;
+        for (int i = 0; i < 3; i++) {
+            middle[i] = (bounds[i] + bounds[3 + i]) / 2;
+            away += n[i] * middle[i];
+            radius += bounds[3 + i] - bounds[i];
+        }
+        // Any direction across the normal: the axis that it leans on least.
+        int axis = Math.abs(n[0]) < Math.abs(n[1])
+                ? (Math.abs(n[0]) < Math.abs(n[2]) ? 0 : 2)
+                : (Math.abs(n[1]) < Math.abs(n[2]) ? 1 : 2);
+        double[] u = {-n[axis] * n[0], -n[axis] * n[1], -n[axis] * n[2]};
+        u[axis] += 1;
+        double length = Math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+        double[] w = {
+            (n[1] * u[2] - n[2] * u[1]) / length,
+            (n[2] * u[0] - n[0] * u[2]) / length,
+            (n[0] * u[1] - n[1] * u[0]) / length
+        };
+        float[] corners = new float[12];
+        for (int corner = 0; corner < 4; corner++) {
+            double a = (corner & 1) == 0 ? -radius : radius;
+            double b = (corner & 2) == 0 ? -radius : radius;
+            double[] x = new double[3];
+            for (int i = 0; i < 3; i++) {
+                x[i] = middle[i] - away * n[i] + a * u[i] / length + b * w[i];
+            }
+            for (int row = 0; row < 3; row++) {
+                corners[3 * corner + row] =
+                        (float) (view[row] * x[0] + view[4 + row] * x[1] + view[8 + row] * x[2] + view[12 + row]);
+            }
+        }
+        return corners;
+    }
+
     /** The pixels that boxes may cover, with room for motion: left, bottom, width, height; all of the picture if a box reaches behind the eye. */
     static int[] pixels(List<Box> boxes, Sight sight) {
         double left = 1;

@@ -26,7 +26,7 @@ public final class OffscreenGl implements AutoCloseable {
     private static final long PATIENCE_S = 30;
 
     /** Pictures larger than this are drawn in tiles: more would ask for much memory at once. */
-    static final int LARGEST_TILE = 4096;
+    static final int LARGEST_TILE = 3072;
 
     private final GLOffscreenAutoDrawable drawable;
     private final GLContext context;
@@ -95,7 +95,7 @@ public final class OffscreenGl implements AutoCloseable {
     /** Draws one picture of any size. */
     public BufferedImage picture(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
-        int side = Math.min(LARGEST_TILE, Tile.largest(style, info.maxSize()));
+        int side = Tile.largest(style, Math.min(LARGEST_TILE, info.maxSize()));
         return picture(renderer, frame, camera, style, width, height, side);
     }
 

@@ -40,6 +40,7 @@ public final class Renderer {
     private SurfacePass faces;
     private LinePass lines;
     private ScreenPass screen;
+    private CapPass caps;
     private ClearPass clearPass;
     private Targets targets;
     private IntBuffer pixels = IntBuffer.allocate(0);
@@ -93,6 +94,7 @@ public final class Renderer {
         faces = new SurfacePass(objects);
         lines = new LinePass(objects);
         screen = new ScreenPass(gl, objects);
+        caps = new CapPass(gl, objects);
         clearPass = new ClearPass(faces, screen);
     }
 
@@ -116,7 +118,7 @@ public final class Renderer {
     private void opaque(GL3 gl, Sight sight, SceneStyle style) {
         targets.work().bind(gl);
         gl.glDisable(GL3.GL_CLIP_DISTANCE0);
-        gl.glClear(GL3.GL_DEPTH_BUFFER_BIT);
+        gl.glClear(GL3.GL_DEPTH_BUFFER_BIT | GL3.GL_STENCIL_BUFFER_BIT);
         gl.glDepthFunc(GL3.GL_LESS);
         targets.background(
                 gl, List.of(style.background(), sight.tile()), () -> screen.background(gl, style.background(), sight));
@@ -133,6 +135,9 @@ public final class Renderer {
             faces.draw(gl, surface, sight, style, cut ? SurfacePass.Faces.BOTH : SurfacePass.Faces.FRONT);
         }
         gl.glDisable(GL3.GL_CLIP_DISTANCE0);
+        if (cut) {
+            caps.draw(gl, shown, faces, sight, style);
+        }
         listener.done(gl, "opaque");
         int depth = targets.depthSoFar(gl);
         targets.bindColour(gl);
@@ -249,6 +254,7 @@ public final class Renderer {
             faces.dispose(gl);
             lines.dispose(gl);
             screen.dispose(gl);
+            caps.dispose(gl);
             scene = null;
         }
         if (targets != null) {

@@ -103,6 +103,11 @@ final class ShaderProgram {
         }
     }
 
+    /** An array of points, three numbers each. */
+    void points(GL3 gl, String name, float[] xyz) {
+        gl.glUniform3fv(at(gl, name), xyz.length / 3, xyz, 0);
+    }
+
     /** A column-major 4 x 4 matrix. */
     void matrix(GL3 gl, String name, float[] columns) {
         gl.glUniformMatrix4fv(at(gl, name), 1, false, columns, 0);

@@ -4,6 +4,7 @@ import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.Arrays;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
@@ -14,6 +15,9 @@ final class SurfaceBuffers {
     private static final int NORMAL = 1;
     private static final int TRAIT = 2;
     private static final int QUANTITY = 3;
+
+    /** A surface that encloses a body may have this share of edges with one triangle only. */
+    private static final double MOST_OPEN = 0.02;
 
     private final GlObjects objects;
     private final Surface surface;
@@ -28,6 +32,7 @@ final class SurfaceBuffers {
     private final int traitBuffer;
     private final int triangleBuffer;
     private final int triangleCount;
+    private final boolean closed;
     private int restArray;
     private int restBuffer;
     private int edgeBuffer;
@@ -61,6 +66,8 @@ final class SurfaceBuffers {
         traitBuffer = objects.buffer(gl);
         triangleBuffer = objects.buffer(gl);
         triangleCount = triangles.length / 3;
+        int[] uses = MeshEdges.uses(triangles);
+        closed = Arrays.stream(uses).filter(count -> count == 1).count() <= MOST_OPEN * uses.length;
         gl.glBindVertexArray(vertexArray);
         objects.fill(gl, GL3.GL_ARRAY_BUFFER, positionBuffer, positions, usage);
         attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
@@ -168,6 +175,11 @@ final class SurfaceBuffers {
 
     Surface surface() {
         return surface;
+    }
+
+    /** Whether it encloses a body, but for small holes. */
+    boolean isClosed() {
+        return closed;
     }
 
     void draw(GL3 gl) {

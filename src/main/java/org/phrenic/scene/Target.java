@@ -2,7 +2,7 @@ package org.phrenic.scene;
 
 import com.jogamp.opengl.GL3;
 
-/** A framebuffer with eight bits a colour and, where asked for, depth; of textures, or with several samples a pixel of renderbuffers. */
+/** A framebuffer with eight bits a colour and, where asked for, depth and stencil; of textures, or with several samples a pixel of renderbuffers. */
 final class Target {
     private final GlObjects objects;
     private final int width;
@@ -14,7 +14,7 @@ final class Target {
 
     /**
      * @param samples 0 for textures
-     * @param withDepth whether it has depth of 24 bits
+     * @param withDepth whether it has depth of 24 bits and stencil of 8
      * @throws IllegalStateException if the driver refuses it
      */
     Target(GL3 gl, GlObjects objects, int width, int height, int samples, boolean withDepth) {
@@ -28,10 +28,10 @@ final class Target {
         depth = withDepth
                 ? attach(
                         gl,
-                        GL3.GL_DEPTH_ATTACHMENT,
-                        GL3.GL_DEPTH_COMPONENT24,
-                        GL3.GL_DEPTH_COMPONENT,
-                        GL3.GL_UNSIGNED_INT)
+                        GL3.GL_DEPTH_STENCIL_ATTACHMENT,
+                        GL3.GL_DEPTH24_STENCIL8,
+                        GL3.GL_DEPTH_STENCIL,
+                        GL3.GL_UNSIGNED_INT_24_8)
                 : 0;
         check(gl);
     }

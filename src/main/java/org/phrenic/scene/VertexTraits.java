@@ -3,15 +3,16 @@ package org.phrenic.scene;
 import com.jogamp.common.nio.Buffers;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.simulation.Surface;
 
-/** What a vertex keeps for good: how open it lies, how much tendon it is, and how much is left of it near an open border, where a clear surface that was cut off fades out. A byte each. */
+/** What a vertex keeps for good: how open it lies, how much tendon it is, and how much is left of it near an open border, where skin that a scan cut off fades out. A byte each. */
 final class VertexTraits {
     private static final int BYTE = 0xff;
     private static final int SMOOTHINGS = 3;
 
-    /** A clear surface fades in over this distance from its border, mm. */
+    /** Skin fades in over this distance from its border, mm. */
     private static final double FADE_MM = 45;
 
     private static final double CLEAR_MM = 6;
@@ -65,11 +66,14 @@ final class VertexTraits {
         return share;
     }
 
-    /** Length of the shortest way along edges to an edge that has one triangle only, mm; infinite if there is none. */
+    /** Length of the shortest way along edges to an edge that has one triangle only, mm; infinite if there is none, and for all but skin: lobes of lungs are open where they touch. */
     private double[] distanceToBorder() {
         TriangleMesh mesh = surface.rest();
         double[] distance = new double[mesh.vertexCount()];
         Arrays.fill(distance, Double.POSITIVE_INFINITY);
+        if (surface.kind() != StructureKind.SKIN) {
+            return distance;
+        }
         int[] used = MeshEdges.uses(mesh.triangles());
         for (int e = 0; e < used.length; e++) {
             if (used[e] == 1) {
