@@ -62,6 +62,7 @@ public final class LiveRun implements AutoCloseable {
     private volatile Running running;
     private volatile boolean playing;
     private volatile boolean closed;
+    private volatile boolean behind;
     private volatile Status status = Status.NOTHING;
 
     /** Loads a scenario; it is paused until {@link #play}. */
@@ -248,6 +249,11 @@ public final class LiveRun implements AutoCloseable {
         return now == null ? "" : ask(now.simulation::stateHash);
     }
 
+    /** Whether it plays slower than {@link #setSpeed} asks for, as it does wherever that is as fast as it goes. */
+    public boolean isBehind() {
+        return behind;
+    }
+
     public Status status() {
         return status;
     }
@@ -409,6 +415,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void updateStatus(Running now) {
         Simulation simulation = now.simulation;
+        behind = playing && pacer.isBehind();
         status = new Status(
                 simulation.steps(),
                 simulation.time(),
