@@ -100,15 +100,28 @@ public record Annotations(
      * @param unit size of letters and lines, 1 for a window
      */
     public void draw(Graphics2D graphics, Camera camera, int width, int height, double unit) {
-        Ink ink = Ink.on(
-                graphics, lightBackground, Math.min(unit, Math.max(LEAST_UNIT, Math.min(width, height) / 200.0)));
+        drawHeading(graphics, camera, width, height, unit);
+        drawMarks(graphics, camera, width, height, unit);
+    }
+
+    /** Of {@link #draw(Graphics2D, Camera, int, int, double)} title and moment alone, which change with every frame. */
+    public void drawHeading(Graphics2D graphics, Camera camera, int width, int height, double unit) {
+        if (!title.isEmpty() || !moment.isEmpty()) {
+            Ink ink = ink(graphics, width, height, unit);
+            heading(ink, width, widthAtRight(ink, camera));
+            ink.dispose();
+        }
+    }
+
+    /** Of {@link #draw(Graphics2D, Camera, int, int, double)} all but title and moment: what stays while the camera does. */
+    public void drawMarks(Graphics2D graphics, Camera camera, int width, int height, double unit) {
+        Ink ink = ink(graphics, width, height, unit);
         double margin = ink.px(MARGIN);
         double small = ink.measure("H", SMALL, false).getHeight();
         double floor = height - margin - small - ink.px(7);
-        double letters = letters(ink, camera, width, height, floor);
+        letters(ink, camera, width, height, floor);
         double size = ink.fitted(NOTICE, SMALL, width - 2 * margin);
         ink.text(ink.shortened(NOTICE, size, width - 2 * margin), margin, height - margin, 0, size, false);
-        heading(ink, width, letters);
         double figure = Math.min(ink.px(FIGURE), 0.3 * Math.min(width, height));
         OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, height - margin - figure * 0.52, figure);
         if (camera.orthographic()) {
@@ -116,14 +129,24 @@ public record Annotations(
         }
         scale.ifPresent(colours -> {
             double bottom = Math.min(height * 0.66, height - margin - 1.1 * figure - ink.px(8));
-            double right = width - margin - letters - ink.px(8);
+            double right = width - margin - widthAtRight(ink, camera) - ink.px(8);
             ScaleBar.draw(ink, fieldName, colours, right, height * 0.26, bottom);
         });
         ink.dispose();
     }
 
-    /** Letters in the middle of the edges; returns the width that those at the sides take. */
-    private static double letters(Ink ink, Camera camera, int width, int height, double floor) {
+    private Ink ink(Graphics2D graphics, int width, int height, double unit) {
+        return Ink.on(graphics, lightBackground, Math.min(unit, Math.max(LEAST_UNIT, Math.min(width, height) / 200.0)));
+    }
+
+    /** Width of the letters at the right edge, pixels. */
+    private static double widthAtRight(Ink ink, Camera camera) {
+        double[] r = camera.right();
+        return ink.measure(Orientation.letters(r[0], r[1], r[2]), LETTER, true).getWidth();
+    }
+
+    /** Letters in the middle of the edges. */
+    private static void letters(Ink ink, Camera camera, int width, int height, double floor) {
         double[] r = camera.right();
         double[] u = camera.up();
         double tall = ink.measure("H", LETTER, true).getHeight();
@@ -135,7 +158,6 @@ public record Annotations(
         ink.text(left, margin, middle, 0, LETTER, true);
         ink.text(Orientation.letters(u[0], u[1], u[2]), width / 2.0, margin + tall, 0.5, LETTER, true);
         ink.text(Orientation.letters(-u[0], -u[1], -u[2]), width / 2.0, floor, 0.5, LETTER, true);
-        return ink.measure(right, LETTER, true).getWidth();
     }
 
     /** Title and moment at the top left, clear of the letter in the middle. */

@@ -207,8 +207,24 @@ public final class Renderer {
 
     /** The picture, opaque, first row on top. */
     public BufferedImage read(GL3 gl) {
+        BufferedImage image =
+                new BufferedImage(targets.finished().width(), targets.finished().height(), BufferedImage.TYPE_INT_RGB);
+        read(gl, image);
+        return image;
+    }
+
+    /**
+     * Copies the picture, first row on top, into an image of its size and of type {@link BufferedImage#TYPE_INT_RGB}.
+     *
+     * @throws IllegalArgumentException if the image is of another size or type
+     */
+    public void read(GL3 gl, BufferedImage into) {
         int width = targets.finished().width();
         int height = targets.finished().height();
+        if (into.getWidth() != width || into.getHeight() != height || into.getType() != BufferedImage.TYPE_INT_RGB) {
+            throw new IllegalArgumentException("found an image of " + into.getWidth() + " by " + into.getHeight()
+                    + ", expected RGB of " + width + " by " + height);
+        }
         if (pixels.capacity() != width * height) {
             pixels = Buffers.newDirectIntBuffer(width * height);
         }
@@ -217,15 +233,13 @@ public final class Renderer {
         gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
         gl.glReadPixels(0, 0, width, height, GL3.GL_BGRA, GL3.GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
         state.restore(gl);
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        int[] rgb = ((DataBufferInt) into.getRaster().getDataBuffer()).getData();
         for (int y = 0; y < height; y++) {
             pixels.get((height - 1 - y) * width, rgb, y * width, width);
         }
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] &= ~OPAQUE;
         }
-        return image;
     }
 
     /**

@@ -65,11 +65,13 @@ public final class PhrenicWindow {
         Scenario first =
                 file.map(path -> Opening.read(path, Scenario.defaults())).orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
+        // The body is built while the window is.
+        Session session = new Session(first);
         try {
             SwingUtilities.invokeAndWait(() -> {
                 WindowPreferences preferences = WindowPreferences.ofUser();
                 file.ifPresent(preferences::addRecent);
-                PhrenicWindow window = new PhrenicWindow(preferences, first);
+                PhrenicWindow window = new PhrenicWindow(preferences, session);
                 window.show();
                 closed[0] = window.closed;
             });
@@ -80,13 +82,13 @@ public final class PhrenicWindow {
         closed[0].await();
     }
 
-    PhrenicWindow(WindowPreferences preferences, Scenario first) {
+    PhrenicWindow(WindowPreferences preferences, Session session) {
         this.preferences = preferences;
+        this.session = session;
         Theme.install(preferences.isDark());
         SwingUtilities.updateComponentTreeUI(banner);
         SwingUtilities.updateComponentTreeUI(status);
         SwingUtilities.updateComponentTreeUI(frame);
-        session = new Session(first);
         view = new SceneView(session, looks);
         loading = new LoadingCard(() -> session.live().cancelLoading());
         welcome = new WelcomeCard(this::enter, this::dismissWelcome);

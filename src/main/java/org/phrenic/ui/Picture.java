@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.awt.image.BufferedImage;
+import org.phrenic.scene.FrameCost;
 
 /**
  * A picture of the scene and what it was made of.
@@ -9,5 +10,6 @@ import java.awt.image.BufferedImage;
  * @param wanted what was asked for
  * @param step of the simulation that is shown
  * @param moment time and place in the breath
+ * @param cost of drawing it
  */
-record Picture(BufferedImage image, Wanted wanted, long step, String moment) {}
+record Picture(BufferedImage image, Wanted wanted, long step, String moment, FrameCost cost) {}

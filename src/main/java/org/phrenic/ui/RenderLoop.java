@@ -23,7 +23,7 @@ import org.phrenic.simulation.live.LiveScene;
 
 /**
  * Draws the scene on a thread of its own, so that neither the window nor the simulation waits for a picture: a picture is drawn when there is a new frame, or when camera or style changed, and at most
- * {@value #MOST_PER_S} times a second. Everything about OpenGL stays on this thread.
+ * {@value #MOST_PER_S} times a second. Where the processor draws, pictures come less often while the simulation cannot keep its pace, down to one in {@value #SLOWEST_MS} ms. Everything about OpenGL stays on this thread.
  */
 final class RenderLoop implements AutoCloseable {
     /** Told what was drawn; on the drawing thread. */
@@ -40,6 +40,9 @@ final class RenderLoop implements AutoCloseable {
     private static final int MOST_PER_S = 60;
     private static final long LEAST_NS = 1_000_000_000L / MOST_PER_S;
     private static final long NEWS_NS = 5_000_000;
+    private static final long SLOWEST_MS = 80;
+    private static final long SLOWER_NS = 4_000_000;
+    private static final long FASTER_NS = 500_000;
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
     private final LiveRun live;
@@ -47,6 +50,7 @@ final class RenderLoop implements AutoCloseable {
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
     private final Queue<Consumer<OffscreenGl>> tasks = new ArrayDeque<>();
+    private final Canvases canvases = new Canvases();
     private Wanted asked;
     private long version;
     private boolean closed;
@@ -57,6 +61,7 @@ final class RenderLoop implements AutoCloseable {
     private Frame frame;
     private int scrubbed = -1;
     private long drawn;
+    private long leastNs = LEAST_NS;
 
     RenderLoop(LiveRun live, Viewer viewer) {
         this.live = live;
@@ -143,15 +148,32 @@ final class RenderLoop implements AutoCloseable {
                 task.accept(gl);
             }
             if (wanted != null && wanted.width() > 0 && wanted.height() > 0) {
-                busy |= draw(gl, wanted, now != drawn);
-                drawn = now;
+                Optional<BufferedImage> canvas = canvases.take(wanted.width(), wanted.height());
+                if (canvas.isPresent()) {
+                    busy |= draw(gl, wanted, now != drawn, canvas.get());
+                    drawn = now;
+                }
             }
-            rest(busy ? Math.max(0, LEAST_NS - (System.nanoTime() - begun)) : NEWS_NS);
+            if (busy) {
+                pace(gl.info());
+            }
+            rest(busy ? Math.max(0, leastNs - (System.nanoTime() - begun)) : NEWS_NS);
         }
     }
 
+    /** Where pictures cost the simulation its time, they become rarer at once and slowly more often again. */
+    private void pace(GraphicsInfo info) {
+        long wanted = leastNs + (live.isBehind() ? SLOWER_NS : -FASTER_NS);
+        leastNs = info.software() ? Math.max(LEAST_NS, Math.min(SLOWEST_MS * 1_000_000, wanted)) : LEAST_NS;
+    }
+
+    /** Takes back the image of a picture that is no longer shown. */
+    void giveBack(Picture old) {
+        canvases.giveBack(old.image());
+    }
+
     /** Draws if there is anything new. */
-    private boolean draw(OffscreenGl gl, Wanted wanted, boolean asAsked) {
+    private boolean draw(OffscreenGl gl, Wanted wanted, boolean asAsked, BufferedImage canvas) {
         boolean another = scene == null || scene.id() != wanted.scene().id();
         if (another) {
             scene = wanted.scene();
@@ -167,14 +189,14 @@ final class RenderLoop implements AutoCloseable {
                 : wanted.scrubbed() != scrubbed && recorded(wanted.scrubbed());
         scrubbed = wanted.scrubbed();
         if (!another && !fresh && !asAsked) {
+            canvases.giveBack(canvas);
             return false;
         }
-        BufferedImage[] image = new BufferedImage[1];
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
-            image[0] = renderer.read(context);
+            renderer.read(context, canvas);
         });
-        viewer.drawn(new Picture(image[0], wanted, frame.step(), moment(wanted)));
+        viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), renderer.cost()));
         return true;
     }
 

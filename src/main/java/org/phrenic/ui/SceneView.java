@@ -33,6 +33,7 @@ final class SceneView extends JPanel {
     private final transient Looks looks;
     private final transient RenderLoop loop;
     private final transient FrameRate rate = new FrameRate();
+    private final transient AnnotationLayer annotations = new AnnotationLayer();
     private transient Camera camera = Camera.of(View.ANTERIOR, new double[6]);
     private transient Camera home = camera;
     private transient LiveScene scene;
@@ -160,14 +161,14 @@ final class SceneView extends JPanel {
     /** Makes a picture to be kept, with its annotations; {@code done} is told on the drawing thread. */
     void still(int width, int height, Consumer<BufferedImage> done) {
         Camera now = camera;
-        Annotations annotations = annotations("");
+        Annotations marks = marks("");
         loop.still(now, looks.style(), width, height, image -> {
-            annotations.draw(image, now);
+            marks.draw(image, now);
             done.accept(image);
         });
     }
 
-    private Annotations annotations(String moment) {
+    private Annotations marks(String moment) {
         SceneStyle style = looks.style();
         Annotations plain =
                 Annotations.on(style.background() == Background.LIGHT).withMoment(moment);
@@ -231,7 +232,7 @@ final class SceneView extends JPanel {
             place.scale(fit, fit);
             g.drawImage(image, place, null);
         }
-        annotations(now.moment()).draw(g, now.wanted().camera(), getWidth(), getHeight(), 1);
+        annotations.draw(g, this, marks(now.moment()), now.wanted().camera());
     }
 
     private void paintPlaceholder(Graphics2D g) {
@@ -276,6 +277,9 @@ final class SceneView extends JPanel {
         @Override
         public void drawn(Picture drawn) {
             SwingUtilities.invokeLater(() -> {
+                if (picture != null) {
+                    loop.giveBack(picture);
+                }
                 picture = drawn;
                 pictures++;
                 rate.count(System.nanoTime());

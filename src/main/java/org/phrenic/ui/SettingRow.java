@@ -25,6 +25,9 @@ abstract class SettingRow extends JPanel {
     private final String words;
     private final JLabel label;
     private final JLabel hint = new JLabel();
+    private String condition = "";
+    private Hint conditionKind = Hint.NOTE;
+    private String answer = "";
     private String tip;
 
     /**
@@ -64,10 +67,24 @@ abstract class SettingRow extends JPanel {
         }
     }
 
-    /** Shows a sentence below the controls; none for an empty one. */
+    /** Says below the controls what holds at present; nothing for an empty sentence. An answer stands before it. */
     final void hint(Hint kind, String sentence) {
+        condition = sentence;
+        conditionKind = kind;
+        showHint();
+    }
+
+    /** Says below the controls what became of what was typed; it stays until it is taken back with an empty sentence, whatever else there is to say. */
+    final void answer(String sentence) {
+        answer = sentence;
+        showHint();
+    }
+
+    private void showHint() {
+        String sentence = answer.isEmpty() ? condition : answer;
         if (!sentence.isEmpty()) {
-            hint.setForeground(kind == Hint.WARNING ? Theme.warningText() : Theme.quietText());
+            boolean warning = !answer.isEmpty() || conditionKind == Hint.WARNING;
+            hint.setForeground(warning ? Theme.warningText() : Theme.quietText());
             hint.setText("<html>" + escaped(sentence) + "</html>");
         }
         if (hint.isVisible() == sentence.isEmpty()) {

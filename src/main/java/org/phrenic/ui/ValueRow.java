@@ -119,8 +119,8 @@ final class ValueRow extends SettingRow {
         if (showing) {
             return;
         }
+        answered("");
         set(scale.value(slider.getValue()));
-        hint(Hint.NOTE, "");
         throttle.request();
         if (!slider.getValueIsAdjusting()) {
             throttle.flush();
@@ -134,29 +134,28 @@ final class ValueRow extends SettingRow {
         }
         OptionalDouble number = Figures.parse(field.getText());
         if (number.isEmpty()) {
-            warn("Found '" + field.getText() + "', expected a number from " + range() + ".");
+            answered("Found '" + field.getText() + "', expected a number from " + range() + ".");
             set(value);
             return;
         }
         double wanted = number.getAsDouble();
         double taken = Math.max(scale.minimum(), Math.min(scale.maximum(), wanted));
-        if (taken == wanted) {
-            hint(Hint.NOTE, "");
-            field.putClientProperty("JComponent.outline", null);
-        } else {
-            warn(Figures.withUnit(wanted, unit) + " is out of range; "
-                    + (taken < wanted ? "the largest, " : "the smallest, ") + Figures.withUnit(taken, unit)
-                    + ", is taken.");
-        }
+        answered(
+                taken == wanted
+                        ? ""
+                        : Figures.withUnit(wanted, unit) + " is out of range; "
+                                + (taken < wanted ? "the largest, " : "the smallest, ")
+                                + Figures.withUnit(taken, unit) + ", is taken.");
         set(taken);
         throttle.request();
         throttle.flush();
         session.edits().close();
     }
 
-    private void warn(String sentence) {
-        hint(Hint.WARNING, sentence);
-        field.putClientProperty("JComponent.outline", "warning");
+    /** Says what became of what was typed, until the value is another. */
+    private void answered(String sentence) {
+        answer(sentence);
+        field.putClientProperty("JComponent.outline", sentence.isEmpty() ? null : "warning");
     }
 
     private String range() {
@@ -164,8 +163,7 @@ final class ValueRow extends SettingRow {
     }
 
     private void toDefault() {
-        hint(Hint.NOTE, "");
-        field.putClientProperty("JComponent.outline", null);
+        answered("");
         set(byDefault);
         throttle.request();
         throttle.flush();
@@ -209,6 +207,9 @@ final class ValueRow extends SettingRow {
                 || (field.hasFocus() && !field.getText().equals(Figures.text(value)));
         if (!unfinished) {
             sent = valueOf.applyAsDouble(scenario);
+            if (sent != value) {
+                answered("");
+            }
             set(sent);
         }
     }

@@ -41,8 +41,9 @@ final class WindowHarness implements AutoCloseable {
         node = Preferences.userRoot().node("org/phrenic/test-" + name);
         node.clear();
         long begun = System.nanoTime();
+        Session session = new Session(scenario);
         window = onEdt(() -> {
-            PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), scenario);
+            PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
             made.show();
             return made;
         });

@@ -21,6 +21,7 @@ final class Loop implements Runnable {
     volatile Running running;
     volatile boolean playing;
     volatile boolean closed;
+    volatile boolean behind;
     volatile Status status = Status.NOTHING;
     private final Settings settings;
     private final LiveRun.Listener listener;
@@ -154,6 +155,7 @@ final class Loop implements Runnable {
             return;
         }
         Simulation simulation = running.simulation;
+        behind = playing && pacer.isBehind();
         status = new Status(
                 simulation.steps(),
                 simulation.time(),
