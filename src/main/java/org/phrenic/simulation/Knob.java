@@ -33,6 +33,11 @@ enum Knob {
         return material;
     }
 
+    /** Its place in an array of one value a knob. */
+    int slot() {
+        return ordinal();
+    }
+
     /** Its value in a scenario; NaN where the material has no use for it. */
     double in(Scenario s) {
         boolean physical = s.material() == Material.PHYSICAL;

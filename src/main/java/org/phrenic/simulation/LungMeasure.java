@@ -94,7 +94,7 @@ final class LungMeasure {
         double sum = 0;
         for (int s = 0; s < structures.size(); s++) {
             int[] t = structures.get(s).mesh().triangles();
-            sum += swept(t, atRest(s, rest), positions(s, time, rest, now)) / 1000;
+            sum += SweptVolume.of(t, atRest(s, rest), positions(s, time, rest, now)) / 1000;
         }
         return sum;
     }
@@ -107,33 +107,5 @@ final class LungMeasure {
             start[s] = positions(s, 0, rest, rest).clone();
         }
         return start[s];
-    }
-
-    /** Mean displacement of a triangle times its mean area vector; exact to the third order of the displacement. */
-    private static double swept(int[] t, double[] from, double[] to) {
-        double sum = 0;
-        double[] p = new double[9];
-        for (int i = 0; i < t.length; i += 3) {
-            double ux = 0;
-            double uy = 0;
-            double uz = 0;
-            for (int c = 0; c < 3; c++) {
-                int v = 3 * t[i + c];
-                ux += (to[v] - from[v]) / 3;
-                uy += (to[v + 1] - from[v + 1]) / 3;
-                uz += (to[v + 2] - from[v + 2]) / 3;
-                p[3 * c] = 0.5 * (to[v] + from[v]);
-                p[3 * c + 1] = 0.5 * (to[v + 1] + from[v + 1]);
-                p[3 * c + 2] = 0.5 * (to[v + 2] + from[v + 2]);
-            }
-            double ax = p[3] - p[0];
-            double ay = p[4] - p[1];
-            double az = p[5] - p[2];
-            double bx = p[6] - p[0];
-            double by = p[7] - p[1];
-            double bz = p[8] - p[2];
-            sum += 0.5 * (ux * (ay * bz - az * by) + uy * (az * bx - ax * bz) + uz * (ax * by - ay * bx));
-        }
-        return sum;
     }
 }

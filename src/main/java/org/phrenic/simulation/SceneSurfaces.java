@@ -88,7 +88,8 @@ public final class SceneSurfaces {
         switch (s.kind()) {
             case RIB -> addRigid(s, scene.pose().cage().rib(s.level(), s.side()));
             case STERNUM -> addRigid(s, scene.pose().cage().sternum());
-            case COSTAL_CARTILAGE, SKIN -> addBlended(s);
+            case COSTAL_CARTILAGE -> addBlended(s);
+            case SKIN -> deforming(s, new SkinMotion(scene, s, bones())::at);
             default -> addRigid(s, RibCage.TRUNK);
         }
     }
@@ -100,18 +101,22 @@ public final class SceneSurfaces {
 
     /** What is neither bone nor node bends between the bones around it. */
     private void addBlended(Structure s) {
-        if (bones == null) {
-            bones = BoneWeights.of(scene.thorax(), scene.pose().cage());
-        }
         double[] rest = s.mesh().positions();
         BlendedMotion motion = new BlendedMotion(
-                scene.pose(), rest, bones.at(rest), scene.system().workers());
+                scene.pose(), rest, bones().at(rest), scene.system().workers());
         double[] p = new double[rest.length];
         double[] v = new double[rest.length];
         deforming(s, (time, at) -> {
             motion.at(time, p, v);
             return p;
         });
+    }
+
+    private BoneWeights bones() {
+        if (bones == null) {
+            bones = BoneWeights.of(scene.thorax(), scene.pose().cage());
+        }
+        return bones;
     }
 
     private void add(Structure s, TriangleMesh rest, Surface.Motion motion, boolean[] tendon, Place place, int body) {
@@ -127,7 +132,7 @@ public final class SceneSurfaces {
 
     /** What can be drawn over the surfaces. */
     public List<Overlay> overlays() {
-        return List.of();
+        return SceneOverlays.of(scene);
     }
 
     /** A frame that fits this scene, holding it as it stands. */

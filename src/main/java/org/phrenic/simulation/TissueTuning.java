@@ -38,7 +38,7 @@ final class TissueTuning {
         firstLungNode = scene.lungs().map(l -> l.firsts.get(0)).orElse(Integer.MAX_VALUE);
         base = new double[Knob.values().length];
         for (Knob knob : Knob.values()) {
-            base[knob.ordinal()] = knob.in(scenario);
+            base[knob.slot()] = knob.in(scenario);
         }
         applied = base.clone();
         NodeLayout layout = system.layout();
@@ -54,7 +54,7 @@ final class TissueTuning {
     /**
      * Gives all tissue the numbers that go with values of the knobs; what has them already is left alone.
      *
-     * @param value of each {@link Knob}, by its ordinal
+     * @param value of each {@link Knob}, in its {@link Knob#slot}
      */
     void apply(double[] value) {
         double muscle = factor(value, Knob.STIFFNESS);
@@ -67,7 +67,7 @@ final class TissueTuning {
             tunePassive(isBase(value, PASSIVE), muscle, lung);
         }
         if (isOther(value, BONE)) {
-            double coupling = value[Knob.COUPLING.ordinal()];
+            double coupling = value[Knob.COUPLING.slot()];
             if (bone != null) {
                 bone.tune(isBase(value, BONE), muscle, lung, coupling);
             }
@@ -82,7 +82,7 @@ final class TissueTuning {
     }
 
     private double factor(double[] value, Knob knob) {
-        return value[knob.ordinal()] / base[knob.ordinal()];
+        return value[knob.slot()] / base[knob.slot()];
     }
 
     private boolean isOther(double[] value, Knob[] knobs) {
@@ -95,7 +95,7 @@ final class TissueTuning {
 
     private static boolean differs(double[] p, double[] q, Knob[] knobs) {
         for (Knob knob : knobs) {
-            if (Double.compare(p[knob.ordinal()], q[knob.ordinal()]) != 0) {
+            if (Double.compare(p[knob.slot()], q[knob.slot()]) != 0) {
                 return true;
             }
         }
@@ -104,8 +104,8 @@ final class TissueTuning {
 
     private void tuneSheet(double[] value, double muscle, double tendon) {
         RestPressure rest = forces.rest().orElse(null);
-        double pressure = value[Knob.REST_PRESSURE.ordinal()];
-        double leftOverRight = value[Knob.LEFT_OVER_RIGHT.ordinal()];
+        double pressure = value[Knob.REST_PRESSURE.slot()];
+        double leftOverRight = value[Knob.LEFT_OVER_RIGHT.slot()];
         if (rest != null) {
             rest.scaleLoad(pressure);
         }
@@ -149,7 +149,7 @@ final class TissueTuning {
             double f = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : all;
             system.setMass(i, f * mass[i]);
         }
-        double damping = value[Knob.DAMPING.ordinal()];
+        double damping = value[Knob.DAMPING.slot()];
         if (physical) {
             system.setViscosityPerMass(damping);
         } else {
@@ -193,7 +193,7 @@ final class TissueTuning {
         }
     }
 
-    /** Values of all knobs as assembled, by ordinal. */
+    /** Values of all knobs as assembled, each in its slot. */
     double[] assembledValues() {
         return Arrays.copyOf(base, base.length);
     }

@@ -136,7 +136,7 @@ final class Tuning {
     /** The limit of the scene as it stands, with the tissue of a scenario. */
     private StabilityLimit limitAt(Scenario scenario) {
         for (Knob knob : Knob.values()) {
-            values[knob.ordinal()] = knob.in(scenario);
+            values[knob.slot()] = knob.in(scenario);
         }
         tissue.apply(values);
         return StabilityLimit.of(system);
@@ -195,7 +195,7 @@ final class Tuning {
 
     private void applyTissue(double now) {
         for (Knob knob : Knob.values()) {
-            values[knob.ordinal()] = dials.of(knob).at(now);
+            values[knob.slot()] = dials.of(knob).at(now);
         }
         tissue.apply(values);
     }
