@@ -69,16 +69,27 @@ public final class AcrossSheet {
     private long[] across(PointGrid grid, double[] normals, int i, double reach, Opposite opposite, long[] room) {
         long[] found = room;
         int count = 0;
+        double[] p = sheet.positions();
+        double x = p[3 * i];
+        double y = p[3 * i + 1];
+        double z = p[3 * i + 2];
+        double most = reach * reach;
         for (int row = 0; row < 9; row++) {
             int end = grid.rowEnd(i, row);
             for (int k = grid.rowStart(i, row); k < end; k++) {
                 int j = grid.point(k);
-                double d = distance(sheet, i, j);
-                if (d <= reach && d > SHORTEST_MM && opposite.test(i, j) && dot(normals, i, j) < OPPOSING) {
+                double dx = p[3 * j] - x;
+                double dy = p[3 * j + 1] - y;
+                double dz = p[3 * j + 2] - z;
+                double square = dx * dx + dy * dy + dz * dz;
+                if (square <= most
+                        && square > SHORTEST_MM * SHORTEST_MM
+                        && dot(normals, i, j) < OPPOSING
+                        && opposite.test(i, j)) {
                     if (count == found.length) {
                         found = Arrays.copyOf(found, 2 * count);
                     }
-                    found[count++] = byDistance(d, j);
+                    found[count++] = byDistance(Math.sqrt(square), j);
                 }
             }
         }

@@ -37,6 +37,8 @@ public final class BoneWeights {
     /** Samples are searched by cells of this size: a few samples each. */
     private static final double CELL_MM = 20;
 
+    private static final int SEVERAL = -1;
+
     private final int bodies;
     private final List<double[]> points = new ArrayList<>();
     private final List<double[]> weights = new ArrayList<>();
@@ -44,6 +46,8 @@ public final class BoneWeights {
     private double[] sample;
 
     private double[][] sampleWeights;
+    /** The one body that carries a sample; {@link #SEVERAL} for a sample of cartilage. */
+    private int[] sampleBody;
     /** First sample of each cell that holds any, and the box of its samples: low x, y, z, high x, y, z. */
     private int[] cellStart;
 
@@ -105,6 +109,7 @@ public final class BoneWeights {
         }
         sample = new double[3 * count];
         sampleWeights = new double[count][];
+        sampleBody = new int[count];
         cellStart = new int[cells.size() + 1];
         cellBox = new double[6 * cells.size()];
         int cell = 0;
@@ -115,6 +120,7 @@ public final class BoneWeights {
             System.arraycopy(first, 0, cellBox, 6 * cell + 3, 3);
             for (int j : inside) {
                 sampleWeights[at] = weights.get(j);
+                sampleBody[at] = only(weights.get(j));
                 for (int axis = 0; axis < 3; axis++) {
                     double value = points.get(j)[axis];
                     sample[3 * at + axis] = value;
@@ -125,6 +131,15 @@ public final class BoneWeights {
             }
             cellStart[++cell] = at;
         }
+    }
+
+    private static int only(double[] weight) {
+        for (int b = 0; b < weight.length; b++) {
+            if (weight[b] == 1) {
+                return b;
+            }
+        }
+        return SEVERAL;
     }
 
     private static TriangleTree sternumTree(Thorax thorax) {
@@ -286,6 +301,10 @@ public final class BoneWeights {
             double squared = squared(j, x, y, z);
             if (squared < reach * reach) {
                 double f = FallOff.at(Math.sqrt(squared), reach);
+                if (sampleBody[j] != SEVERAL) {
+                    sum[sampleBody[j]] += f;
+                    continue;
+                }
                 double[] w = sampleWeights[j];
                 for (int b = 0; b < w.length; b++) {
                     sum[b] += f * w[b];

@@ -53,8 +53,7 @@ public final class RibEnds {
                     "rib: a mesh of " + rib.vertexCount() + " vertices without extent, expected the surface of a rib");
         }
         Cells cells = new Cells(rib, diagonal / CELLS_ALONG);
-        double[] fromAny = cells.distances(0);
-        double[] fromOne = cells.distances(farthest(fromAny));
+        double[] fromOne = cells.distances(farthest(cells.fromFirst));
         double[] fromOther = cells.distances(farthest(fromOne));
         double[] one = cells.region(fromOther);
         double[] other = cells.region(fromOne);
@@ -99,6 +98,8 @@ public final class RibEnds {
         private final int[] cellOf;
         private final double[] centres;
         private final List<List<Integer>> links = new ArrayList<>();
+        /** Distance of each cell from the first. */
+        private final double[] fromFirst;
 
         Cells(TriangleMesh rib, double size) {
             this.rib = rib;
@@ -128,7 +129,7 @@ public final class RibEnds {
                     link(cellOf[rib.triangles()[t + k]], cellOf[rib.triangles()[t + (k + 1) % 3]]);
                 }
             }
-            bridgePatches();
+            fromFirst = bridgePatches();
         }
 
         private static long key(long i, long j, long k) {
@@ -173,8 +174,8 @@ public final class RibEnds {
             }
         }
 
-        /** Links the patch of the first cell to the nearest cell outside it until there is none outside. */
-        private void bridgePatches() {
+        /** Links the patch of the first cell to the nearest cell outside it until there is none outside; returns the distances from the first cell. */
+        private double[] bridgePatches() {
             while (true) {
                 double[] reach = distances(0);
                 double nearest = Double.POSITIVE_INFINITY;
@@ -190,7 +191,7 @@ public final class RibEnds {
                     }
                 }
                 if (outside < 0) {
-                    return;
+                    return reach;
                 }
                 link(inside, outside);
             }

@@ -5,6 +5,7 @@ final class ExitCode {
     static final int DONE = 0;
     static final int FAILURE = 1;
     static final int BAD_INPUT = 2;
+    static final int NO_GRAPHICS = 4;
 
     private ExitCode() {}
 }

@@ -12,6 +12,7 @@ import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.KeySuggestion;
 import org.phrenic.format.OutputException;
+import org.phrenic.scene.NoGraphicsException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -43,6 +44,10 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
         if (told && isInput(failure)) {
             print(line.getErr(), sentence(failure), failure);
             return ExitCode.BAD_INPUT;
+        }
+        if (told && failure instanceof NoGraphicsException) {
+            print(line.getErr(), failure.getMessage(), failure);
+            return ExitCode.NO_GRAPHICS;
         }
         print(
                 line.getErr(),

@@ -3,8 +3,9 @@ package org.phrenic.cli;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.phrenic.simulation.Scenario;
+import org.phrenic.ui.PhrenicWindow;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -18,19 +19,22 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {RunCommand.class, InfoCommand.class, BenchCommand.class},
+        subcommands = {WindowCommand.class, RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class
+        },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
         description =
-                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: a quiet breath.",
+                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: the window; without a display, a quiet breath in numbers and pictures.",
         footer = {
             "",
             "Examples:",
-            "  phrenic                                   a quiet breath into ./phrenic-out",
+            "  phrenic                                   the window; without a display, a quiet breath into ./phrenic-out",
+            "  phrenic window scenario.yaml              the window with a scenario, a thorax folder or a trace",
             "  phrenic run --preset deep --out result    a deep one into ./result",
+            "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
             "",
-            "Exit codes: 0 done, 1 failure, 2 usage or bad input. Results go to stdout, log and progress to stderr.",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
@@ -60,7 +64,7 @@ public final class Phrenic implements Callable<Integer> {
      *
      * @param out for results
      * @param err for log, progress and the one sentence of a failure
-     * @return exit code: 0 done, 1 failure, 2 usage or bad input
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();
@@ -76,12 +80,15 @@ public final class Phrenic implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println("This version has no window: running the default quiet breath without one, into " + DEFAULT_OUT
-                + " (phrenic --help lists the commands).");
-        RunReport.run(
-                Scenario.defaults(), DEFAULT_OUT, false, spec.commandLine().getOut(), err);
+    public Integer call() throws InterruptedException {
+        if (PhrenicWindow.isPossible()) {
+            PhrenicWindow.open(Optional.empty());
+        } else {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("No window can be opened here for want of a display: running the default quiet breath without"
+                    + " one, into " + DEFAULT_OUT + " (phrenic --help lists the commands).");
+            HeadlessStart.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
+        }
         return ExitCode.DONE;
     }
 }

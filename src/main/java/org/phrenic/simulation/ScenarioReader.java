@@ -26,8 +26,8 @@ final class ScenarioReader {
     static final List<String> KEYS = keys();
 
     private static final double LONGEST_S = 86_400;
-    private static final double LONGEST_STEP_S = 0.1;
-    private static final int MOST_THREADS = 256;
+    static final double LONGEST_STEP_S = 0.1;
+    static final int MOST_THREADS = 256;
     private static final String NO_TRACE = "none";
     private static final int MOST_LINKS = 3;
     private static final long MOST_STEPS = 1_000_000_000_000L;

@@ -164,7 +164,7 @@ class BadInputTest {
 
     static Stream<Arguments> options() {
         return Stream.of(
-                bad("unknown command", "run, info, bench", f -> List.of("nope")),
+                bad("unknown command", "run, render, info, bench", f -> List.of("nope")),
                 bad("mistyped command", "did you mean 'bench'?", f -> List.of("bensh")),
                 bad("unknown option", "did you mean '--threads'?", options("--theads", "2")),
                 bad("option without value", "--threads", options("--threads")),
@@ -251,8 +251,64 @@ class BadInputTest {
                 bad("unknown integrator", "symplectic-euler", bench("0\n", "1\n", "", "--integrator", "euler")));
     }
 
+    private static Case render(String... options) {
+        return folder -> Stream.concat(Stream.of("render", "--out", out(folder)), Arrays.stream(options))
+                .toList();
+    }
+
+    static Stream<Arguments> renders() {
+        return Stream.of(
+                bad("no folder for pictures", "--out", f -> List.of("render")),
+                bad(
+                        "pictures below a file",
+                        "expected a folder",
+                        f -> List.of("render", "--out", file(f, "t", "x") + "/d")),
+                bad(
+                        "movie below a file",
+                        "expected a folder",
+                        f -> List.of("render", "--movie", file(f, "t", "x") + "/m.gif")),
+                bad("unknown view", "did you mean 'anterior'?", render("--view", "anteriour")),
+                bad("view that is none of six", "expected one of anterior", render("--view", "oblique-ish")),
+                bad("empty view", "--view", render("--view", "left,,right")),
+                bad("size without x", "expected WxH", render("--size", "1000")),
+                bad("size of words", "expected a number", render("--size", "widexhigh")),
+                bad("size with a fraction", "whole number", render("--size", "100.5x100")),
+                bad("size too small", "expected 16 to 8192", render("--size", "15x100")),
+                bad("size too large", "expected 16 to 8192", render("--size", "100x8193")),
+                bad("negative size", "expected 16 to 8192", render("--size", "-100x100")),
+                bad("three sizes", "expected WxH", render("--size", "1x2x3")),
+                bad("time a word", "expected a number", render("--at", "noon")),
+                bad("time NaN", "expected a number", render("--at", "0,NaN")),
+                bad("time and frames", "single times or a sequence", render("--at", "1", "--frames", "3")),
+                bad("time and movie", "single times or a sequence", render("--at", "1", "--movie", "m.gif")),
+                bad("no frames", "expected 1 to", render("--frames", "0")),
+                bad("half a frame", "whole number", render("--frames", "2.5")),
+                bad("rate without a sequence", "--frames", render("--fps", "25")),
+                bad("rate beyond GIF", "expected 0.1 to 50", render("--movie", "m.gif", "--fps", "60")),
+                bad("rate 0", "--fps", render("--frames", "3", "--fps", "0")),
+                bad("movie of an unknown kind", "expected .mp4 or .gif", render("--movie", "m.avi")),
+                bad("movie of two views", "found 2 views", render("--movie", "m.gif", "--view", "left,right")),
+                bad("unknown field", "did you mean 'displacement'?", render("--field", "displacment")),
+                bad("distance from nothing", "--reference", render("--field", "distance")),
+                bad("reference without distance", "--field distance", render("--reference", "a.ply")),
+                bad("range without a field", "--field", render("--range", "0:10")),
+                bad("range without colon", "MIN:MAX", render("--field", "strain", "--range", "10")),
+                bad("range the wrong way", "smaller number first", render("--field", "strain", "--range", "10:-10")),
+                bad("range of words", "expected a number", render("--field", "strain", "--range", "low:high")),
+                bad("unknown background", "light, dark", render("--background", "sunset")),
+                bad("unknown side of a clip", "L R A P S I", render("--clip", "X:10")),
+                bad("clip without a distance", "expected a number", render("--clip", "A:")),
+                bad("clip beyond the world", "at most", render("--clip", "A:1e9")),
+                bad("unknown overlay", "did you mean 'springs'?", render("--overlay", "spring")),
+                bad("zoom 0", "--zoom", render("--zoom", "0")),
+                bad("zoom infinite", "expected a number", render("--zoom", "Infinity")),
+                bad("option of another command", "unknown option", render("--meshes", "every=1")),
+                bad("scenario that is missing", "none.yaml", f -> List.of("render", f + "/none.yaml", "--out", out(f))),
+                bad("parameter out of range", "expected 0 to 2", render("--set", "depth=3")));
+    }
+
     @ParameterizedTest(name = "{0}")
-    @MethodSource({"meshes", "scenarios", "options", "bodies", "benches"})
+    @MethodSource({"meshes", "scenarios", "options", "bodies", "benches", "renders"})
     void isToldInOneSentenceAndNothingIsWritten(String what, String expected, Case arguments) throws IOException {
         String[] args = arguments.apply(folder).toArray(String[]::new);
         List<Path> before = everything();

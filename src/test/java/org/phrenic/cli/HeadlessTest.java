@@ -1,6 +1,7 @@
 package org.phrenic.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,8 +9,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Commands in a Java process of their own, as a machine without a screen starts them. */
@@ -105,5 +110,76 @@ class HeadlessTest {
     @Test
     void infoLoadsNoClassOfTheScreen() throws Exception {
         assertNoScreen(loadedBy("info", "data/scenarios/quiet.yaml"));
+    }
+
+    /** Starts {@code render} in a process without a display and returns its exit code. */
+    private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Phrenic.class.getName(),
+                "render",
+                "--resolution",
+                "low",
+                "--set",
+                "lungs=embedded"));
+        command.addAll(Arrays.asList(options));
+        ProcessBuilder builder = new ProcessBuilder(command)
+                .redirectOutput(folder.resolve("stdout").toFile())
+                .redirectError(folder.resolve("stderr").toFile());
+        builder.environment().remove("DISPLAY");
+        builder.environment().putAll(environment);
+        Process process = builder.start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        return process.exitValue();
+    }
+
+    @Test
+    void picturesNeedNoDisplay() throws Exception {
+        Path out = folder.resolve("pictures");
+        int code = render(Map.of(), "--out", out.toString(), "--view", "left,superior", "--size", "200x150", "--json");
+        assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(code).as(Files.readString(folder.resolve("stderr"))).isZero();
+        assertThat(Files.readString(folder.resolve("stdout"))).contains("superior.png", "\"graphics\": ", Notice.TEXT);
+        try (Stream<Path> files = Files.list(out)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("left.png", "superior.png");
+        }
+    }
+
+    @Test
+    void amongThingsThatAreOnlyKnownOfTheBodyAWrongOneIsToldAndNothingIsWritten() throws Exception {
+        Path out = folder.resolve("pictures");
+        int code = render(Map.of(), "--out", out.toString(), "--hide", "livre");
+        assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(code).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(Files.readString(folder.resolve("stderr"))).contains("did you mean 'liver'?");
+        code = render(Map.of(), "--out", out.toString(), "--at", "1e6");
+        assertThat(code).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(Files.readString(folder.resolve("stderr"))).contains("--at: found 1000000.0 s, expected 0 to 8");
+        assertThat(out).doesNotExist();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void whereNothingDrawsOneSentenceSaysSo() throws Exception {
+        Path out = folder.resolve("pictures");
+        int code = render(
+                Map.of(
+                        "__EGL_VENDOR_LIBRARY_FILENAMES",
+                        folder.resolve("none.json").toString()),
+                "--out",
+                out.toString());
+        assertThat(code).isEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(Files.readString(folder.resolve("stdout"))).isEmpty();
+        assertThat(Files.readAllLines(folder.resolve("stderr")).stream().filter(line -> line.startsWith("phrenic: ")))
+                .singleElement()
+                .asString()
+                .contains("No pictures can be made here");
+        assertThat(out).doesNotExist();
     }
 }

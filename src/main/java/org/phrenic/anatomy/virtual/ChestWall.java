@@ -23,6 +23,7 @@ final class ChestWall implements Axis, Field {
 
     private final double exponentFront;
     private final double exponentBack;
+    private final PowerTable powers;
     private final double leftFactor;
     /** Measures of the section at heights {@code LOW_MM + i * STEP_MM}: see {@link Section}. */
     private final double[][] table;
@@ -31,6 +32,7 @@ final class ChestWall implements Axis, Field {
         double axisFraction = measures.axisFraction();
         exponentFront = measures.exponentFront();
         exponentBack = measures.exponentBack();
+        powers = new PowerTable(Math.min(exponentFront, exponentBack), Math.max(exponentFront, exponentBack));
         leftFactor = measures.leftBreadthFactor();
         List<Values> rows = measures.sections();
         double[] z = column(rows, 0);
@@ -109,10 +111,13 @@ final class ChestWall implements Axis, Field {
             double across = Math.max(Math.abs(sin), 1e-9);
             double along = Math.max(Math.abs(cos), 1e-9);
             double n = exponentFront + (exponentBack - exponentFront) * V3.smoothstep(cos + 0.5);
-            double p = StrictMath.pow(across / (breadth * (sin > 0 ? leftFactor : 1)), n);
-            double q = StrictMath.pow(along / (cos > 0 ? backDepth : frontDepth), n);
-            double radius = StrictMath.pow(p + q, -1 / n);
-            steepness[0] = (q * across / along - p * along / across) / (p + q) * Math.signum(cos);
+            double p = across / (breadth * (sin > 0 ? leftFactor : 1));
+            double q = along / (cos > 0 ? backDepth : frontDepth);
+            double larger = Math.max(p, q);
+            double power = powers.power(Math.min(p, q) / larger, n);
+            double radius = powers.root(Math.min(p, q) / larger, n) / larger;
+            double shareOfP = (p > q ? 1 : power) / (1 + power);
+            steepness[0] = ((1 - shareOfP) * across / along - shareOfP * along / across) * Math.signum(cos);
             if (cos < 0 || !withSpine) {
                 return radius;
             }

@@ -144,13 +144,7 @@ final class Relaxation {
     /** Flips every inner edge whose opposite angles add up to more than 180 degrees, no triangle twice. */
     private void flip() {
         int corners = triangles.length;
-        long[] edges = new long[corners];
-        for (int c = 0; c < corners; c++) {
-            long a = triangles[c];
-            long b = triangles[next(c)];
-            edges[c] = (Math.min(a, b) << 42) | (Math.max(a, b) << 21) | c;
-        }
-        Arrays.sort(edges);
+        long[] edges = sortedEdges();
         boolean[] touched = new boolean[corners / 3];
         Set<Long> made = new HashSet<>();
         for (int i = 0; i + 1 < corners; i++) {
@@ -174,6 +168,29 @@ final class Relaxation {
                 touched[d / 3] = true;
             }
         }
+    }
+
+    /** Every corner's edge as lower end, higher end and corner in one number, in ascending order: by lower end into rows, then within each short row. */
+    private long[] sortedEdges() {
+        int corners = triangles.length;
+        int[] start = new int[positions.length / 3 + 1];
+        for (int c = 0; c < corners; c++) {
+            start[Math.min(triangles[c], triangles[next(c)]) + 1]++;
+        }
+        for (int v = 1; v < start.length; v++) {
+            start[v] += start[v - 1];
+        }
+        long[] edges = new long[corners];
+        for (int c = 0; c < corners; c++) {
+            long low = Math.min(triangles[c], triangles[next(c)]);
+            long high = Math.max(triangles[c], triangles[next(c)]);
+            edges[start[(int) low]++] = (low << 42) | (high << 21) | c;
+        }
+        // Each row's start has moved to its end.
+        for (int v = 0, from = 0; v < start.length - 1; from = start[v++]) {
+            Arrays.sort(edges, from, start[v]);
+        }
+        return edges;
     }
 
     private static int next(int corner) {

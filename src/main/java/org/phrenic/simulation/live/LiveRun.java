@@ -231,6 +231,11 @@ public final class LiveRun implements AutoCloseable {
         return loop.commands.ask(() -> loop.running == null ? "" : loop.running.simulation.stateHash());
     }
 
+    /** Whether it plays slower than {@link #setSpeed} asks for, as it does wherever that is as fast as it goes. */
+    public boolean isBehind() {
+        return loop.behind;
+    }
+
     public Status status() {
         return loop.status;
     }

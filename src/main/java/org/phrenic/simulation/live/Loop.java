@@ -21,6 +21,7 @@ final class Loop implements Runnable {
     volatile Running running;
     volatile boolean playing;
     volatile boolean closed;
+    volatile boolean behind;
     volatile Status status = Status.NOTHING;
     private final Settings settings;
     private final LiveRun.Listener listener;
@@ -56,7 +57,8 @@ final class Loop implements Runnable {
         }
     }
 
-    /** The scenario may change settings of its own while it runs. */
+    /** The scenario may change settings of its own while it runs; settings are immutable, so another object is another setting and comparing values, several times a turn, would be waste. */
+    @SuppressWarnings("ReferenceEquality")
     private void followChanges(Scenario set) {
         if (set != followed) {
             settle();
@@ -153,6 +155,7 @@ final class Loop implements Runnable {
             return;
         }
         Simulation simulation = running.simulation;
+        behind = playing && pacer.isBehind();
         status = new Status(
                 simulation.steps(),
                 simulation.time(),

@@ -5,6 +5,9 @@ final class Pacer {
     /** What is more behind than this is let go: after a pause of the machine nobody wants to see the backlog in a rush. */
     private static final double LARGEST_BACKLOG_S = 0.1;
 
+    /** What is this near to the pace asked for keeps it. */
+    private static final double KEPT_SHARE = 0.97;
+
     private static final long MEASURE_NS = 250_000_000;
 
     private double speed = 1;
@@ -61,6 +64,11 @@ final class Pacer {
             measuredSteps = steps;
             measuredS = nowS;
         }
+    }
+
+    /** Whether it goes slower than it should; as fast as it goes is never fast enough. */
+    boolean isBehind() {
+        return realtime < KEPT_SHARE * speed;
     }
 
     double stepsPerS() {

@@ -57,6 +57,7 @@ final class Running implements AutoCloseable {
     }
 
     /** See {@link Simulation#limitSentence}; worked out anew only when the limit was measured anew, for it costs a search. */
+    @SuppressWarnings("ReferenceEquality")
     String limitSentence() {
         Stepper stepper = simulation.stepper();
         if (stepper.limit() != limitSaid || stepper.substeps() != substepsSaid) {

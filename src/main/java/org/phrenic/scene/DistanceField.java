@@ -1,0 +1,62 @@
+package org.phrenic.scene;
+
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Surface;
+
+/**
+ * Distance of a surface's vertices from a reference surface, such as the same organ in a scan at another breath level (Villard, Bourne and Bello 2009, fig. 5): the exact distance to the nearest point of the
+ * nearest triangle, mm, unsigned.
+ */
+public final class DistanceField {
+    private final TriangleTree reference;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    /** @param reference in LPS, mm */
+    public DistanceField(TriangleMesh reference) {
+        this.reference = new TriangleTree(reference);
+    }
+
+    /** Gives a renderer the distances of one of its surfaces as it stands in a frame; a surface it has not is left alone. */
+    public void colour(Renderer renderer, Frame frame, String structure) {
+        for (int i = 0; i < renderer.surfaces().size(); i++) {
+            Surface surface = renderer.surfaces().get(i);
+            if (surface.name().equals(structure)) {
+                renderer.setField(structure, of(surface, i, frame));
+            }
+        }
+    }
+
+    /**
+     * Distances of a surface's vertices, mm.
+     *
+     * @param index of the surface in the scene
+     */
+    float[] of(Surface surface, int index, Frame frame) {
+        float[] out = new float[surface.rest().vertexCount()];
+        float[] pose = frame.pose(index);
+        float[] now = frame.positions(index);
+        for (int i = 0; i < out.length; i++) {
+            double x = surface.rest().x(i);
+            double y = surface.rest().y(i);
+            double z = surface.rest().z(i);
+            switch (surface.motion()) {
+                case STILL -> out[i] = distance(x, y, z);
+                case DEFORMING -> out[i] = distance(now[3 * i], now[3 * i + 1], now[3 * i + 2]);
+                case RIGID ->
+                    out[i] = distance(
+                            pose[0] * x + pose[1] * y + pose[2] * z + pose[3],
+                            pose[4] * x + pose[5] * y + pose[6] * z + pose[7],
+                            pose[8] * x + pose[9] * y + pose[10] * z + pose[11]);
+            }
+        }
+        return out;
+    }
+
+    private float distance(double x, double y, double z) {
+        hit.distanceSquared = Double.POSITIVE_INFINITY;
+        reference.closest(x, y, z, hit);
+        return (float) Math.sqrt(hit.distanceSquared);
+    }
+}

@@ -1,0 +1,88 @@
+package org.phrenic.scene;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Overlay;
+import org.phrenic.simulation.Surface;
+
+/** All surfaces and overlays of a scene on the graphics card, as they are in one frame; sends what has changed since the last. */
+final class GpuScene {
+    private final GlObjects objects;
+    private final List<SurfaceBuffers> surfaces = new ArrayList<>();
+    private final List<OverlayBuffers> overlays = new ArrayList<>();
+    private final int nodeBuffer;
+    private FloatBuffer nodes = FloatBuffer.allocate(0);
+    private boolean nodesSent;
+    private long step = -1;
+    private double time;
+    private int state;
+    private String shown = "";
+
+    GpuScene(GL3 gl, GlObjects objects, List<Surface> scene, List<Overlay> over) {
+        this.objects = objects;
+        Openness openness = new Openness(scene);
+        for (int i = 0; i < scene.size(); i++) {
+            surfaces.add(new SurfaceBuffers(gl, objects, scene.get(i), i, openness));
+        }
+        nodeBuffer = objects.buffer(gl);
+        over.forEach(o -> overlays.add(new OverlayBuffers(gl, objects, o, nodeBuffer)));
+    }
+
+    /**
+     * Takes over a frame.
+     *
+     * @param given values of {@link ColourField#DISTANCE} by structure
+     */
+    void take(GL3 gl, Frame frame, SceneStyle style, Map<String, float[]> given, int givenCount) {
+        int now = Arrays.hashCode(frame.nodes());
+        boolean moved = frame.step() != step || frame.timeS() != time || now != state;
+        if (moved) {
+            step = frame.step();
+            time = frame.timeS();
+            state = now;
+            nodesSent = false;
+            surfaces.forEach(s -> s.upload(gl, frame));
+        }
+        if (!style.overlays().isEmpty() && !nodesSent) {
+            sendNodes(gl, frame.nodes());
+        }
+        String wanted = style.field() + " " + style.fieldOn() + " " + givenCount;
+        if (style.field() != ColourField.NONE && (moved || !wanted.equals(shown))) {
+            for (SurfaceBuffers s : surfaces) {
+                if (style.showsFieldOn(s.surface().name())) {
+                    s.uploadField(gl, style.field(), given.get(s.surface().name()));
+                }
+            }
+        }
+        shown = wanted;
+    }
+
+    private void sendNodes(GL3 gl, float[] at) {
+        if (nodes.capacity() != at.length) {
+            nodes = Buffers.newDirectFloatBuffer(at.length);
+        }
+        nodes.put(0, at);
+        objects.refill(gl, nodeBuffer, nodes);
+        nodesSent = true;
+    }
+
+    List<SurfaceBuffers> surfaces() {
+        return surfaces;
+    }
+
+    List<OverlayBuffers> overlays() {
+        return overlays;
+    }
+
+    void dispose(GL3 gl) {
+        surfaces.forEach(s -> s.dispose(gl));
+        overlays.forEach(o -> o.dispose(gl));
+        objects.deleteBuffer(gl, nodeBuffer);
+    }
+}

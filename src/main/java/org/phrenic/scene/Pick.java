@@ -1,0 +1,32 @@
+package org.phrenic.scene;
+
+import java.util.Locale;
+import org.phrenic.simulation.Surface;
+
+/**
+ * What lies under the cursor.
+ *
+ * @param index number of the surface in the scene
+ * @param surface the surface
+ * @param name its name for people, such as "Rib 5 right"
+ * @param x where the line of sight meets it, LPS, mm
+ * @param y as above
+ * @param z as above
+ * @param vertex its vertex nearest to that place
+ */
+public record Pick(int index, Surface surface, String name, double x, double y, double z, int vertex) {
+    /** The place in a clinician's words: {@code R 42 P 12 S 130 mm}. */
+    public String place() {
+        return place(x, y, z);
+    }
+
+    /** A place in LPS, mm, in a clinician's words. */
+    public static String place(double x, double y, double z) {
+        return part(x, 'L', 'R') + " " + part(y, 'P', 'A') + " " + part(z, 'S', 'I') + " mm";
+    }
+
+    private static String part(double value, char positive, char negative) {
+        long whole = Math.round(value);
+        return String.format(Locale.ROOT, "%s %d", whole < 0 ? negative : positive, Math.abs(whole));
+    }
+}

@@ -1,0 +1,29 @@
+package org.phrenic.scene;
+
+/**
+ * One way to take a picture.
+ *
+ * @param view from where
+ * @param width pixels
+ * @param height pixels
+ * @param orthographic parallel projection; else perspective
+ * @param zoom enlargement about the middle, 1 for all of the body
+ * @param annotated whether letters, figure, scale and notice are written over it
+ * @param title what is shown, written over it
+ */
+public record Shot(
+        View view, int width, int height, boolean orthographic, double zoom, boolean annotated, String title) {
+    public static final int SMALLEST = 16;
+    public static final int LARGEST = 8192;
+
+    /** An annotated picture of all of the body in perspective. */
+    public static Shot of(View view, int width, int height, String title) {
+        return new Shot(view, width, height, false, 1, true, title);
+    }
+
+    /** Camera of this shot on a box that is to be seen. */
+    Camera camera(double[] bounds) {
+        Camera whole = Camera.of(view, bounds, (double) width / height).withProjection(orthographic);
+        return whole.zoom(zoom, width / 2.0, height / 2.0, width, height);
+    }
+}

@@ -1,0 +1,61 @@
+package org.phrenic.ui;
+
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
+
+/** Asks for files to write or read; remembers the folder. */
+final class Choosers {
+    private Choosers() {}
+
+    /** Asks where to write; the suffix of {@code proposed} is added where it is missing. Empty if it was called off. */
+    static Optional<Path> save(Component parent, String title, String proposed) {
+        String suffix = proposed.substring(proposed.lastIndexOf('.') + 1);
+        JFileChooser chooser = chooser(title, suffix);
+        chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), proposed));
+        if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        File chosen = chooser.getSelectedFile();
+        File file = chosen.getName().toLowerCase(Locale.ROOT).endsWith("." + suffix)
+                ? chosen
+                : new File(chosen.getParentFile(), chosen.getName() + "." + suffix);
+        remember(file);
+        boolean write = !file.exists()
+                || JOptionPane.showConfirmDialog(
+                                parent,
+                                "Replace " + file.getName() + ", which is there already?",
+                                title,
+                                JOptionPane.OK_CANCEL_OPTION)
+                        == JOptionPane.OK_OPTION;
+        return write ? Optional.of(file.toPath()) : Optional.empty();
+    }
+
+    /** Asks which file to read; empty if it was called off. */
+    static Optional<Path> open(Component parent, String title, String suffix) {
+        JFileChooser chooser = chooser(title, suffix);
+        if (chooser.showOpenDialog(parent) != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        remember(chooser.getSelectedFile());
+        return Optional.of(chooser.getSelectedFile().toPath());
+    }
+
+    private static JFileChooser chooser(String title, String suffix) {
+        JFileChooser chooser =
+                new JFileChooser(WindowPreferences.ofUser().folder().toFile());
+        chooser.setDialogTitle(title);
+        chooser.setFileFilter(new FileNameExtensionFilter(suffix.toUpperCase(Locale.ROOT) + " files", suffix));
+        return chooser;
+    }
+
+    private static void remember(File file) {
+        WindowPreferences.ofUser()
+                .setFolder(file.getAbsoluteFile().getParentFile().toPath());
+    }
+}

@@ -1,0 +1,134 @@
+package org.phrenic.ui;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import javax.swing.Icon;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.Scrollable;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+
+/** Which curves are drawn, in which colour and line, and what their values are: legend, choice and readout in one. */
+final class CurveList extends JPanel implements Scrollable {
+    private static final int SWATCH_WIDTH = 22;
+    private static final int SWATCH_HEIGHT = 10;
+
+    private final transient Map<Curve, Row> rows = new LinkedHashMap<>();
+    private final transient Runnable chosen;
+    private final JLabel time = new JLabel("", SwingConstants.RIGHT);
+
+    private record Row(JCheckBox box, JLabel value) {}
+
+    /**
+     * @param chosen told when other curves are chosen
+     */
+    CurveList(List<Curve> curves, Set<String> shown, Runnable chosen) {
+        super(new MigLayout("insets 4 6 4 6, gapy 2, fillx, hidemode 3", "[][grow,fill][right,76!]"));
+        this.chosen = chosen;
+        JLabel at = new JLabel("At time");
+        at.setToolTipText("Time of the values: that under the mouse, else the present");
+        add(at, "span 2");
+        add(time, "wrap");
+        curves.forEach(curve -> add(curve, shown.contains(curve.column())));
+    }
+
+    /** Adds a curve at the end, if it is not there yet. */
+    void add(Curve curve, boolean show) {
+        if (rows.containsKey(curve)) {
+            return;
+        }
+        JCheckBox box = new JCheckBox(curve.label(), show);
+        String tip = curve.column() + ": " + curve.meaning() + Figures.suffix(curve.unit());
+        box.setToolTipText(tip);
+        box.addActionListener(e -> chosen.run());
+        JLabel swatch = new JLabel(new Swatch(curve));
+        swatch.setToolTipText(tip);
+        JLabel value = new JLabel("", SwingConstants.RIGHT);
+        rows.put(curve, new Row(box, value));
+        add(swatch);
+        add(box);
+        add(value, "wrap");
+        revalidate();
+    }
+
+    /** The curves whose boxes are ticked. */
+    List<Curve> shown() {
+        List<Curve> shown = new ArrayList<>();
+        rows.forEach((curve, row) -> {
+            if (row.box.isSelected()) {
+                shown.add(curve);
+            }
+        });
+        return shown;
+    }
+
+    /** Shows the values of a sample; none for -1. */
+    void read(SampleRing ring, int sample) {
+        time.setText(sample < 0 ? "-" : Figures.fixed(ring.time(sample), 2) + " s");
+        rows.forEach((curve, row) -> {
+            double value = sample < 0 ? Double.NaN : ring.value(curve.index(), sample);
+            row.value.setText(
+                    Double.isNaN(value) ? "-" : Figures.fixed(value, curve.decimals()) + Figures.suffix(curve.unit()));
+        });
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return getFontMetrics(getFont()).getHeight();
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return visible.height;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return false;
+    }
+
+    private record Swatch(Curve curve) implements Icon {
+        @Override
+        public void paintIcon(Component c, Graphics graphics, int x, int y) {
+            Graphics2D g = (Graphics2D) graphics.create();
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            g.setColor(curve.colour(FlatLaf.isLafDark()));
+            g.setStroke(PlotChart.stroke(curve));
+            int middle = y + SWATCH_HEIGHT / 2;
+            g.drawLine(x + 2, middle, x + SWATCH_WIDTH - 2, middle);
+            g.dispose();
+        }
+
+        @Override
+        public int getIconWidth() {
+            return SWATCH_WIDTH;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return SWATCH_HEIGHT;
+        }
+    }
+}

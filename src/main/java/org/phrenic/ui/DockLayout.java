@@ -1,0 +1,147 @@
+package org.phrenic.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+
+/** The view in the middle, docks left, right and below; their sizes are remembered, and each can be put away. */
+final class DockLayout extends JPanel {
+    /** Where a dock stands. */
+    enum Place {
+        LEFT(288),
+        RIGHT(368),
+        BOTTOM(228);
+
+        private final int size;
+
+        Place(int size) {
+            this.size = size;
+        }
+    }
+
+    private static final int DIVIDER = 5;
+    private static final int LEAST_VIEW = 280;
+
+    private final transient WindowPreferences preferences;
+    private final JSplitPane left = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
+    private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
+    private final transient Set<Place> fixed = EnumSet.noneOf(Place.class);
+    private boolean placed;
+
+    DockLayout(WindowPreferences preferences, JComponent view) {
+        super(new BorderLayout());
+        this.preferences = preferences;
+        view.setMinimumSize(new Dimension(LEAST_VIEW, LEAST_VIEW / 2));
+        right.setLeftComponent(view);
+        right.setResizeWeight(1);
+        left.setRightComponent(right);
+        bottom.setTopComponent(left);
+        bottom.setResizeWeight(1);
+        for (JSplitPane pane : new JSplitPane[] {left, right, bottom}) {
+            pane.setBorder(null);
+            pane.setContinuousLayout(true);
+        }
+        for (Place place : Place.values()) {
+            sizes.put(place, preferences.number("dock." + place.name(), place.size));
+        }
+        add(bottom);
+    }
+
+    /** Whether a place is only as large as what stands there needs. */
+    void setFixed(Place place, boolean value) {
+        if (placed && component(place) != null && !fixed.contains(place)) {
+            sizes.put(place, size(place));
+        }
+        if (value) {
+            fixed.add(place);
+        } else {
+            fixed.remove(place);
+        }
+    }
+
+    /** Puts a component where a dock stands; null puts the place away. */
+    void put(Place place, JComponent dock) {
+        if (placed && component(place) != null && !fixed.contains(place)) {
+            sizes.put(place, size(place));
+        }
+        if (dock != null) {
+            dock.setMinimumSize(new Dimension(120, fixed.contains(place) ? 30 : 90));
+        }
+        switch (place) {
+            case LEFT -> left.setLeftComponent(dock);
+            case RIGHT -> right.setRightComponent(dock);
+            case BOTTOM -> bottom.setBottomComponent(dock);
+        }
+        pane(place).setDividerSize(dock == null || fixed.contains(place) ? 0 : DIVIDER);
+        if (placed) {
+            apply();
+        }
+    }
+
+    /** The dock that stands there; null for none. */
+    Component component(Place place) {
+        return switch (place) {
+            case LEFT -> left.getLeftComponent();
+            case RIGHT -> right.getRightComponent();
+            case BOTTOM -> bottom.getBottomComponent();
+        };
+    }
+
+    private JSplitPane pane(Place place) {
+        return switch (place) {
+            case LEFT -> left;
+            case RIGHT -> right;
+            case BOTTOM -> bottom;
+        };
+    }
+
+    private int size(Place place) {
+        Component dock = component(place);
+        return place == Place.BOTTOM ? dock.getHeight() : dock.getWidth();
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        if (!placed && getWidth() > 0) {
+            placed = true;
+            apply();
+        }
+    }
+
+    /** Gives every dock its size; the view has the rest. */
+    private void apply() {
+        validate();
+        if (component(Place.BOTTOM) != null) {
+            int size = fixed.contains(Place.BOTTOM)
+                    ? component(Place.BOTTOM).getPreferredSize().height
+                    : sizes.get(Place.BOTTOM) + DIVIDER;
+            bottom.setDividerLocation(Math.max(LEAST_VIEW / 2, getHeight() - size));
+        }
+        if (component(Place.LEFT) != null) {
+            left.setDividerLocation(sizes.get(Place.LEFT));
+        }
+        bottom.validate();
+        if (component(Place.RIGHT) != null) {
+            right.setDividerLocation(Math.max(LEAST_VIEW, right.getWidth() - DIVIDER - sizes.get(Place.RIGHT)));
+        }
+        revalidate();
+    }
+
+    /** Remembers the sizes. */
+    void remember() {
+        for (Place place : Place.values()) {
+            int size = component(place) != null && placed && !fixed.contains(place) ? size(place) : sizes.get(place);
+            preferences.setNumber("dock." + place.name(), size);
+        }
+    }
+}

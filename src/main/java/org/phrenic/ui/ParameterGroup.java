@@ -1,0 +1,48 @@
+package org.phrenic.ui;
+
+import org.phrenic.simulation.Parameter;
+
+/** What the rows of the parameter dock are gathered under. */
+enum ParameterGroup {
+    MODEL("Model"),
+    MUSCLE("Muscle"),
+    TISSUE("Tendon and tissue"),
+    BREATHING("Breathing"),
+    RIBS("Ribs and sternum"),
+    NUMERICS("Numerics");
+
+    private final String label;
+
+    ParameterGroup(String label) {
+        this.label = label;
+    }
+
+    String label() {
+        return label;
+    }
+
+    /** The group of a parameter. */
+    static ParameterGroup of(Parameter parameter) {
+        return switch (parameter) {
+            case MUSCLE_STIFFNESS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, MUSCLE_FORCE, ACTION_RADIUS -> MUSCLE;
+            case TENDON_RATIO, SPRING_STIFFNESS, NODE_MASS, AREA_DENSITY, DAMPING, DAMPING_RATE, LUNG_STIFFNESS ->
+                TISSUE;
+            case RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE, REST_PRESSURE, GREATEST_PRESSURE -> BREATHING;
+            case RIB_ROTATION, STERNUM_COUPLING -> RIBS;
+        };
+    }
+
+    /** Whether a parameter has a part in how large a step may be. */
+    static boolean limitsStep(Parameter parameter) {
+        return switch (parameter) {
+            case MUSCLE_STIFFNESS,
+                    TENDON_RATIO,
+                    SPRING_STIFFNESS,
+                    NODE_MASS,
+                    AREA_DENSITY,
+                    STERNUM_COUPLING,
+                    LUNG_STIFFNESS -> true;
+            default -> false;
+        };
+    }
+}

@@ -1,0 +1,80 @@
+package org.phrenic.ui;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Color;
+import java.util.Map;
+import javax.swing.UIManager;
+
+/** Light and dark: one accent, quiet surfaces, the same sizes in both. */
+final class Theme {
+    private static final String ACCENT_LIGHT = "#0f7285";
+    private static final String ACCENT_DARK = "#4bb3c6";
+
+    private Theme() {}
+
+    /** Sets the look of all that is made from now on; open windows follow with {@link #refresh}. */
+    static void install(boolean dark) {
+        FlatLaf.setGlobalExtraDefaults(Map.of("@accentColor", dark ? ACCENT_DARK : ACCENT_LIGHT));
+        if (dark) {
+            FlatDarkLaf.setup();
+        } else {
+            FlatLightLaf.setup();
+        }
+        UIManager.put("SplitPane.dividerSize", 5);
+        UIManager.put("SplitPaneDivider.style", "plain");
+        UIManager.put("TabbedPane.tabHeight", 28);
+        UIManager.put("TabbedPane.tabInsets", new java.awt.Insets(2, 10, 2, 10));
+        UIManager.put("ScrollBar.width", 11);
+        UIManager.put("ScrollBar.thumbArc", 999);
+        UIManager.put("Component.arc", 6);
+        UIManager.put("Button.arc", 6);
+        UIManager.put("TitlePane.unifiedBackground", true);
+    }
+
+    /** Lets open windows take the look just set. */
+    static void refresh() {
+        FlatLaf.updateUI();
+    }
+
+    static boolean isDark() {
+        return FlatLaf.isLafDark();
+    }
+
+    static Color accent() {
+        return Color.decode(isDark() ? ACCENT_DARK : ACCENT_LIGHT);
+    }
+
+    /** Text that matters less; still 4.5 to 1 on a panel. */
+    static Color quietText() {
+        return isDark() ? new Color(0xa9b0b5) : new Color(0x596067);
+    }
+
+    /** Line between regions. */
+    static Color line() {
+        Color separator = UIManager.getColor("Component.borderColor");
+        return separator == null ? Color.GRAY : separator;
+    }
+
+    /** Behind the view until there is a picture; the renderer's own background. */
+    static Color viewBackground() {
+        return isDark() ? new Color(0x1d2226) : new Color(0xe9edf0);
+    }
+
+    static Color warningBackground() {
+        return isDark() ? new Color(0x4a3a10) : new Color(0xfff3cf);
+    }
+
+    static Color warningText() {
+        return isDark() ? new Color(0xffe3a0) : new Color(0x5b4300);
+    }
+
+    static Color alarmBackground() {
+        return isDark() ? new Color(0x5a2420) : new Color(0xfbe3e0);
+    }
+
+    static Color alarmText() {
+        return isDark() ? new Color(0xffd2cc) : new Color(0x7c1d12);
+    }
+}

@@ -1,0 +1,17 @@
+package org.phrenic.ui;
+
+import org.phrenic.scene.Camera;
+import org.phrenic.scene.SceneStyle;
+import org.phrenic.simulation.live.LiveScene;
+
+/**
+ * What the view should show.
+ *
+ * @param scene whose surfaces
+ * @param camera from where
+ * @param style how
+ * @param width of the picture, pixels of the device
+ * @param height as above
+ * @param scrubbed frame of the history; -1 for the present
+ */
+record Wanted(LiveScene scene, Camera camera, SceneStyle style, int width, int height, int scrubbed) {}

@@ -1,0 +1,42 @@
+package org.phrenic.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+class ThrottleTest {
+    private static final long NS_PER_MS = 1_000_000;
+
+    private final AtomicLong clock = new AtomicLong();
+    private final AtomicInteger sent = new AtomicInteger();
+
+    @Test
+    void aSecondOfDraggingSendsTwentyTimes() {
+        Edt.run(() -> {
+            Throttle throttle = new Throttle(sent::incrementAndGet, clock::get);
+            // A mouse tells of a new place 250 times a second.
+            for (int i = 0; i < 250; i++) {
+                throttle.request();
+                clock.addAndGet(4 * NS_PER_MS);
+            }
+        });
+        assertThat(sent.get()).isBetween(18, 21);
+    }
+
+    @Test
+    void theFirstGoesAtOnceAndTheLastIsNotLost() {
+        Throttle throttle = Edt.get(() -> {
+            Throttle made = new Throttle(sent::incrementAndGet, clock::get);
+            made.request();
+            made.request();
+            return made;
+        });
+        assertThat(sent).hasValue(1);
+        Edt.until("the second was sent", () -> sent.get() == 2);
+        assertThat(throttle.isPending()).isFalse();
+        Edt.run(throttle::flush);
+        assertThat(sent).hasValue(2);
+    }
+}

@@ -1,0 +1,247 @@
+package org.phrenic.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.AWTEvent;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Toolkit;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import java.util.prefs.BackingStoreException;
+import java.util.prefs.Preferences;
+import javax.accessibility.Accessible;
+import javax.imageio.ImageIO;
+import javax.swing.SwingUtilities;
+import org.phrenic.simulation.Observation;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.live.History;
+
+/** A window under test: opened with preferences of its own, driven through its controls, watched through its observables. */
+final class WindowHarness implements AutoCloseable {
+    private static final long PATIENCE_MS = 60_000;
+    private static final Path PICTURES = Path.of("target", "screenshots");
+
+    private final Preferences node;
+    private final Watch watch = new Watch();
+    private final PhrenicWindow window;
+    private final double firstPictureS;
+
+    WindowHarness(String name, Scenario scenario) throws Exception {
+        node = Preferences.userRoot().node("org/phrenic/test-" + name);
+        node.clear();
+        long begun = System.nanoTime();
+        Session session = new Session(scenario);
+        window = onEdt(() -> {
+            PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
+            made.show();
+            return made;
+        });
+        Toolkit.getDefaultToolkit().getSystemEventQueue().push(watch);
+        await(
+                "a first picture",
+                () -> window.view().pictures() > 0 || window.view().isImpossible());
+        firstPictureS = (System.nanoTime() - begun) * 1e-9;
+        await("a scene", () -> onEdt(() -> window.session().scene().isPresent()));
+    }
+
+    PhrenicWindow window() {
+        return window;
+    }
+
+    Session session() {
+        return window.session();
+    }
+
+    /** From the start to the first picture of the thorax, s. */
+    double firstPictureS() {
+        return firstPictureS;
+    }
+
+    static <T> T onEdt(Callable<T> what) {
+        try {
+            if (EventQueue.isDispatchThread()) {
+                return what.call();
+            }
+            FutureTask<T> task = new FutureTask<>(what);
+            SwingUtilities.invokeLater(task);
+            return task.get();
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    static void doOnEdt(Runnable what) {
+        onEdt(() -> {
+            what.run();
+            return null;
+        });
+    }
+
+    /** Waits until something holds. */
+    static void await(String what, BooleanSupplier holds) throws InterruptedException {
+        long end = System.currentTimeMillis() + PATIENCE_MS;
+        while (!holds.getAsBoolean()) {
+            assertThat(System.currentTimeMillis()).as("waiting for " + what).isLessThan(end);
+            Thread.sleep(10);
+        }
+    }
+
+    /** Waits until the simulation has gone on by so much simulated time. */
+    void breathe(double seconds) throws InterruptedException {
+        double until = session().live().status().timeS() + seconds;
+        await("simulated time", () -> session().live().status().timeS() >= until);
+    }
+
+    /** Newest value of an observable. */
+    double observed(String column) {
+        History history = session().live().history();
+        return history.values(history.size() - 1)[Observation.COLUMNS.indexOf(column)];
+    }
+
+    /** Lowest value of an observable after a time of the history. */
+    double lowest(String column, double sinceS) {
+        History history = session().live().history();
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < history.size(); i++) {
+            if (history.time(i) >= sinceS) {
+                least = Math.min(least, history.values(i)[Observation.COLUMNS.indexOf(column)]);
+            }
+        }
+        return least;
+    }
+
+    double nowS() {
+        return session().live().status().timeS();
+    }
+
+    /** Value of a key as it is set now. */
+    Object set(String key) {
+        return onEdt(() -> session().scenario().toMap().get(key));
+    }
+
+    /** The control of this accessible name and kind. */
+    <C extends Component> C control(Class<C> kind, String accessibleName) {
+        return onEdt(() -> find(window.frame().getRootPane(), kind, accessibleName)
+                .orElseThrow(() -> new AssertionError("no " + kind.getSimpleName() + " named " + accessibleName)));
+    }
+
+    private static <C extends Component> Optional<C> find(Component at, Class<C> kind, String name) {
+        if (kind.isInstance(at)
+                && at instanceof Accessible accessible
+                && accessible.getAccessibleContext() != null
+                && name.equals(accessible.getAccessibleContext().getAccessibleName())) {
+            return Optional.of(kind.cast(at));
+        }
+        if (at instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                Optional<C> found = find(child, kind, name);
+                if (found.isPresent()) {
+                    return found;
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Everything in the window that takes part in the keyboard's tour. */
+    List<Component> controls() {
+        return onEdt(() -> {
+            List<Component> list = new ArrayList<>();
+            collect(window.frame().getRootPane(), list);
+            return list;
+        });
+    }
+
+    private static void collect(Component at, List<Component> list) {
+        if (at instanceof javax.swing.AbstractButton
+                || at instanceof javax.swing.JSlider
+                || at instanceof javax.swing.JComboBox
+                || at instanceof javax.swing.JTextField) {
+            if (at.isFocusable()) {
+                list.add(at);
+            }
+        } else if (at instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                collect(child, list);
+            }
+        }
+    }
+
+    /** Does what a command of the menus does. */
+    void command(String name) {
+        doOnEdt(() -> window.commands().all().stream()
+                .filter(command -> command.name().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .actionPerformed(null));
+    }
+
+    /** Paints the window into a picture that can be looked at afterwards. */
+    BufferedImage screenshot(String name) throws IOException {
+        BufferedImage picture = onEdt(() -> {
+            BufferedImage image = new BufferedImage(
+                    window.frame().getRootPane().getWidth(),
+                    window.frame().getRootPane().getHeight(),
+                    BufferedImage.TYPE_INT_RGB);
+            window.frame().getRootPane().paint(image.createGraphics());
+            return image;
+        });
+        Files.createDirectories(PICTURES);
+        ImageIO.write(picture, "png", PICTURES.resolve(name + ".png").toFile());
+        return picture;
+    }
+
+    /** Times that events took on the event dispatch thread since the window was there, ms, longest last. */
+    List<Double> dispatches() {
+        synchronized (watch.tookMs) {
+            List<Double> sorted = new ArrayList<>(watch.tookMs);
+            Collections.sort(sorted);
+            return sorted;
+        }
+    }
+
+    void forgetDispatches() {
+        synchronized (watch.tookMs) {
+            watch.tookMs.clear();
+        }
+    }
+
+    @Override
+    public void close() throws BackingStoreException {
+        watch.end();
+        doOnEdt(window::close);
+        node.removeNode();
+    }
+
+    /** Measures how long each event keeps the event dispatch thread, in processor time so that other processes do not count. */
+    private static final class Watch extends EventQueue {
+        private final List<Double> tookMs = new ArrayList<>();
+        private final java.lang.management.ThreadMXBean threads =
+                java.lang.management.ManagementFactory.getThreadMXBean();
+
+        @Override
+        protected void dispatchEvent(AWTEvent event) {
+            long begun = threads.getCurrentThreadCpuTime();
+            super.dispatchEvent(event);
+            double took = (threads.getCurrentThreadCpuTime() - begun) * 1e-6;
+            synchronized (tookMs) {
+                tookMs.add(took);
+            }
+        }
+
+        void end() {
+            pop();
+        }
+    }
+}

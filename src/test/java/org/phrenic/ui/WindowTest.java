@@ -1,0 +1,273 @@
+package org.phrenic.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.awt.Component;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JSlider;
+import javax.swing.TransferHandler;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.simulation.Scenario;
+
+/** The window on the virtual body at low resolution with the paper's material, whose steps are long: what its controls do is looked for in the observables of the run. */
+@Timeout(120)
+class WindowTest {
+    /** A window is there in 5 s on a desktop; machines that test share their cores. */
+    private static final double FIRST_PICTURE_S = 25;
+
+    /** One breath of the quiet preset, s. */
+    private static final double BREATH_S = 4.2;
+
+    /** Longest that an event may keep the window, ms of processor time. */
+    private static final double LONGEST_EVENT_MS = 50;
+
+    /** Phase and turn of what stands still, but for rounding of the clock. */
+    private static final double STILL = 1e-9;
+
+    private static WindowHarness window;
+
+    @TempDir
+    Path folder;
+
+    @BeforeAll
+    static void open() throws Exception {
+        assumeThat(PhrenicWindow.isPossible())
+                .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
+                .isTrue();
+        window = new WindowHarness("window", start());
+    }
+
+    private static Scenario start() {
+        return Scenario.read(Path.of("data", "scenarios", "paper-quiet.yaml")).with("resolution=low", "threads=1");
+    }
+
+    @AfterAll
+    static void close() throws Exception {
+        if (window != null) {
+            window.close();
+        }
+    }
+
+    /** The first scene from its beginning, flat out. */
+    private static void asAtFirst() throws Exception {
+        long before = id();
+        WindowHarness.doOnEdt(() -> {
+            window.session().open("Start", start());
+            window.session().live().setSpeed(Double.POSITIVE_INFINITY);
+            window.session().live().play();
+        });
+        reloaded("low", before);
+        window.breathe(0.05);
+    }
+
+    /** Waits until a scene of this resolution runs from its beginning. */
+    private static void reloaded(String resolution, long before) throws InterruptedException {
+        WindowHarness.await(
+                "a scene of resolution " + resolution,
+                () -> id() != before && resolution.equals(running().toMap().get("resolution")));
+    }
+
+    private static long id() {
+        return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().id());
+    }
+
+    private static Scenario running() {
+        return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().scenario());
+    }
+
+    @Test
+    void theThoraxBreathesAtOnce() throws Exception {
+        assertThat(window.firstPictureS()).isLessThan(FIRST_PICTURE_S);
+        double step = WindowHarness.onEdt(() -> (double) window.window().view().shownStep());
+        window.breathe(0.3);
+        if (!window.window().view().isImpossible()) {
+            WindowHarness.await("a newer picture", () -> window.window().view().shownStep() > step);
+            BufferedImage picture = WindowHarness.onEdt(
+                    () -> window.window().view().picture().orElseThrow().image());
+            assertThat(reds(picture))
+                    .as("share of the view that is red, as muscle is")
+                    .isGreaterThan(0.005);
+            window.screenshot("first-minute");
+        }
+        assertThat(window.control(JComponent.class, "Welcome").isVisible()).isTrue();
+    }
+
+    private static double reds(BufferedImage picture) {
+        int all = picture.getWidth() * picture.getHeight();
+        long red = IntStream.range(0, all)
+                .map(i -> picture.getRGB(i % picture.getWidth(), i / picture.getWidth()))
+                .filter(rgb -> (rgb >> 16 & 0xff) > 1.5 * (rgb >> 8 & 0xff) && (rgb >> 16 & 0xff) > 80)
+                .count();
+        return (double) red / all;
+    }
+
+    private static void slide(String name, double share) {
+        JSlider slider = window.control(JSlider.class, name);
+        WindowHarness.doOnEdt(() -> slider.setValue((int) Math.round(share * slider.getMaximum())));
+    }
+
+    @Test
+    void slidersChangeWhatIsSetAndUndoTakesItBack() throws Exception {
+        asAtFirst();
+        for (String[] row : new String[][] {
+            {"Damping", "damping_ns_per_m"},
+            {"Spring stiffness", "spring_stiffness_n_per_m"},
+            {"Muscle force", "muscle_force_mn"},
+            {"Rib rotation", "rib_rotation"}
+        }) {
+            Object before = window.set(row[1]);
+            slide(row[0], 0.55);
+            WindowHarness.await(row[0], () -> !window.set(row[1]).equals(before));
+            // Changes of one slider are one change until it rests.
+            WindowHarness.doOnEdt(() -> window.session().edits().close());
+            window.command("Undo");
+            assertThat(window.set(row[1])).as(row[0] + " after undo").isEqualTo(before);
+        }
+    }
+
+    @Test
+    void moreMuscleForcePullsTheDomesDeeper() throws Exception {
+        asAtFirst();
+        window.breathe(BREATH_S);
+        double usual = window.lowest("dome_right_mm", 0);
+        slide("Muscle force", 1);
+        double from = window.nowS();
+        window.breathe(BREATH_S);
+        assertThat(window.lowest("dome_right_mm", from)).isLessThan(usual - 2);
+    }
+
+    @Test
+    void deepIsDeeperThanQuiet() throws Exception {
+        asAtFirst();
+        window.breathe(BREATH_S);
+        double quiet = window.lowest("dome_right_mm", 0);
+        window.command("Deep");
+        double from = window.nowS();
+        window.breathe(2 * BREATH_S);
+        assertThat(window.lowest("dome_right_mm", from)).isLessThan(quiet - 2);
+        window.screenshot("deep");
+    }
+
+    @Test
+    void aHeldBreathStaysWhereItIs() throws Exception {
+        asAtFirst();
+        window.breathe(1);
+        window.command("Hold");
+        window.breathe(2);
+        double held = window.observed("phase");
+        double turned = window.observed("rib_turn");
+        window.breathe(1);
+        assertThat(window.observed("phase")).isCloseTo(held, within(STILL));
+        assertThat(window.observed("rib_turn")).isCloseTo(turned, within(STILL));
+        window.command("Hold");
+        window.breathe(0.5);
+        assertThat(window.observed("phase")).isNotCloseTo(held, within(STILL));
+    }
+
+    @Test
+    void anotherResolutionIsAnotherScene() throws Exception {
+        asAtFirst();
+        int nodes =
+                WindowHarness.onEdt(() -> window.session().scene().orElseThrow().nodes());
+        long before = id();
+        JComboBox<?> box = window.control(JComboBox.class, "Resolution");
+        WindowHarness.doOnEdt(() -> box.setSelectedIndex(1));
+        reloaded("medium", before);
+        assertThat(WindowHarness.onEdt(
+                        () -> window.session().scene().orElseThrow().nodes()))
+                .isGreaterThan(nodes);
+    }
+
+    private static boolean drop(Path file) {
+        Transferable files = new Transferable() {
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+            }
+
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor flavor) {
+                return flavor.equals(DataFlavor.javaFileListFlavor);
+            }
+
+            @Override
+            public List<File> getTransferData(DataFlavor flavor) {
+                return List.of(file.toFile());
+            }
+        };
+        return WindowHarness.onEdt(() -> {
+            JComponent root = window.window().frame().getRootPane();
+            return root.getTransferHandler().importData(new TransferHandler.TransferSupport(root, files));
+        });
+    }
+
+    @Test
+    void aDroppedScenarioIsOpened() throws Exception {
+        Path file = folder.resolve("dropped.yaml");
+        Files.writeString(file, "preset: deep\nmaterial: paper\nresolution: low\nlungs: off\nrib_rotation: 0.5\n");
+        assertThat(drop(file)).isTrue();
+        WindowHarness.await("the dropped scene", () -> running().name().equals("dropped"));
+        assertThat(window.set("rib_rotation")).isEqualTo(0.5);
+        window.breathe(0.1);
+    }
+
+    @Test
+    void aFileOfAnotherKindIsRefusedInOneSentenceAndChangesNothing() throws Exception {
+        Path file = folder.resolve("wrong.yaml");
+        Files.writeString(file, "presett: deep\n");
+        Object before = WindowHarness.onEdt(() -> window.session().scenario().toMap());
+        drop(file);
+        WindowHarness.await(
+                "the sentence",
+                () -> WindowHarness.onEdt(
+                        () -> window.window().banner().sentence().contains("presett")));
+        assertThat(WindowHarness.onEdt(() -> window.session().scenario().toMap()))
+                .isEqualTo(before);
+        window.screenshot("refused");
+    }
+
+    @Test
+    void theWindowStaysResponsiveWhileItRunsFlatOutAndLoads() throws Exception {
+        window.breathe(0.5);
+        window.forgetDispatches();
+        WindowHarness.doOnEdt(() -> window.session().open("Again", start()));
+        window.breathe(1);
+        slide("Damping", 0.4);
+        window.breathe(1);
+        List<Double> took = window.dispatches();
+        // One in a hundred may be the first of its kind, before Java has made it fast.
+        assertThat(took.get(took.size() * 99 / 100 - 1)).isLessThan(LONGEST_EVENT_MS);
+    }
+
+    @Test
+    void everythingOnTheKeyboardsTourHasAName() {
+        for (Component control : window.controls()) {
+            String name = control.getAccessibleContext().getAccessibleName();
+            assertThat(name).as("accessible name of " + control).isNotBlank();
+        }
+    }
+
+    @Test
+    void keysAreTakenOnce() {
+        List<String> keys = window.window().commands().all().stream()
+                .map(Command::keyText)
+                .filter(text -> !text.isEmpty())
+                .toList();
+        assertThat(keys).doesNotHaveDuplicates();
+    }
+}
