@@ -34,6 +34,7 @@ enum Knob {
     }
 
     /** Its place in an array of one value a knob. */
+    @SuppressWarnings("EnumOrdinal") // arrays of one value a knob live no longer than a run: the order may change
     int slot() {
         return ordinal();
     }
