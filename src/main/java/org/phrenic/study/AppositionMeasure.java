@@ -13,7 +13,7 @@ import org.phrenic.simulation.Frame;
 /**
  * The zone of apposition: the part of the diaphragm's thoracic face that leans on the rib cage below the lung. A triangle belongs to it if its middle is within 15 mm of a rib or cartilage (half of an
  * intercostal space and the muscle in it), not within 5 mm of a lung, and its normal is within 60 degrees of level and looks away from the middle line of the body. By the same rule but that about the lung, the
- * lungs' surface has a part that leans on the rib cage; both together are its inner area.
+ * lungs' surface has a part that leans on the rib cage; both together are its inner area. The height at the side is the zone's area within 20 degrees of straight to the side over the width of that sector.
  */
 final class AppositionMeasure implements SceneMeasure {
     static final List<String> NAMES =
@@ -69,11 +69,11 @@ final class AppositionMeasure implements SceneMeasure {
         }
     }
 
-    /** Area, and lowest and highest point at the body's sides. */
+    /** Area in all, at the body's sides, and there times the distance from the middle. */
     private static final class Sum {
         double area;
-        final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-        final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        double lateral;
+        double moment;
     }
 
     @Override
@@ -93,11 +93,8 @@ final class AppositionMeasure implements SceneMeasure {
         if (costal.area > 0) {
             values.put("apposition_share_percent", 100 * apposed.area / (apposed.area + costal.area));
         }
-        double height = 0;
-        for (int side = 0; side < 2; side++) {
-            height += 0.5 * Math.max(0, apposed.high[side] - apposed.low[side]);
-        }
-        values.put("apposition_lateral_mm", height);
+        double width = 4 * StrictMath.acos(LATERAL) * apposed.moment / apposed.lateral;
+        values.put("apposition_lateral_mm", apposed.lateral == 0 ? 0 : apposed.lateral / width);
     }
 
     private void add(int[] t, double[] p, boolean[] which, Sum sum) {
@@ -128,10 +125,10 @@ final class AppositionMeasure implements SceneMeasure {
                 continue;
             }
             sum.area += 0.5 * twice;
-            if (Math.abs(dx) > LATERAL * Math.sqrt(dx * dx + dy * dy)) {
-                int side = dx > 0 ? 1 : 0;
-                sum.low[side] = Math.min(sum.low[side], z);
-                sum.high[side] = Math.max(sum.high[side], z);
+            double radius = Math.sqrt(dx * dx + dy * dy);
+            if (Math.abs(dx) > LATERAL * radius) {
+                sum.lateral += 0.5 * twice;
+                sum.moment += 0.5 * twice * radius;
             }
         }
     }

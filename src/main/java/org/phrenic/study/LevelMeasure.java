@@ -10,7 +10,7 @@ import org.phrenic.simulation.Surface;
 
 /**
  * At which level of the body the domes stand, as a number that is whole at the middle of a bone and grows downward: against the vertebral bodies (8 for the middle of T8, 13 for L1) and against the
- * front halves of the ribs above or below the dome's top (5.5 for the fifth intercostal space), as on a picture from the front.
+ * front halves of the ribs in the midclavicular line (5.5 for the fifth intercostal space), as on a picture from the front.
  */
 final class LevelMeasure implements SceneMeasure {
     static final List<String> NAMES = List.of(
@@ -23,9 +23,12 @@ final class LevelMeasure implements SceneMeasure {
 
     /** A vertebra's body: so far back from its front. */
     private static final double BODY_MM = 25;
-    /** The domes are to the sides of this, the tendon's middle within. */
     private static final double MIDLINE_MM = 20;
-    /** A rib is looked at so far to both sides of the dome's top. */
+    /** What is nearer to the midline is hidden by the heart on a picture from the front. */
+    private static final double HEART_MM = 45;
+    /** The midclavicular line: so far out to the side of the sheet. */
+    private static final double MIDCLAVICULAR = 0.55;
+    /** A rib is looked at so far to both sides of the midclavicular line. */
     private static final double BAND_MM = 10;
 
     /** Height of a level's middle. */
@@ -33,6 +36,7 @@ final class LevelMeasure implements SceneMeasure {
 
     private final int sheet;
     private final double middle;
+    private final double clavicular;
     private final List<Level> vertebrae = new ArrayList<>();
     private final int[] ribs;
 
@@ -40,6 +44,7 @@ final class LevelMeasure implements SceneMeasure {
         sheet = view.all(StructureKind.DIAPHRAGM)[0];
         double[] box = view.surface(sheet).rest().bounds();
         middle = 0.5 * (box[0] + box[3]);
+        clavicular = 0.5 * MIDCLAVICULAR * (box[3] - box[0]);
         for (int i : view.all(StructureKind.VERTEBRA)) {
             Surface s = view.surface(i);
             vertebrae.add(new Level(s.level(), bodyMiddle(s)));
@@ -70,8 +75,8 @@ final class LevelMeasure implements SceneMeasure {
         values.put(
                 "central_tendon_vertebra",
                 level(vertebrae, tendon(p, view.surface(sheet).tendon())));
-        values.put("dome_right_rib", level(ribLevels(view, Side.RIGHT, right[0]), right[2]));
-        values.put("dome_left_rib", level(ribLevels(view, Side.LEFT, left[0]), left[2]));
+        values.put("dome_right_rib", level(ribLevels(view, Side.RIGHT, middle - clavicular), right[2]));
+        values.put("dome_left_rib", level(ribLevels(view, Side.LEFT, middle + clavicular), left[2]));
         values.put("dome_right_above_left_mm", right[2] - left[2]);
     }
 
@@ -79,7 +84,7 @@ final class LevelMeasure implements SceneMeasure {
     private double[] top(double[] p, int sign) {
         int best = -1;
         for (int k = 0; k < p.length; k += 3) {
-            if (sign * (p[k] - middle) > MIDLINE_MM && (best < 0 || p[k + 2] > p[best + 2])) {
+            if (sign * (p[k] - middle) > HEART_MM && (best < 0 || p[k + 2] > p[best + 2])) {
                 best = k;
             }
         }

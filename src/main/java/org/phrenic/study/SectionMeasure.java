@@ -5,30 +5,28 @@ import java.util.Map;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.Frame;
 
-/** Length of the diaphragm in pictures: where its sheet crosses the coronal and the sagittal planes through the tops of its domes at rest, which stay in place as those of a scanner do. Half of both faces together. */
+/** Length of the diaphragm in pictures: where its sheet crosses the coronal and the sagittal planes through the places where the domes are measured (half way out to the side and a third of the way back), which stay in place as those of a scanner do. Half of both faces together. */
 final class SectionMeasure implements SceneMeasure {
     static final List<String> NAMES =
             List.of("coronal_right_mm", "coronal_left_mm", "sagittal_right_mm", "sagittal_left_mm");
 
-    private static final double MIDLINE_MM = 20;
+    private static final double OUT = 0.5;
+    private static final double BACK = 0.33;
 
     private final int sheet;
     private final int[] triangles;
     private final double middle;
-    private final double[][] tops = new double[2][];
+    private final double[] sagittal;
+    private final double coronal;
 
     SectionMeasure(SceneView view) {
         sheet = view.all(StructureKind.DIAPHRAGM)[0];
         triangles = view.surface(sheet).rest().triangles();
-        double[] p = view.surface(sheet).rest().positions();
         double[] box = view.surface(sheet).rest().bounds();
         middle = 0.5 * (box[0] + box[3]);
-        for (int k = 0; k < p.length; k += 3) {
-            int side = p[k] > middle ? 1 : 0;
-            if (Math.abs(p[k] - middle) > MIDLINE_MM && (tops[side] == null || p[k + 2] > tops[side][2])) {
-                tops[side] = new double[] {p[k], p[k + 1], p[k + 2]};
-            }
-        }
+        double out = OUT * 0.5 * (box[3] - box[0]);
+        sagittal = new double[] {middle - out, middle + out};
+        coronal = 0.5 * (box[1] + box[4]) + BACK * 0.5 * (box[4] - box[1]);
     }
 
     @Override
@@ -36,8 +34,8 @@ final class SectionMeasure implements SceneMeasure {
         double[] p = view.now(sheet);
         for (int side = 0; side < 2; side++) {
             String name = side == 0 ? "right_mm" : "left_mm";
-            values.put("coronal_" + name, length(p, 1, tops[side][1], side));
-            values.put("sagittal_" + name, length(p, 0, tops[side][0], side));
+            values.put("coronal_" + name, length(p, 1, coronal, side));
+            values.put("sagittal_" + name, length(p, 0, sagittal[side], side));
         }
     }
 
