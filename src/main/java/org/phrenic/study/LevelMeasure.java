@@ -23,6 +23,7 @@ final class LevelMeasure implements SceneMeasure {
 
     /** A vertebra's body: so far back from its front. */
     private static final double BODY_MM = 25;
+
     private static final double MIDLINE_MM = 20;
     /** What is nearer to the midline is hidden by the heart on a picture from the front. */
     private static final double HEART_MM = 45;
