@@ -5,6 +5,9 @@ final class ExitCode {
     static final int DONE = 0;
     static final int FAILURE = 1;
     static final int BAD_INPUT = 2;
+    /** What was measured misses a range in which there is confidence. */
+    static final int OUT_OF_RANGE = 3;
+
     static final int NO_GRAPHICS = 4;
 
     private ExitCode() {}

@@ -19,7 +19,13 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {WindowCommand.class, RunCommand.class, RenderCommand.class, InfoCommand.class, BenchCommand.class
+        subcommands = {
+            WindowCommand.class,
+            RunCommand.class,
+            RenderCommand.class,
+            InfoCommand.class,
+            BenchCommand.class,
+            ValidateCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
@@ -33,8 +39,9 @@ import picocli.CommandLine.Spec;
             "  phrenic run --preset deep --out result    a deep one into ./result",
             "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
+            "  phrenic validate                          breaths held against a table of physiology",
             "",
-            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
@@ -64,7 +71,7 @@ public final class Phrenic implements Callable<Integer> {
      *
      * @param out for results
      * @param err for log, progress and the one sentence of a failure
-     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 4 nothing here can draw
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();

@@ -1,2 +1,2 @@
-/** Floor 4: what is asked of many runs: benchmarks and comparisons. */
+/** Floor 4: what is asked of many runs: benchmarks, validation against physiology, sensitivity. */
 package org.phrenic.study;

@@ -1,0 +1,33 @@
+package org.phrenic.study;
+
+/**
+ * What came of one row of the physiology table on one body.
+ *
+ * @param row the quantity
+ * @param verdict whether the value lies in the range
+ * @param value in the row's unit; NaN where there is none
+ * @param reason why there is none; empty otherwise
+ */
+public record Finding(PhysiologyRow row, Verdict verdict, double value, String reason) {
+    /** Whether a value lies in its range. */
+    public enum Verdict {
+        WITHIN("within"),
+        OUT("out"),
+        NOT_MEASURABLE("not measurable here");
+
+        private final String label;
+
+        Verdict(String label) {
+            this.label = label;
+        }
+
+        public String label() {
+            return label;
+        }
+    }
+
+    /** Whether it makes a validation fail. */
+    public boolean isMiss() {
+        return verdict == Verdict.OUT && row.confidence().isBinding();
+    }
+}

@@ -1,0 +1,77 @@
+package org.phrenic.study;
+
+import java.util.List;
+import java.util.Map;
+import org.phrenic.anatomy.SheetFaces;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.geometry.MeshTopology;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Surface;
+
+/** Areas of the diaphragm's thoracic face and of the tendon in it, and the volume that the face has swept downward since rest, -∫ u·n dA with the mean of the normals then and now. */
+final class SheetMeasure implements SceneMeasure {
+    static final List<String> NAMES =
+            List.of("diaphragm_area_cm2", "tendon_area_cm2", "tendon_share_percent", "diaphragm_swept_ml");
+
+    private final int sheet;
+    private final SheetFaces faces;
+
+    SheetMeasure(SceneView view) {
+        sheet = view.all(StructureKind.DIAPHRAGM)[0];
+        TriangleMesh rest = view.surface(sheet).rest();
+        faces = new SheetFaces(rest, new MeshTopology(rest));
+    }
+
+    @Override
+    public void at(SceneView view, Frame frame, Map<String, Double> values) {
+        Surface s = view.surface(sheet);
+        int[] t = s.rest().triangles();
+        double[] rest = s.rest().positions();
+        double[] now = view.now(sheet);
+        boolean[] tendon = s.tendon();
+        double area = 0;
+        double ofTendon = 0;
+        double swept = 0;
+        double[] then = new double[3];
+        double[] normal = new double[3];
+        for (int i = 0; i < t.length; i += 3) {
+            int thoracic = 0;
+            int inTendon = 0;
+            for (int c = 0; c < 3; c++) {
+                thoracic += faces.isThoracic(t[i + c]) ? 1 : 0;
+                inTendon += tendon[t[i + c]] ? 1 : 0;
+            }
+            if (thoracic < 2) {
+                continue;
+            }
+            cross(rest, t, i, then);
+            cross(now, t, i, normal);
+            double size = 0.5 * Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+            area += size;
+            ofTendon += inTendon == 3 ? size : 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double moved = 0;
+                for (int c = 0; c < 3; c++) {
+                    moved += (now[3 * t[i + c] + axis] - rest[3 * t[i + c] + axis]) / 3;
+                }
+                swept -= 0.25 * moved * (then[axis] + normal[axis]);
+            }
+        }
+        values.put("diaphragm_area_cm2", area / 100);
+        values.put("tendon_area_cm2", ofTendon / 100);
+        values.put("tendon_share_percent", 100 * ofTendon / area);
+        values.put("diaphragm_swept_ml", swept / 1000);
+    }
+
+    private static void cross(double[] p, int[] t, int i, double[] out) {
+        int a = 3 * t[i];
+        int b = 3 * t[i + 1];
+        int c = 3 * t[i + 2];
+        for (int axis = 0; axis < 3; axis++) {
+            int j = (axis + 1) % 3;
+            int k = (axis + 2) % 3;
+            out[axis] = (p[b + j] - p[a + j]) * (p[c + k] - p[a + k]) - (p[b + k] - p[a + k]) * (p[c + j] - p[a + j]);
+        }
+    }
+}
