@@ -13,16 +13,18 @@ import org.phrenic.simulation.Simulation;
 
 /** One breath of a preset from rest, or all of it up to the end of its hold, as curves of the observables. */
 final class PresetRun {
-    private static final double SAMPLE_S = 0.05;
+    /** Between samples of a validation, s. */
+    static final double SAMPLE_S = 0.05;
 
     private PresetRun() {}
 
     /**
      * Runs it.
      *
+     * @param sampleS between samples, s
      * @param wanted names of observables of {@link SceneMeasures} to compute besides those of every run
      */
-    static BreathSeries of(Scenario scenario, Thorax thorax, Collection<String> wanted) {
+    static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             Frame frame = surfaces.newFrame();
@@ -42,7 +44,7 @@ final class PresetRun {
                     return new BreathSeries(columns, rows, labels);
                 }
                 long steps =
-                        Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+                        Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
                 for (long i = 0; i < steps; i++) {
                     simulation.step();
                 }

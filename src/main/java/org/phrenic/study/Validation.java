@@ -69,7 +69,8 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
             for (String preset : presets) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new Jobs.Job<>(
-                        anatomy + ", " + preset, () -> PresetRun.of(run, thorax, observables(table, preset))));
+                        anatomy + ", " + preset,
+                        () -> PresetRun.of(run, thorax, PresetRun.SAMPLE_S, observables(table, preset))));
             }
         }
         List<BreathSeries> series = Jobs.run(jobs, threads, progress);
