@@ -440,7 +440,12 @@ public final class LiveRun implements AutoCloseable {
             if (command == null) {
                 return;
             }
-            command.run();
+            try {
+                command.run();
+            } catch (RuntimeException e) {
+                // Such as a trace that is gone from the disk: what was asked for is not done, and the run goes on.
+                refused(e);
+            }
         }
     }
 
