@@ -31,7 +31,8 @@ final class Patterns {
             try {
                 return new TracePattern(TraceFile.read(scenario.trace().get()), p, true);
             } catch (IOException e) {
-                throw new BadInputException(e.getMessage(), e);
+                throw new BadInputException(
+                        scenario.trace().get() + ": found nothing that can be read, expected a recorded breath", e);
             }
         }
         return preset.pattern(p);

@@ -28,6 +28,7 @@ final class Banner extends JPanel {
         text.setName("banner.text");
         text.getAccessibleContext().setAccessibleName("Message");
         help.setName("banner.help");
+        help.setToolTipText("Does what the message offers");
         help.addActionListener(this::answer);
         close.setToolTipText("Close this message");
         close.getAccessibleContext().setAccessibleName("Close this message");
@@ -92,9 +93,18 @@ final class Banner extends JPanel {
     }
 
     private void colour() {
-        boolean alarm = kind == Session.Message.Kind.DIVERGED;
-        setBackground(alarm ? Theme.alarmBackground() : Theme.warningBackground());
-        text.setForeground(alarm ? Theme.alarmText() : Theme.warningText());
+        setBackground(
+                switch (kind) {
+                    case NOTE -> Theme.noteBackground();
+                    case REFUSED -> Theme.warningBackground();
+                    case DIVERGED -> Theme.alarmBackground();
+                });
+        text.setForeground(
+                switch (kind) {
+                    case NOTE -> Theme.noteText();
+                    case REFUSED -> Theme.warningText();
+                    case DIVERGED -> Theme.alarmText();
+                });
         close.setForeground(text.getForeground());
         setBorder(BorderFactory.createMatteBorder(0, 3, 0, 0, text.getForeground()));
     }

@@ -42,7 +42,7 @@ final class ChoiceRow extends SettingRow {
                 chosen.accept(before, now);
             }
         });
-        add(box, "spanx 4, growx, wmin 60");
+        add(box, "spanx 4, growx, wmin 60, wmax 240");
         finish(box, choice.label());
     }
 

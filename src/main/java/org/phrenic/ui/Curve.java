@@ -54,7 +54,14 @@ record Curve(
                         0xF09AC8,
                         true,
                         "growth of the transverse diameter"),
-                of("liver_si_mm", "Liver", "mm", 0x8A6A00, 0xF0D048, true, "way of the liver, superior positive"),
+                of(
+                        "liver_si_mm",
+                        "Liver",
+                        "mm",
+                        0x8A6A00,
+                        0xF0D048,
+                        true,
+                        "displacement of the liver, superior positive"),
                 of("lung_volume_change_ml", "Lung volume", "ml", 0x6B49B0, 0xB7A0F5, false, "air taken in"),
                 of(
                         "fibre_shortening_percent",
@@ -82,7 +89,7 @@ record Curve(
                 POINTS_ON_LIGHT[slot],
                 POINTS_ON_DARK[slot],
                 slot % 2 == 1,
-                "way of the picked point since it was picked, up positive");
+                "displacement of the picked point since it was picked, up positive");
     }
 
     /** Its colour on this background. */

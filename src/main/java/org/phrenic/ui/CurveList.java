@@ -18,6 +18,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
+import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /** Which curves are drawn, in which colour and line, and what their values are: legend, choice and readout in one. */
@@ -35,10 +36,10 @@ final class CurveList extends JPanel implements Scrollable {
      * @param chosen told when other curves are chosen
      */
     CurveList(List<Curve> curves, Set<String> shown, Runnable chosen) {
-        super(new MigLayout("insets 4 6 4 6, gapy 2, fillx, hidemode 3", "[][grow,fill][right,76!]"));
+        super(new MigLayout("insets 4 6 4 8, gapy 2, fillx, hidemode 3", "[][grow,fill][right,84!]"));
         this.chosen = chosen;
         JLabel at = new JLabel("At time");
-        at.setToolTipText("Time of the values: that under the mouse, else the present");
+        at.setToolTipText("Time of the values: that under the mouse, else that of the timeline");
         add(at, "span 2");
         add(time, "wrap");
         curves.forEach(curve -> add(curve, shown.contains(curve.column())));
@@ -86,7 +87,9 @@ final class CurveList extends JPanel implements Scrollable {
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
+        // The values are at the right edge: they need their place beside the scroll bar.
+        Dimension size = getPreferredSize();
+        return new Dimension(size.width + UIManager.getInt("ScrollBar.width"), size.height);
     }
 
     @Override

@@ -266,7 +266,7 @@ public final class PhrenicWindow {
             if (!now.limitSentence().equals(limit)) {
                 limit = now.limitSentence();
                 if (!limit.isEmpty()) {
-                    session.say(Session.Message.Kind.NOTE, limit + ": split into " + now.substeps() + " substeps");
+                    session.say(Session.Message.Kind.NOTE, ParameterDock.limitInWords(now));
                 }
             }
         }

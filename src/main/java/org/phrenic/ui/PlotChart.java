@@ -6,9 +6,12 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.RenderingHints;
 import java.awt.Stroke;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import javax.swing.UIManager;
 import org.jfree.chart.JFreeChart;
@@ -66,6 +69,7 @@ final class PlotChart {
             axis.setAutoRange(false);
             axis.setStandardTickUnits(new NumberTickUnitSource());
             axis.setAutoTickUnitSelection(true);
+            axis.setNumberFormatOverride(new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT)));
             XYPlot plot = new XYPlot(own, null, axis, new XYLineAndShapeRenderer(true, false));
             plots.add(plot, unit.equals("mm") ? WEIGHT_OF_MM : WEIGHT);
             data.add(own);
@@ -75,9 +79,9 @@ final class PlotChart {
 
     private static String axisLabel(String unit) {
         return switch (unit) {
-            case "mm" -> "Way (mm)";
-            case "ml" -> "Air (ml)";
-            case "%" -> "Fibres (%)";
+            case "mm" -> "mm";
+            case "ml" -> "ml";
+            case "%" -> "%";
             default -> "Turn";
         };
     }

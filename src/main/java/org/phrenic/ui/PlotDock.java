@@ -110,7 +110,7 @@ public final class PlotDock extends JPanel implements Session.Events {
         return tools;
     }
 
-    /** Also plots the way of a vertex of a surface, up positive; of more than four points the oldest is let go. */
+    /** Also plots the displacement of a vertex of a surface, up positive; of more than four points the oldest is let go. */
     public void track(int surface, int vertex) {
         points.pick(surface, vertex).ifPresent(curve -> {
             feed.ring().forget(curve.index());
@@ -169,9 +169,22 @@ public final class PlotDock extends JPanel implements Session.Events {
         chart.show(ring, from, to);
     }
 
+    @Override
+    public void onScrub() {
+        panel.mark(scrubbedTime());
+        readout();
+    }
+
+    /** Time of the recorded frame that is looked at, s; NaN for the present. */
+    private double scrubbedTime() {
+        return session.scrubbed().isPresent()
+                ? session.live().history().frameTime(session.scrubbed().getAsInt())
+                : Double.NaN;
+    }
+
     private void readout() {
         SampleRing ring = feed.ring();
-        double time = panel.cursorTime();
+        double time = Double.isNaN(panel.cursorTime()) ? scrubbedTime() : panel.cursorTime();
         list.read(ring, Double.isNaN(time) ? ring.size() - 1 : ring.nearest(time));
     }
 

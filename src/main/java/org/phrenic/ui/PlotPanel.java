@@ -19,6 +19,7 @@ final class PlotPanel extends ChartPanel {
     private final transient Runnable zoomed;
     private final transient Runnable reset;
     private double cursorTime = Double.NaN;
+    private double markedTime = Double.NaN;
 
     /**
      * @param cursor told the time under the mouse, NaN when it has left
@@ -72,6 +73,14 @@ final class PlotPanel extends ChartPanel {
         }
     }
 
+    /** Marks the time of the recorded frame that is looked at; NaN for none. */
+    void mark(double time) {
+        if (Double.compare(time, markedTime) != 0) {
+            markedTime = time;
+            repaint();
+        }
+    }
+
     /** Time under the mouse, s; NaN if it is elsewhere. */
     double cursorTime() {
         return cursorTime;
@@ -96,14 +105,18 @@ final class PlotPanel extends ChartPanel {
     private final class CursorLine extends AbstractOverlay implements Overlay {
         @Override
         public void paintOverlay(Graphics2D g, ChartPanel panel) {
-            if (Double.isNaN(cursorTime)) {
-                return;
-            }
-            Rectangle2D area = panel.getScreenDataArea();
-            int x = (int) Math.round(plot.timeAxis().valueToJava2D(cursorTime, area, RectangleEdge.BOTTOM));
             Color text = UIManager.getColor("Label.foreground");
-            g.setColor(new Color(text.getRed(), text.getGreen(), text.getBlue(), 150));
-            g.drawLine(x, (int) area.getMinY(), x, (int) area.getMaxY());
+            line(g, markedTime, Theme.accent(), 2);
+            line(g, cursorTime, new Color(text.getRed(), text.getGreen(), text.getBlue(), 150), 1);
+        }
+
+        private void line(Graphics2D g, double time, Color colour, int width) {
+            if (!Double.isNaN(time) && plot.timeAxis().getRange().contains(time)) {
+                Rectangle2D area = getScreenDataArea();
+                int x = (int) Math.round(plot.timeAxis().valueToJava2D(time, area, RectangleEdge.BOTTOM));
+                g.setColor(colour);
+                g.fillRect(x - width / 2, (int) area.getMinY(), width, (int) area.getHeight());
+            }
         }
     }
 }

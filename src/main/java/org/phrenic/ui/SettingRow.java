@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.simulation.Scenario;
 
-/** A row of a dock: a label, controls, and below them, when there is something to say, a sentence. All rows share one set of columns. */
+/** A row of a dock: a label above its controls, and below them, when there is something to say, a sentence. All rows share one set of columns. */
 abstract class SettingRow extends JPanel {
     /** How much a sentence matters. */
     enum Hint {
@@ -16,8 +16,7 @@ abstract class SettingRow extends JPanel {
         WARNING
     }
 
-    private static final String COLUMNS =
-            "[70:136:136,shrinkprio 50]4[40:60:,grow,fill,shrinkprio 200]4[58!]3[46!]1[20!]";
+    private static final String COLUMNS = "[40:80:,grow,fill]6[60!]4[50!]2[20!]";
 
     private static final Pattern SPACES = Pattern.compile("\\s+");
 
@@ -36,7 +35,7 @@ abstract class SettingRow extends JPanel {
      * @param tip what it is, as HTML
      */
     SettingRow(String key, String name, String tip) {
-        super(new MigLayout("insets 1 8 1 6, fillx, hidemode 3, gapy 1", COLUMNS));
+        super(new MigLayout("insets 2 10 3 6, fillx, hidemode 3, gapy 0", COLUMNS));
         this.key = key;
         this.tip = tip;
         words = (name + " " + key + " " + key.replace('_', ' ') + " " + tip.replaceAll("<[^>]*>", " "))
@@ -44,7 +43,7 @@ abstract class SettingRow extends JPanel {
         label = new JLabel(name);
         label.setToolTipText(tip);
         hint.setVisible(false);
-        add(label, "wmin 0, growx");
+        add(label, "wmin 0, growx, spanx, wrap");
         setOpaque(false);
     }
 

@@ -62,6 +62,14 @@ final class Theme {
         return isDark() ? new Color(0x1d2226) : new Color(0xe9edf0);
     }
 
+    static Color noteBackground() {
+        return isDark() ? new Color(0x24363b) : new Color(0xe4f1f3);
+    }
+
+    static Color noteText() {
+        return isDark() ? new Color(0xd5ecf0) : new Color(0x0c4450);
+    }
+
     static Color warningBackground() {
         return isDark() ? new Color(0x4a3a10) : new Color(0xfff3cf);
     }

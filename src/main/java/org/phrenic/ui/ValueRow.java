@@ -105,11 +105,12 @@ final class ValueRow extends SettingRow {
         });
         reset.putClientProperty("JButton.buttonType", "toolBarButton");
         reset.getAccessibleContext().setAccessibleName("Reset " + name);
+        reset.setToolTipText("Reset " + name);
         reset.addActionListener(e -> toDefault());
         add(slider);
         field.putClientProperty("JComponent.minimumWidth", 0);
-        add(field, "w 58!");
-        add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")));
+        add(field, "growx");
+        add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")), "wmin 0");
         add(reset, "w 20!, h 22!");
         finish(field, name);
         slider.setToolTipText(field.getToolTipText());

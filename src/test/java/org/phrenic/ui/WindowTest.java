@@ -11,24 +11,34 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
 import javax.swing.JSlider;
+import javax.swing.JTextField;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.Simulation;
 
 /** The window on the virtual body at low resolution with the paper's material, whose steps are long: what its controls do is looked for in the observables of the run. */
 @Timeout(120)
 class WindowTest {
-    /** A window is there in 5 s on a desktop; machines that test share their cores. */
-    private static final double FIRST_PICTURE_S = 25;
+    /** A window is there in 5 s on two cores that do nothing else. Machines that test share their cores, so what is held is the processor time that those have in 5 s. */
+    private static final double FIRST_PICTURE_CPU_S = 10;
 
     /** One breath of the quiet preset, s. */
     private static final double BREATH_S = 4.2;
@@ -63,15 +73,39 @@ class WindowTest {
         }
     }
 
-    /** The first scene from its beginning, flat out. */
+    /** The first scene from its beginning, flat out; it is loaded anew only where another one runs. */
     private static void asAtFirst() throws Exception {
+        Scenario first = start();
         long before = id();
+        boolean same = WindowHarness.onEdt(() -> {
+            Map<String, Object> has =
+                    new LinkedHashMap<>(window.session().scenario().toMap());
+            Map<String, Object> wanted = first.toMap();
+            List<Assignment> back = wanted.keySet().stream()
+                    .filter(key -> !wanted.get(key).equals(has.get(key)))
+                    .map(key -> new Assignment("test", key, String.valueOf(wanted.get(key))))
+                    .toList();
+            boolean live =
+                    has.keySet().equals(wanted.keySet()) && back.stream().allMatch(a -> Simulation.isLive(a.key()));
+            if (!live) {
+                window.session().open("Start", first);
+            } else if (!back.isEmpty()) {
+                window.session().change("Start", back.toArray(Assignment[]::new));
+            }
+            return live;
+        });
+        if (same) {
+            window.session().live().pause();
+            window.session().live().reset();
+            WindowHarness.await(
+                    "the beginning", () -> window.session().live().status().step() == 0);
+        } else {
+            reloaded("low", before);
+        }
         WindowHarness.doOnEdt(() -> {
-            window.session().open("Start", start());
             window.session().live().setSpeed(Double.POSITIVE_INFINITY);
             window.session().live().play();
         });
-        reloaded("low", before);
         window.breathe(0.05);
     }
 
@@ -92,7 +126,7 @@ class WindowTest {
 
     @Test
     void theThoraxBreathesAtOnce() throws Exception {
-        assertThat(window.firstPictureS()).isLessThan(FIRST_PICTURE_S);
+        assertThat(window.firstPictureCpuS()).isLessThan(FIRST_PICTURE_CPU_S);
         double step = WindowHarness.onEdt(() -> (double) window.window().view().shownStep());
         window.breathe(0.3);
         if (!window.window().view().isImpossible()) {
@@ -252,6 +286,116 @@ class WindowTest {
         List<Double> took = window.dispatches();
         // One in a hundred may be the first of its kind, before Java has made it fast.
         assertThat(took.get(took.size() * 99 / 100 - 1)).isLessThan(LONGEST_EVENT_MS);
+    }
+
+    /** Light nodes on soft springs without damping, thrown by a breath of jumps, stay within bounds while the muscle is weak. */
+    private Scenario brittle() throws Exception {
+        Path trace = folder.resolve("jumps.csv");
+        Files.writeString(
+                trace,
+                "time_s,amplitude\n0,0\n0.5,0\n0.5001,1\n0.9,1\n0.9001,0\n1,0\n1.5,0\n1.5001,1\n1.9,1\n1.9001,0\n");
+        return start().with(
+                        "trace=" + trace,
+                        "depth=2",
+                        "node_mass_kg=0.001",
+                        "spring_stiffness_n_per_m=1",
+                        "damping_ns_per_m=0",
+                        "muscle_force_mn=1");
+    }
+
+    @Test
+    void aDivergenceIsNamedAndTakenBackAndNeverSeen() throws Exception {
+        long before = id();
+        Scenario brittle = brittle();
+        WindowHarness.doOnEdt(() -> window.session().open("Brittle", brittle));
+        reloaded("low", before);
+        WindowHarness.doOnEdt(() -> window.session().live().setSpeed(Double.POSITIVE_INFINITY));
+        slide("Muscle force", 1);
+        WindowHarness.await(
+                "the banner",
+                () -> WindowHarness.onEdt(
+                        () -> window.window().banner().sentence().contains("diverged")));
+        assertThat(WindowHarness.onEdt(() -> window.window().banner().sentence()))
+                .contains("restored")
+                .contains("the last change was muscle_force_mn");
+        assertThat(window.session().live().isPlaying()).isFalse();
+        Frame shown = WindowHarness.onEdt(
+                () -> window.session().scene().orElseThrow().newFrame().get());
+        window.session().live().takeFrame(shown);
+        assertThat(shown.isFinite()).as("what the view draws is a number").isTrue();
+        window.screenshot("diverged");
+        JButton back = window.control(JButton.class, "Back to the last good state");
+        WindowHarness.doOnEdt(back::doClick);
+        WindowHarness.await(
+                "the force before", () -> window.set("muscle_force_mn").equals(1.0));
+        assertThat(WindowHarness.onEdt(() -> window.window().banner().isVisible()))
+                .isFalse();
+        window.breathe(0.5);
+        assertThat(window.session().live().isPlaying()).isTrue();
+    }
+
+    @Test
+    void beyondTheStabilityLimitTheWindowSaysSoAndGoesOn() throws Exception {
+        asAtFirst();
+        JLabel dt = window.control(JLabel.class, "Time step, and the substeps it is split into");
+        JTextField field = window.control(JTextField.class, "Time step");
+        WindowHarness.doOnEdt(() -> {
+            field.setText("0.09");
+            field.postActionEvent();
+        });
+        slide("Spring stiffness", 1);
+        WindowHarness.await(
+                "split steps", () -> WindowHarness.onEdt(() -> dt.getText().contains(" / ")));
+        String why = WindowHarness.onEdt(dt::getToolTipText);
+        assertThat(why).contains("beyond the stability limit");
+        window.breathe(0.5);
+    }
+
+    @Test
+    void aClickNamesTheStructureAndItsPlace() throws Exception {
+        assumeThat(window.window().view().isImpossible()).isFalse();
+        asAtFirst();
+        SceneView view = window.window().view();
+        WindowHarness.doOnEdt(() -> view.pick(view.getWidth() / 2, view.getHeight() / 2, false));
+        JLabel pointed = window.control(JLabel.class, "Structure and place pointed at");
+        WindowHarness.await(
+                "a name", () -> !WindowHarness.onEdt(pointed::getText).isBlank());
+        assertThat(WindowHarness.onEdt(pointed::getText)).matches("[A-Z][a-z].* [LR] \\d+ [AP] \\d+ [SI] \\d+ mm");
+        // The way of that point is plotted at a key.
+        window.command("Plot this point");
+        window.control(JCheckBox.class, "Point 1");
+    }
+
+    @Test
+    void lookingBackShowsTheRecordedFrame() throws Exception {
+        assumeThat(window.window().view().isImpossible()).isFalse();
+        asAtFirst();
+        window.breathe(1);
+        WindowHarness.await("frames", () -> window.session().live().history().frames() > 3);
+        WindowHarness.doOnEdt(() -> window.session().scrub(0));
+        Frame first = WindowHarness.onEdt(
+                () -> window.session().scene().orElseThrow().newFrame().get());
+        window.session().live().history().frame(0, first);
+        WindowHarness.await(
+                "the frame in the view",
+                () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) == first.step());
+        assertThat(window.session().live().isPlaying()).isFalse();
+        WindowHarness.doOnEdt(() -> window.session().follow());
+        WindowHarness.await(
+                "the present",
+                () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) > first.step() + 1);
+        assertThat(window.session().live().isPlaying()).isTrue();
+    }
+
+    @Test
+    void everyControlSaysWhatItDoes() {
+        for (Component control : window.controls()) {
+            if (!(control instanceof JMenu)) {
+                String name = control.getAccessibleContext().getAccessibleName();
+                String tip = WindowHarness.onEdt(((JComponent) control)::getToolTipText);
+                assertThat(tip).as("tooltip of " + name).isNotBlank();
+            }
+        }
     }
 
     @Test

@@ -35,7 +35,7 @@ final class Loop implements Runnable {
     @Override
     public void run() {
         while (!closed) {
-            commands.runAll();
+            doWhatIsAsked();
             makeChanges();
             Running now = running;
             long wait = now != null && playing ? pacer.waitNs(now.simulation.time()) : IDLE_NS;
@@ -88,6 +88,15 @@ final class Loop implements Runnable {
         } catch (RuntimeException e) {
             // A change that the scenario has for this step was refused.
             playing = false;
+            refused(e);
+        }
+    }
+
+    /** What cannot be done, such as a reset to a trace that is gone from the disk, is said; the run goes on, and what was asked after it is done next. */
+    private void doWhatIsAsked() {
+        try {
+            commands.runAll();
+        } catch (RuntimeException e) {
             refused(e);
         }
     }
