@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.awt.event.ActionEvent;
+import java.util.Locale;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -14,6 +15,7 @@ final class Banner extends JPanel {
     private static final int NOTE_MS = 6_000;
     private static final int REFUSED_MS = 15_000;
     private static final int TEXT_WIDTH = 420;
+    private static final int TEXT_WIDTH_BESIDE_BUTTON = 230;
 
     private final JLabel text = new JLabel();
     private final JButton help = new JButton("Help");
@@ -55,7 +57,12 @@ final class Banner extends JPanel {
         }
         kind = message.kind();
         remedy = whenPressed;
-        text.setText("<html><body width='" + TEXT_WIDTH + "'>" + escaped(message.text()) + "</body></html>");
+        String sentence = message.text().isEmpty()
+                ? ""
+                : message.text().substring(0, 1).toUpperCase(Locale.ROOT)
+                        + message.text().substring(1);
+        int width = button.isPresent() ? TEXT_WIDTH_BESIDE_BUTTON : TEXT_WIDTH;
+        text.setText("<html><body width='" + width + "'>" + escaped(sentence) + "</body></html>");
         text.getAccessibleContext().setAccessibleDescription(message.text());
         button.ifPresent(help::setText);
         help.setVisible(button.isPresent());

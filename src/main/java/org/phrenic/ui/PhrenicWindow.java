@@ -285,6 +285,7 @@ public final class PhrenicWindow {
         public void onMessage(Session.Message message) {
             System.getLogger(PhrenicWindow.class.getName()).log(System.Logger.Level.INFO, message.text());
             if (message.kind() == Session.Message.Kind.DIVERGED) {
+                tools.refresh(session);
                 banner.show(message, Optional.of("Back to the last good state"), () -> {
                     session.live().restoreLastGood();
                     session.live().play();
