@@ -2,18 +2,25 @@ package org.phrenic.scene;
 
 /** A quantity that is shown in colours on a surface. */
 public enum ColourField {
-    NONE(""),
+    NONE("", ""),
     /** Distance of each vertex from where it rests. */
-    DISPLACEMENT("mm"),
+    DISPLACEMENT("Displacement", "mm"),
     /** Change of area against rest, mean of the triangles about a vertex: 100 (A / A0 - 1). */
-    STRAIN("%"),
+    STRAIN("Change of area", "%"),
     /** Values given by {@link Renderer#setField}: the distance to another surface, say. */
-    DISTANCE("mm");
+    DISTANCE("Distance", "mm");
 
+    private final String label;
     private final String unit;
 
-    ColourField(String unit) {
+    ColourField(String label, String unit) {
+        this.label = label;
         this.unit = unit;
+    }
+
+    /** Name for people; empty for none. */
+    public String label() {
+        return label;
     }
 
     public String unit() {

@@ -34,22 +34,11 @@ public final class DistanceField {
      * @param index of the surface in the scene
      */
     float[] of(Surface surface, int index, Frame frame) {
+        double[] now = new double[surface.rest().positions().length];
+        frame.place(surface, index, now);
         float[] out = new float[surface.rest().vertexCount()];
-        float[] pose = frame.pose(index);
-        float[] now = frame.positions(index);
         for (int i = 0; i < out.length; i++) {
-            double x = surface.rest().x(i);
-            double y = surface.rest().y(i);
-            double z = surface.rest().z(i);
-            switch (surface.motion()) {
-                case STILL -> out[i] = distance(x, y, z);
-                case DEFORMING -> out[i] = distance(now[3 * i], now[3 * i + 1], now[3 * i + 2]);
-                case RIGID ->
-                    out[i] = distance(
-                            pose[0] * x + pose[1] * y + pose[2] * z + pose[3],
-                            pose[4] * x + pose[5] * y + pose[6] * z + pose[7],
-                            pose[8] * x + pose[9] * y + pose[10] * z + pose[11]);
-            }
+            out[i] = distance(now[3 * i], now[3 * i + 1], now[3 * i + 2]);
         }
         return out;
     }

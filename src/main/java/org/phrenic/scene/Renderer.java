@@ -198,13 +198,6 @@ public final class Renderer {
         listener.done(gl, "clear");
     }
 
-    /** Copies the picture into another framebuffer, whose lower left corner it fills. */
-    public void present(GL3 gl, int targetFramebuffer) {
-        Target picture = targets.finished();
-        picture.copyTo(gl, targetFramebuffer, picture.width(), picture.height(), GL3.GL_COLOR_BUFFER_BIT);
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, targetFramebuffer);
-    }
-
     /** The picture, opaque, first row on top. */
     public BufferedImage read(GL3 gl) {
         BufferedImage image =

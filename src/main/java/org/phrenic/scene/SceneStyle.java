@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Surface;
 
@@ -75,18 +76,7 @@ public record SceneStyle(
     }
 
     public SceneStyle withLooks(Map<String, Look> changed) {
-        return new SceneStyle(
-                changed,
-                background,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                overlays,
-                clip,
-                transparency,
-                samples,
-                highlighted);
+        return edited(draft -> draft.looks = changed);
     }
 
     public SceneStyle withLook(String structure, Look look) {
@@ -96,58 +86,28 @@ public record SceneStyle(
     }
 
     public SceneStyle withBackground(Background behind) {
-        return new SceneStyle(
-                looks,
-                behind,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                overlays,
-                clip,
-                transparency,
-                samples,
-                highlighted);
+        return edited(draft -> draft.background = behind);
     }
 
     public SceneStyle withRestWireframe(boolean shown) {
-        return new SceneStyle(
-                looks, background, shown, field, fieldOn, scale, overlays, clip, transparency, samples, highlighted);
+        return edited(draft -> draft.restWireframe = shown);
     }
 
     /** Shows a quantity on a structure. */
     public SceneStyle withField(ColourField quantity, String structure, ColourScale colours) {
-        return new SceneStyle(
-                looks,
-                background,
-                restWireframe,
-                quantity,
-                structure,
-                colours,
-                overlays,
-                clip,
-                transparency,
-                samples,
-                highlighted);
+        return edited(draft -> {
+            draft.field = quantity;
+            draft.fieldOn = structure;
+            draft.scale = colours;
+        });
     }
 
     public SceneStyle withScale(ColourScale colours) {
-        return withField(field, fieldOn, colours);
+        return edited(draft -> draft.scale = colours);
     }
 
     public SceneStyle withOverlays(Set<Overlay.Kind> shown) {
-        return new SceneStyle(
-                looks,
-                background,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                shown,
-                clip,
-                transparency,
-                samples,
-                highlighted);
+        return edited(draft -> draft.overlays = shown);
     }
 
     public SceneStyle withOverlay(Overlay.Kind kind, boolean shown) {
@@ -162,52 +122,68 @@ public record SceneStyle(
     }
 
     public SceneStyle withClip(Optional<ClipPlane> plane) {
-        return new SceneStyle(
-                looks,
-                background,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                overlays,
-                plane,
-                transparency,
-                samples,
-                highlighted);
+        return edited(draft -> draft.clip = plane);
     }
 
     public SceneStyle withTransparency(Transparency way) {
-        return new SceneStyle(
-                looks, background, restWireframe, field, fieldOn, scale, overlays, clip, way, samples, highlighted);
+        return edited(draft -> draft.transparency = way);
     }
 
     public SceneStyle withSamples(int count) {
-        return new SceneStyle(
-                looks,
-                background,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                overlays,
-                clip,
-                transparency,
-                count,
-                highlighted);
+        return edited(draft -> draft.samples = count);
     }
 
     public SceneStyle withHighlighted(String structure) {
-        return new SceneStyle(
-                looks,
-                background,
-                restWireframe,
-                field,
-                fieldOn,
-                scale,
-                overlays,
-                clip,
-                transparency,
-                samples,
-                structure);
+        return edited(draft -> draft.highlighted = structure);
+    }
+
+    private SceneStyle edited(Consumer<Draft> change) {
+        Draft draft = new Draft(this);
+        change.accept(draft);
+        return draft.style();
+    }
+
+    /** A style being changed: the one place where all of its parts are handed on. */
+    private static final class Draft {
+        private Map<String, Look> looks;
+        private Background background;
+        private boolean restWireframe;
+        private ColourField field;
+        private String fieldOn;
+        private ColourScale scale;
+        private Set<Overlay.Kind> overlays;
+        private Optional<ClipPlane> clip;
+        private Transparency transparency;
+        private int samples;
+        private String highlighted;
+
+        Draft(SceneStyle of) {
+            looks = of.looks;
+            background = of.background;
+            restWireframe = of.restWireframe;
+            field = of.field;
+            fieldOn = of.fieldOn;
+            scale = of.scale;
+            overlays = of.overlays;
+            clip = of.clip;
+            transparency = of.transparency;
+            samples = of.samples;
+            highlighted = of.highlighted;
+        }
+
+        SceneStyle style() {
+            return new SceneStyle(
+                    looks,
+                    background,
+                    restWireframe,
+                    field,
+                    fieldOn,
+                    scale,
+                    overlays,
+                    clip,
+                    transparency,
+                    samples,
+                    highlighted);
+        }
     }
 }

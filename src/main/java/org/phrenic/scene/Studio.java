@@ -118,15 +118,9 @@ public final class Studio implements AutoCloseable {
         Annotations annotations = Annotations.on(style.background() == Background.LIGHT)
                 .withTitle(shot.title())
                 .withMoment(Annotations.moment(frame.timeS(), player.phase()));
-        return style.field() == ColourField.NONE ? annotations : annotations.withScale(fieldName(style), style.scale());
-    }
-
-    private static String fieldName(SceneStyle style) {
-        return switch (style.field()) {
-            case STRAIN -> "Change of area";
-            case DISTANCE -> "Distance";
-            default -> "Displacement";
-        };
+        return style.field() == ColourField.NONE
+                ? annotations
+                : annotations.withScale(style.field().label(), style.scale());
     }
 
     @Override

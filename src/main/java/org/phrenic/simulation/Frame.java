@@ -68,6 +68,37 @@ public final class Frame {
         return twin;
     }
 
+    /**
+     * Writes where the vertices of a surface are, mm.
+     *
+     * @param surface of this frame's scene
+     * @param index of the surface in its scene
+     * @param out three numbers a vertex
+     */
+    public void place(Surface surface, int index, double[] out) {
+        double[] rest = surface.rest().positions();
+        switch (surface.motion()) {
+            case STILL -> System.arraycopy(rest, 0, out, 0, rest.length);
+            case RIGID -> move(poses[index], rest, out);
+            case DEFORMING -> {
+                float[] now = positions[index];
+                for (int i = 0; i < now.length; i++) {
+                    out[i] = now[i];
+                }
+            }
+        }
+    }
+
+    /** Moves points by a pose, x' = R x + t. */
+    public static void move(float[] pose, double[] from, double[] to) {
+        for (int k = 0; k < from.length; k += 3) {
+            for (int row = 0; row < 3; row++) {
+                int r = 4 * row;
+                to[k + row] = pose[r] * from[k] + pose[r + 1] * from[k + 1] + pose[r + 2] * from[k + 2] + pose[r + 3];
+            }
+        }
+    }
+
     /** Steps since the start. */
     public long step() {
         return step;

@@ -100,7 +100,7 @@ final class RibMeasure implements SceneMeasure {
 
     private static void add(float[] pose, Rib rib, double weight, double[] mean) {
         double[] moved = new double[6];
-        SceneView.move(pose, rib.points, moved);
+        Frame.move(pose, rib.points, moved);
         double[] turn = rotationVector(pose);
         mean[0] += weight * (moved[2] - rib.points[2]);
         mean[1] += weight * (rib.points[1] - moved[1]);

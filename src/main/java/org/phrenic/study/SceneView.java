@@ -23,31 +23,12 @@ final class SceneView {
     void show(Frame frame) {
         for (int i = 0; i < now.length; i++) {
             Surface s = surfaces.get(i);
-            double[] rest = s.rest().positions();
-            switch (s.motion()) {
-                case STILL -> now[i] = rest;
-                case DEFORMING -> {
-                    now[i] = now[i] == null ? new double[rest.length] : now[i];
-                    float[] p = frame.positions(i);
-                    for (int k = 0; k < p.length; k++) {
-                        now[i][k] = p[k];
-                    }
-                }
-                case RIGID -> {
-                    now[i] = now[i] == null ? new double[rest.length] : now[i];
-                    move(frame.pose(i), rest, now[i]);
-                }
+            if (s.motion() == Surface.Motion.STILL) {
+                now[i] = s.rest().positions();
+                continue;
             }
-        }
-    }
-
-    /** Moves points by a pose: three rows of a rotation and a translation. */
-    static void move(float[] pose, double[] from, double[] to) {
-        for (int k = 0; k < from.length; k += 3) {
-            for (int row = 0; row < 3; row++) {
-                int r = 4 * row;
-                to[k + row] = pose[r] * from[k] + pose[r + 1] * from[k + 1] + pose[r + 2] * from[k + 2] + pose[r + 3];
-            }
+            now[i] = now[i] == null ? new double[s.rest().positions().length] : now[i];
+            frame.place(s, i, now[i]);
         }
     }
 

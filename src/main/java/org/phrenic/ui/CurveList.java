@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -15,14 +14,12 @@ import java.util.Set;
 import javax.swing.Icon;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
-import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /** Which curves are drawn, in which colour and line, and what their values are: legend, choice and readout in one. */
-final class CurveList extends JPanel implements Scrollable {
+final class CurveList extends DockBody {
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 10;
 
@@ -88,28 +85,8 @@ final class CurveList extends JPanel implements Scrollable {
     @Override
     public Dimension getPreferredScrollableViewportSize() {
         // The values are at the right edge: they need their place beside the scroll bar.
-        Dimension size = getPreferredSize();
+        Dimension size = super.getPreferredScrollableViewportSize();
         return new Dimension(size.width + UIManager.getInt("ScrollBar.width"), size.height);
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-        return getFontMetrics(getFont()).getHeight();
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return visible.height;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-        return true;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportHeight() {
-        return false;
     }
 
     private record Swatch(Curve curve) implements Icon {

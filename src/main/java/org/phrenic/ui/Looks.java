@@ -135,16 +135,6 @@ final class Looks {
         listeners.forEach(Runnable::run);
     }
 
-    /** What colours show, for people; empty if they show nothing. */
-    static String fieldName(SceneStyle style) {
-        return switch (style.field()) {
-            case NONE -> "";
-            case DISPLACEMENT -> "Displacement";
-            case STRAIN -> "Change of area";
-            case DISTANCE -> "Distance";
-        };
-    }
-
     /** How opaque a surface is drawn; 0 if it is hidden. */
     static double opacity(SceneStyle style, Surface surface) {
         return style.look(surface.name())

@@ -16,6 +16,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Background;
 import org.phrenic.scene.Camera;
+import org.phrenic.scene.ColourField;
 import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.Pick;
 import org.phrenic.scene.SceneBounds;
@@ -172,7 +173,9 @@ final class SceneView extends JPanel {
         SceneStyle style = looks.style();
         Annotations plain =
                 Annotations.on(style.background() == Background.LIGHT).withMoment(moment);
-        return Looks.fieldName(style).isEmpty() ? plain : plain.withScale(Looks.fieldName(style), style.scale());
+        return style.field() == ColourField.NONE
+                ? plain
+                : plain.withScale(style.field().label(), style.scale());
     }
 
     /** Pictures a second; 0 while nothing moves. */

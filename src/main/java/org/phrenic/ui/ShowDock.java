@@ -1,10 +1,8 @@
 package org.phrenic.ui;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -40,7 +38,7 @@ final class ShowDock extends DockBody {
 
     private final transient Looks looks;
     private final JComboBox<String> field =
-            new JComboBox<>(new String[] {"No colours", "Displacement", "Change of area"});
+            new JComboBox<>(new String[] {"No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label()});
     private final JComboBox<Coloured> structure = new JComboBox<>();
     private final JTextField least = new JTextField("0", 4);
     private final JTextField most = new JTextField("20", 4);
@@ -129,16 +127,7 @@ final class ShowDock extends DockBody {
     private void overlay(Overlay.Kind kind, String label, String tip) {
         JCheckBox box = new JCheckBox(label);
         box.setToolTipText(tip);
-        box.addActionListener(e -> looks.change(style -> {
-            Set<Overlay.Kind> kinds = EnumSet.noneOf(Overlay.Kind.class);
-            kinds.addAll(style.overlays());
-            if (box.isSelected()) {
-                kinds.add(kind);
-            } else {
-                kinds.remove(kind);
-            }
-            return style.withOverlays(kinds);
-        }));
+        box.addActionListener(e -> looks.change(style -> style.withOverlay(kind, box.isSelected())));
         add(named(box, label));
     }
 
