@@ -143,6 +143,9 @@ final class RenderLoop implements AutoCloseable {
                 lock.unlock();
             }
             long begun = System.nanoTime();
+            if (wanted != null) {
+                enter(gl, wanted.scene());
+            }
             boolean busy = task != null;
             if (busy) {
                 task.accept(gl);
@@ -172,11 +175,10 @@ final class RenderLoop implements AutoCloseable {
         canvases.giveBack(old.image());
     }
 
-    /** Draws if there is anything new. */
-    private boolean draw(OffscreenGl gl, Wanted wanted, boolean asAsked, BufferedImage canvas) {
-        boolean another = scene == null || scene.id() != wanted.scene().id();
-        if (another) {
-            scene = wanted.scene();
+    /** Takes over the scene that is asked for, before anything is drawn of it or looked for in it. */
+    private void enter(OffscreenGl gl, LiveScene wanted) {
+        if (scene == null || scene.id() != wanted.id()) {
+            scene = wanted;
             if (renderer != null) {
                 gl.release(renderer);
             }
@@ -184,11 +186,15 @@ final class RenderLoop implements AutoCloseable {
             picker = null;
             frame = scene.newFrame().get();
         }
+    }
+
+    /** Draws if there is anything new. */
+    private boolean draw(OffscreenGl gl, Wanted wanted, boolean asAsked, BufferedImage canvas) {
         boolean fresh = wanted.scrubbed() < 0
                 ? live.takeFrame(frame)
                 : wanted.scrubbed() != scrubbed && recorded(wanted.scrubbed());
         scrubbed = wanted.scrubbed();
-        if (!another && !fresh && !asAsked) {
+        if (!fresh && !asAsked) {
             canvases.giveBack(canvas);
             return false;
         }
