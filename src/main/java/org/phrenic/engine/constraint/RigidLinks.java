@@ -21,7 +21,7 @@ import org.phrenic.engine.Workers;
  * </ul>
  */
 public final class RigidLinks implements Constraint {
-    private static final int LINKS_A_PIECE = 256;
+    private static final int LINKS_A_PIECE = DisjointLinks.SIZE;
     /** Cosine of the turn in one step beyond which the old line no longer serves as direction. */
     private static final double TURN = 0.9;
 
@@ -45,7 +45,8 @@ public final class RigidLinks implements Constraint {
     private double inverseStep;
     private int colourFrom;
     private int colourTo;
-    private final Workers.Task task = this::piece;
+    private final Workers.Task task;
+    private final ThreadLocal<DisjointLinks> batches = ThreadLocal.withInitial(DisjointLinks::new);
 
     private RigidLinks(
             NodeLayout layout,
@@ -102,6 +103,7 @@ public final class RigidLinks implements Constraint {
         this.maxSweeps = maxSweeps;
         this.asPublished = asPublished;
         this.pieceError = new double[n / LINKS_A_PIECE + 1];
+        this.task = asPublished && !inOrder ? this::disjointPiece : this::piece;
     }
 
     /**
@@ -219,6 +221,12 @@ public final class RigidLinks implements Constraint {
                 return;
             }
         }
+    }
+
+    /** Exact after one pass: its error is not asked for. */
+    private void disjointPiece(int piece) {
+        int from = piece * LINKS_A_PIECE;
+        batches.get().project(system, step, nodeA, nodeB, length, from, Math.min(colourTo, from + LINKS_A_PIECE));
     }
 
     private void piece(int piece) {
