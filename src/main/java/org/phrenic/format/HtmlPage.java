@@ -92,7 +92,7 @@ public final class HtmlPage {
                 case '"' -> out.append("&quot;");
                 case '\'' -> out.append("&#39;");
                 default -> {
-                    boolean allowed = c == '\n' || c == '\t' || c >= ' ' && !Character.isISOControl(c);
+                    boolean allowed = c == '\n' || c == '\t' || !Character.isISOControl(c);
                     boolean whole = c < Character.MIN_SURROGATE || c > Character.MAX_SURROGATE;
                     out.appendCodePoint(allowed && whole && c != 0xfffe && c != 0xffff ? c : 0xfffd);
                 }
