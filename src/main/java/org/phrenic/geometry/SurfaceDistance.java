@@ -120,7 +120,8 @@ public final class SurfaceDistance {
         if (a && b && c) {
             return outward * along(faceNormals, t, dx, dy, dz);
         }
-        if (a && !b && !c || b && !a && !c || c && !a && !b) {
+        boolean atCorner = a ? !b && !c : b != c;
+        if (atCorner) {
             int corner = a ? 0 : b ? 1 : 2;
             return outward * along(vertexNormals, tree.mesh().triangles()[sideOfA + corner], dx, dy, dz);
         }
