@@ -238,7 +238,7 @@ public final class SegmentProbe {
                 }
             }
         }
-        return Math.sqrt(best);
+        return Double.isNaN(nearestDepth) ? limit : Math.sqrt(best);
     }
 
     /** How deep along the segment the place is that the last {@link #distance} was taken at, mm; NaN if the surface lay beyond the limit. */
