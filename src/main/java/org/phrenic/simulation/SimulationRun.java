@@ -135,7 +135,7 @@ public final class SimulationRun {
         map.putAll(new Summary(samples).values());
         map.put("threads", scenario.threads());
         map.put("state_sha256", simulation.stateHash());
-        map.put("notice", "For research and training only. Not for clinical use.");
+        map.put("notice", org.phrenic.format.Notice.TEXT);
         return map;
     }
 }
