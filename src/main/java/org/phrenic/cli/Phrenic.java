@@ -25,7 +25,8 @@ import picocli.CommandLine.Spec;
             RenderCommand.class,
             InfoCommand.class,
             BenchCommand.class,
-            ValidateCommand.class
+            ValidateCommand.class,
+            ReproduceCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
@@ -40,6 +41,7 @@ import picocli.CommandLine.Spec;
             "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
             "  phrenic validate                          breaths held against a table of physiology",
+            "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT
