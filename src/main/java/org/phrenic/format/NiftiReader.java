@@ -76,7 +76,7 @@ final class NiftiReader {
     }
 
     private LabelVolume volume(InputStream in, long size, boolean packed) throws IOException {
-        String magic = new String(header.array(), 344, 3, StandardCharsets.ISO_8859_1);
+        String magic = new String(magicBytes(), StandardCharsets.ISO_8859_1);
         if (!magic.equals("n+1")) {
             throw bad(
                     344,
@@ -97,6 +97,12 @@ final class NiftiReader {
         Map<Integer, String> names = names(in, offset - HEADER);
         LabelGrid grid = voxels.read(file, in, affine);
         return new LabelVolume(grid, names, notes);
+    }
+
+    private byte[] magicBytes() {
+        byte[] magic = new byte[3];
+        header.get(344, magic);
+        return magic;
     }
 
     private int[] sizes() {
