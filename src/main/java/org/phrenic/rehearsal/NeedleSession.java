@@ -187,7 +187,15 @@ public final class NeedleSession {
      * @throws BadInputException with one sentence, if the entry is not on the skin or the needle is too short; nothing has changed then
      */
     public void place(double[] at, double[] aim) {
-        SkinPoint point = new SkinPoint(scene.skin(), at);
+        place(SkinPoint.now(scene.skin(), at), aim);
+    }
+
+    /** As {@link #place}, at a place of the skin that is given as it is at end-expiration. */
+    public void placeAtRest(double[] at, double[] aim) {
+        place(SkinPoint.atRest(scene.skin(), at), aim);
+    }
+
+    private void place(SkinPoint point, double[] aim) {
         double[] from = point.now();
         requireReach(from, aim);
         if (depth > 0) {

@@ -18,14 +18,22 @@ final class SkinPoint {
      *
      * @throws BadInputException with one sentence, if the place is farther than {@value #NEAR_MM} mm from the skin
      */
-    SkinPoint(MovingStructure skin, double[] place) {
+    static SkinPoint now(MovingStructure skin, double[] place) {
+        return new SkinPoint(skin, skin.tree(), skin.own(place), place);
+    }
+
+    /** As {@link #now(MovingStructure, double[])}, of a place on the skin as it is at end-expiration. */
+    static SkinPoint atRest(MovingStructure skin, double[] place) {
+        return new SkinPoint(skin, new TriangleTree(skin.surface().rest()), place, place);
+    }
+
+    private SkinPoint(MovingStructure skin, TriangleTree tree, double[] own, double[] place) {
         this.skin = skin;
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        double[] own = skin.own(place);
-        skin.tree().closest(own[0], own[1], own[2], hit);
+        tree.closest(own[0], own[1], own[2], hit);
         double away = Math.sqrt(hit.distanceSquared);
         if (away > NEAR_MM) {
-            boolean inside = skin.tree().isInside(own[0], own[1], own[2]);
+            boolean inside = tree.isInside(own[0], own[1], own[2]);
             throw new BadInputException(String.format(
                     Locale.ROOT,
                     "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin",
