@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
             WindowCommand.class,
             RunCommand.class,
             RenderCommand.class,
+            CompareCommand.class,
             InfoCommand.class,
             BenchCommand.class,
             ValidateCommand.class
@@ -39,6 +40,7 @@ import picocli.CommandLine.Spec;
             "  phrenic run --preset deep --out result    a deep one into ./result",
             "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
+            "  phrenic compare a.ply b.stl               how far two surfaces lie apart",
             "  phrenic validate                          breaths held against a table of physiology",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
