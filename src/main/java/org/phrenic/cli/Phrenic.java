@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
             RenderCommand.class,
             InfoCommand.class,
             BenchCommand.class,
+            RegressCommand.class,
             ValidateCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
