@@ -107,10 +107,7 @@ public final class PlanPlayer {
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {
             throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "found %s over at %.1f s, expected a later breath",
-                    event.text(),
-                    needle.timeS()));
+                    Locale.ROOT, "found %s over at %.1f s, expected a later breath", event.text(), needle.timeS()));
         }
         return false;
     }
@@ -118,8 +115,8 @@ public final class PlanPlayer {
     private void place(PlanStep.Place place) {
         double[] entry = place.entryRest()
                 .or(() -> best)
-                .orElseThrow(() ->
-                        new BadInputException("found no free path to the target from anywhere on the skin, expected one"));
+                .orElseThrow(() -> new BadInputException(
+                        "found no free path to the target from anywhere on the skin, expected one"));
         double[] aim = point(place.aim());
         needle.placeAtRest(entry, aim);
         aimedMm = Vectors.distance(needle.entryNow(), aim);

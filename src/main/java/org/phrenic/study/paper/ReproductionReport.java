@@ -64,8 +64,9 @@ public final class ReproductionReport {
         figure(
                 report,
                 2,
-                "Fig. 2. The interface. The paper's part a shows the model, parts b to d its patients, who are not there"
-                        + " yet. Painted without a screen by the window's own components.");
+                "Fig. 2. The interface, in the middle of a deep breath: the window's own view, docks and status line,"
+                        + " painted without a screen; its menu and tool bar are left out. The paper's part a shows the"
+                        + " model; its parts b to d show patients, who are not there yet.");
         interfaceTable(report);
         report.section("Fig. 3: the motion of the diaphragm");
         figure(
@@ -92,8 +93,7 @@ public final class ReproductionReport {
         }
     }
 
-    private void glance(
-            ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology) {
+    private void glance(ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology) {
         report.section("At a glance");
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("Figures"));
@@ -131,8 +131,10 @@ public final class ReproductionReport {
                         List.of(
                                 "diaphragm's muscle force intensity",
                                 keys("muscle_activation", "muscle_force_mn", "left_over_right")),
-                        List.of("damping, stiffness, mass, step", "these and more: " + Parameter.values().length
-                                + " parameters, the time step and the integrator")));
+                        List.of(
+                                "damping, stiffness, mass, step",
+                                "these and more: " + Parameter.values().length
+                                        + " parameters, the time step and the integrator")));
         report.table(
                 "What is displayed.",
                 columns,
