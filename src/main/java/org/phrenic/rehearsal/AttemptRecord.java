@@ -66,11 +66,15 @@ public record AttemptRecord(
         return events.stream().filter(e -> e.kind() == kind).findFirst();
     }
 
-    /** Plain values for a report. */
-    public Map<String, Object> toMap() {
+    /** The measures that matter most, by keys that hold their unit. */
+    public Map<String, Object> headlines() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("hit", hit());
-        map.put("samples", samples.stream().map(Miss::toMap).toList());
+        if (!samples.isEmpty()) {
+            Miss last = samples.get(samples.size() - 1);
+            map.put("axial_error_mm", last.axialMm());
+            map.put("lateral_error_mm", last.lateralMm());
+        }
         map.put("attempts", count(AttemptEvent.Kind.SKIN_PUNCTURE));
         map.put("redirections", count(AttemptEvent.Kind.REDIRECTION));
         map.put("skin_contacts", count(AttemptEvent.Kind.SKIN_CONTACT));
@@ -79,6 +83,15 @@ public record AttemptRecord(
         map.put("inside_s", insideS);
         map.put("path_mm", pathMm);
         map.put("in_no_go_s", inNoGoS);
+        map.put("target_moved_mm", targetMovedMm);
+        map.put("capsule_pull_mm", capsulePullMm);
+        return map;
+    }
+
+    /** Plain values for a report. */
+    public Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>(headlines());
+        map.put("samples", samples.stream().map(Miss::toMap).toList());
         Map<String, Object> seconds = new LinkedHashMap<>();
         for (NoGo one : NoGo.values()) {
             seconds.put(one.key(), secondsIn.getOrDefault(one, 0.0));
@@ -87,9 +100,7 @@ public record AttemptRecord(
         map.put("avoided", avoided.stream().sorted().map(NoGo::key).toList());
         map.put("target_diameter_mm", target.diameterMm());
         map.put("target_rest_mm", target.restMm());
-        map.put("target_moved_mm", targetMovedMm);
         map.put("target_range_lr_ap_si_mm", targetRangeMm);
-        map.put("capsule_pull_mm", capsulePullMm);
         map.put("capsule_pull_warning", capsulePullMm > PULL_WARNING_MM);
         map.put("needle_turned_by_liver_deg", swingDeg);
         map.put("needle_moved_along_by_liver_mm", slipMm);

@@ -74,7 +74,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
                         now == BreathLabel.PAUSE || (before == BreathLabel.EXPIRATION && now != before);
                     case HOLD -> now == BreathLabel.HOLD;
                 };
-        int number = kind == Kind.END_EXPIRATION && now != BreathLabel.PAUSE || kind == Kind.END_INSPIRATION
+        int number = (kind == Kind.END_EXPIRATION && now != BreathLabel.PAUSE) || kind == Kind.END_INSPIRATION
                 ? breathBefore
                 : breathNow;
         return yes && (breath.isEmpty() || breath.getAsInt() == number);

@@ -101,6 +101,7 @@ public record Rehearsal(
         int samples = 0;
         boolean done = false;
         boolean wasPlaced = false;
+        long begun = System.nanoTime();
         while (!done) {
             surfaces.capture(frame);
             BreathLabel label = simulation.breathLabel();
@@ -116,7 +117,8 @@ public record Rehearsal(
             }
             samples = taken;
             step(simulation, done);
-            progress.at(simulation.time(), Math.max(simulation.time(), simulation.durationS()), 0);
+            double perS = simulation.steps() / (1e-9 * (System.nanoTime() - begun));
+            progress.at(simulation.time(), Math.max(simulation.time(), simulation.durationS()), perS);
         }
         return new Rehearsal(
                 plan,

@@ -90,7 +90,7 @@ public record RehearsalPlan(
                 target.number("diameter_mm", Double.NaN),
                 needle(yaml),
                 avoided(yaml),
-                (int) within(yaml, "phases", yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
+                (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
                 within(yaml, "give_up_after_s", yaml.number("give_up_after_s", GIVE_UP_S), 1, 3600),
                 Goals.read(yaml.mapOrEmpty("done_when")),
                 yaml.has("steps") ? PlanSteps.read(yaml.maps("steps"), file.toString()) : List.of(),
