@@ -12,15 +12,19 @@ import org.phrenic.study.BareResult;
 import org.phrenic.study.BareScene;
 import org.phrenic.study.BareSettings;
 import org.phrenic.study.BareWorkload;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code phrenic bench}: how many steps a second the engine does on a bare mesh. */
+/** {@code phrenic bench}: how many steps a second the engine does on a bare mesh; its sub-commands measure the rest. */
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
+        subcommands = {BenchStabilityCommand.class},
+        synopsisSubcommandLabel = "[COMMAND]",
         footer = {
             "",
             "Example:",
@@ -34,17 +38,27 @@ final class BenchCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--mesh", required = true, paramLabel = "FILE", description = "Surface: obj, ply, stl, vtk, vtp.")
-    private Path mesh;
+    /** A group, so that its files are asked for together, and not by sub-commands. */
+    @ArgGroup(exclusive = false)
+    private Files files;
 
-    @Option(names = "--fixed", required = true, paramLabel = "FILE", description = "Vertices that are held still.")
-    private Path fixed;
+    private static final class Files {
+        @Option(
+                names = "--mesh",
+                required = true,
+                paramLabel = "FILE",
+                description = "Surface: obj, ply, stl, vtk, vtp.")
+        private Path mesh;
 
-    @Option(names = "--loaded", required = true, paramLabel = "FILE", description = "Vertices that carry the load.")
-    private Path loaded;
+        @Option(names = "--fixed", required = true, paramLabel = "FILE", description = "Vertices that are held still.")
+        private Path fixed;
 
-    @Option(names = "--links", paramLabel = "FILE", description = "Pairs of vertices held at their distance.")
-    private Path links;
+        @Option(names = "--loaded", required = true, paramLabel = "FILE", description = "Vertices that carry the load.")
+        private Path loaded;
+
+        @Option(names = "--links", paramLabel = "FILE", description = "Pairs of vertices held at their distance.")
+        private Path links;
+    }
 
     @Option(names = "--steps", paramLabel = "N", description = "Steps of each timed run (default ${DEFAULT-VALUE}).")
     private int steps = BareSettings.DEFAULT.steps();
@@ -60,6 +74,10 @@ final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (files == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "found neither --mesh nor a sub-command, expected one of them");
+        }
         if (threads > MOST_THREADS) {
             throw new BadInputException("threads: found " + threads + ", expected 1 to " + MOST_THREADS);
         }
@@ -67,9 +85,9 @@ final class BenchCommand implements Callable<Integer> {
                 .withIntegrator(IntegratorKind.of(integrator))
                 .withThreads(threads)
                 .withSteps(steps);
-        BareScene scene = BareScene.read(mesh, fixed, loaded, links);
+        BareScene scene = BareScene.read(files.mesh, files.fixed, files.loaded, files.links);
         if (scene.loaded().length == 0) {
-            throw new BadInputException(loaded + ": found no vertex index, expected at least one");
+            throw new BadInputException(files.loaded + ": found no vertex index, expected at least one");
         }
         BareResult result = BareWorkload.run(scene, settings);
         if (!Double.isFinite(result.meanDz200())) {

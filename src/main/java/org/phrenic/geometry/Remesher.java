@@ -244,7 +244,7 @@ public final class Remesher {
     }
 
     private TriangleMesh restoreVolume(TriangleMesh remeshed) {
-        if (!new MeshTopology(original).isClosed()) {
+        if (!new EdgeTable(original).isClosed()) {
             return remeshed;
         }
         double volume = MeshMeasure.signedVolume(original);
