@@ -14,6 +14,22 @@ public interface Constraint {
      */
     void project(ParticleSystem system, double h);
 
+    /**
+     * Takes away what velocities have against the constraint after a step's last forces were added to them, at the positions at hand (the second half of RATTLE: Andersen 1983, doi
+     * 10.1016/0021-9991(83)90014-1). Without it velocities at whole steps carry h/2 of what the constraint holds back, which grows with the step and moves nothing.
+     */
+    default void projectVelocities(ParticleSystem system) {}
+
+    /** Whether nodes lean on it: an implicit scheme, which solves for where forces alone would carry nodes, then goes wrong by h times as much. */
+    default boolean isWall() {
+        return false;
+    }
+
+    /** What could not be made to hold in the last projection, as the cause in a sentence; null where all holds. */
+    default String unmet() {
+        return null;
+    }
+
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}
 

@@ -355,6 +355,29 @@ public final class ParticleSystem {
         }
     }
 
+    /** Takes away what velocities have against the constraints; see {@link Constraint#projectVelocities}. */
+    public void projectVelocities() {
+        for (Constraint constraint : constraints) {
+            constraint.projectVelocities(this);
+        }
+    }
+
+    /** Whether nodes may lean on a constraint, switched on or off. */
+    public boolean hasWalls() {
+        return allConstraints.stream().anyMatch(Constraint::isWall);
+    }
+
+    /** What a constraint switched on could not make hold in the last step; null where all hold. */
+    public String unmet() {
+        for (Constraint constraint : constraints) {
+            String cause = constraint.unmet();
+            if (cause != null) {
+                return cause;
+            }
+        }
+        return null;
+    }
+
     /** Energy of motion, µJ. */
     public double kineticEnergy() {
         double sum = 0;
