@@ -26,7 +26,9 @@ import picocli.CommandLine.Spec;
             CompareCommand.class,
             InfoCommand.class,
             BenchCommand.class,
-            ValidateCommand.class
+            ValidateCommand.class,
+            ReproduceCommand.class,
+            RehearseCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
@@ -42,6 +44,8 @@ import picocli.CommandLine.Spec;
             "  phrenic info scenario.yaml liver.stl      what files hold",
             "  phrenic compare a.ply b.stl               how far two surfaces lie apart",
             "  phrenic validate                          breaths held against a table of physiology",
+            "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
+            "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT

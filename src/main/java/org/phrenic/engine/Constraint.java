@@ -14,6 +14,24 @@ public interface Constraint {
      */
     void project(ParticleSystem system, double h);
 
+    /**
+     * Takes away what velocities have against the constraint after a step's last forces were added to them, at the positions at hand (the second half of RATTLE: Andersen 1983, doi
+     * 10.1016/0021-9991(83)90014-1). Without it velocities at whole steps carry h/2 of what the constraint holds back, which grows with the step and moves nothing.
+     */
+    default void projectVelocities(ParticleSystem system) {}
+
+    /** What could not be made to hold in the last projection, as the cause in a sentence; null where all holds. */
+    default String unmet() {
+        return null;
+    }
+
+    /**
+     * Sets how much simulated time may go by before what moves by a given motion is asked for anew; in between it goes on at its velocity. Nothing where nothing is kept.
+     *
+     * @param seconds not negative
+     */
+    default void setRefreshInterval(double seconds) {}
+
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}
 

@@ -360,6 +360,12 @@ public final class ParticleSystem {
         projectionSweeps = sweeps;
     }
 
+    /** Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s. */
+    public void setRefreshInterval(double seconds) {
+        allFields.forEach(field -> field.setRefreshInterval(seconds));
+        allConstraints.forEach(constraint -> constraint.setRefreshInterval(seconds));
+    }
+
     /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
     public void project(double time, double h) {
         for (Constraint constraint : constraints) {
@@ -370,6 +376,24 @@ public final class ParticleSystem {
                 constraint.project(this, h);
             }
         }
+    }
+
+    /** Takes away what velocities have against the constraints; see {@link Constraint#projectVelocities}. */
+    public void projectVelocities() {
+        for (Constraint constraint : constraints) {
+            constraint.projectVelocities(this);
+        }
+    }
+
+    /** What a constraint switched on could not make hold in the last step; null where all hold. */
+    public String unmet() {
+        for (Constraint constraint : constraints) {
+            String cause = constraint.unmet();
+            if (cause != null) {
+                return cause;
+            }
+        }
+        return null;
     }
 
     /** Energy of motion, µJ. */

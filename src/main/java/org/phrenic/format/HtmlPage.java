@@ -51,8 +51,7 @@ public final class HtmlPage {
             .number { text-align: right; white-space: nowrap; }
             tr { break-inside: avoid; }
             figure { margin: 1.3rem 0 1.6rem; break-inside: avoid; }
-            .pictures { display: flex; flex-wrap: wrap; gap: .8rem; align-items: flex-start; }
-            .pictures > div { flex: 1 1 20rem; max-width: 100%; }
+            .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); gap: .8rem; align-items: start; }
             .pictures span { display: block; margin-top: .25rem; font-size: .88rem; color: #46525e; }
             img { display: block; width: 100%; height: auto; border: 1px solid #d5dbe1; box-sizing: border-box; }
             figcaption { margin-top: .55rem; max-width: 46rem; font-size: .95rem; color: #2f3942; }

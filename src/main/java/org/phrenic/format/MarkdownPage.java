@@ -26,9 +26,11 @@ public final class MarkdownPage {
 
     /** A text as it has to stand in Markdown: what would be mark-up or HTML is taken literally, a line break is a space. */
     public static String escaped(String plain) {
-        return plain.replaceAll("\\s*\\R\\s*", " ")
-                .replaceAll("([\\\\`*_\\[\\]|<>])", "\\\\$1")
-                .replaceAll("^([#+-])", "\\\\$1");
+        return cell(plain).replaceAll("^([#+-])", "\\\\$1");
+    }
+
+    private static String cell(String plain) {
+        return plain.replaceAll("\\s*\\R\\s*", " ").replaceAll("([\\\\`*_\\[\\]|<>])", "\\\\$1");
     }
 
     private static String block(Block block) {
@@ -58,7 +60,7 @@ public final class MarkdownPage {
     private static String table(Table table) {
         StringBuilder text = new StringBuilder(table.caption().isEmpty() ? "" : "\n" + escaped(table.caption()) + "\n");
         text.append("\n| ")
-                .append(table.columns().stream().map(c -> escaped(c.heading())).collect(Collectors.joining(" | ")))
+                .append(table.columns().stream().map(c -> cell(c.heading())).collect(Collectors.joining(" | ")))
                 .append(" |\n|")
                 .append(table.columns().stream()
                         .map(c -> c.number() ? "---:|" : "---|")
@@ -69,8 +71,8 @@ public final class MarkdownPage {
             text.append("| ");
             text.append(
                     row.size() < width
-                            ? "**" + escaped(row.get(0)) + "**" + " |".repeat(width - 1)
-                            : row.stream().map(MarkdownPage::escaped).collect(Collectors.joining(" | ")));
+                            ? "**" + cell(row.get(0)) + "**" + " |".repeat(width - 1)
+                            : row.stream().map(MarkdownPage::cell).collect(Collectors.joining(" | ")));
             text.append(" |\n");
         }
         return text.toString();

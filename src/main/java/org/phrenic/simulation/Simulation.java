@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.phrenic.anatomy.RibAxisTable;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.Thorax;
@@ -245,6 +246,11 @@ public final class Simulation implements AutoCloseable {
         return scene.springs();
     }
 
+    /** Largest relative length error of the rigid links that are switched on; 0 where there are none. */
+    public double linkError() {
+        return scene.links().map(links -> links.error(system())).orElse(0.0);
+    }
+
     /** What the breath is doing. */
     public BreathLabel breathLabel() {
         return scene.drive().stateAt(time()).label;
@@ -252,10 +258,17 @@ public final class Simulation implements AutoCloseable {
 
     /** The step as the stability limit has it: empty if it is within, else a sentence. */
     public String limitSentence() {
-        return stepper.substeps() == 1
-                ? ""
-                : stepper.limit().sentence(stepper.integrator().kind(), stepper.dt()) + ": split into "
-                        + stepper.substeps() + " substeps";
+        if (stepper.substeps() == 1) {
+            return "";
+        }
+        String why = stepper.finerWhy().isEmpty()
+                ? stepper.limit().sentence(stepper.integrator().kind(), stepper.dt())
+                : String.format(
+                        Locale.ROOT,
+                        "time step %.6g s is too long for what the scene has become (%s)",
+                        stepper.dt(),
+                        stepper.finerWhy());
+        return why + ": split into " + stepper.substeps() + " substeps";
     }
 
     Scene scene() {

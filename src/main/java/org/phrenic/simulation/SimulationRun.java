@@ -49,8 +49,7 @@ public final class SimulationRun {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
             Stepper stepper = simulation.stepper();
             if (stepper.substeps() > 1) {
-                progress.note(stepper.limit().sentence(scenario.integrator(), scenario.timeStepS()) + ": split into "
-                        + stepper.substeps() + " substeps");
+                progress.note(simulation.limitSentence());
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
             Recorder recorder = new Recorder(scenario, simulation, out);
@@ -73,6 +72,7 @@ public final class SimulationRun {
         recorder.at(0);
         long stepping = 0;
         long told = System.nanoTime();
+        String finer = "";
         while (simulation.steps() < end) {
             long chunk = Math.min(Math.max(1, Math.round(scenario.recordEveryS() / dt)), end - simulation.steps());
             long start = System.nanoTime();
@@ -81,6 +81,10 @@ public final class SimulationRun {
             }
             long now = System.nanoTime();
             stepping += now - start;
+            if (!simulation.stepper().finerWhy().equals(finer)) {
+                finer = simulation.stepper().finerWhy();
+                progress.note(simulation.limitSentence());
+            }
             if (simulation.stepper().dt() != dt) {
                 // Changed on the way: other steps make up the time that is left.
                 dt = simulation.stepper().dt();

@@ -18,10 +18,8 @@ final class BreathRuns implements AutoCloseable {
     static final double SAMPLE_S = 0.1;
 
     private final Scenario scenario;
-    private final Thorax thorax;
     private final double untilS;
-    private Simulation simulation;
-    private double refreshS;
+    private final Simulation simulation;
     private final double[] start;
 
     /**
@@ -31,10 +29,8 @@ final class BreathRuns implements AutoCloseable {
      */
     BreathRuns(Scenario scenario, Thorax thorax, double untilS) {
         this.scenario = scenario;
-        this.thorax = thorax;
         this.untilS = Math.max(1, Math.round(untilS / SAMPLE_S)) * SAMPLE_S;
         simulation = Simulation.of(scenario, thorax);
-        refreshS = scenario.refreshS();
         start = simulation.system().positions().clone();
     }
 
@@ -68,9 +64,9 @@ final class BreathRuns implements AutoCloseable {
      * @throws org.phrenic.engine.integrator.DivergenceException if it leaves all bounds
      */
     Trajectory run(StepSettings settings) {
-        refresh(settings.refreshS());
         ParticleSystem system = simulation.system();
         system.setProjectionSweeps(settings.sweeps());
+        system.setRefreshInterval(settings.refreshS());
         System.arraycopy(start, 0, system.positions(), 0, start.length);
         Arrays.fill(system.velocities(), 0);
         system.forget();
@@ -106,15 +102,6 @@ final class BreathRuns implements AutoCloseable {
                         instanceof com.sun.management.OperatingSystemMXBean process
                 ? process.getProcessCpuTime()
                 : 0;
-    }
-
-    /** The refresh is a part of the assembled scene, whose nodes are the same whatever it is. */
-    private void refresh(double seconds) {
-        if (seconds != refreshS) {
-            simulation.close();
-            simulation = Simulation.of(scenario.with("refresh_s=" + seconds), thorax);
-            refreshS = seconds;
-        }
     }
 
     @Override

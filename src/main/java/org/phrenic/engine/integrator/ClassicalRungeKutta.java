@@ -57,6 +57,7 @@ final class ClassicalRungeKutta extends AbstractIntegrator {
         }
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
+        system.projectVelocities();
     }
 
     private void advance(int block) {

@@ -41,6 +41,10 @@ final class DivergenceGuard {
         if (!isGood()) {
             return describe();
         }
+        String unmet = system.unmet();
+        if (unmet != null) {
+            return unmet;
+        }
         if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
             keep(step);
         }

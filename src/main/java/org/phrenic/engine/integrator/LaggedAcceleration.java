@@ -49,6 +49,7 @@ final class LaggedAcceleration extends AbstractIntegrator {
         system.workers().run(blocks, advance);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
+        system.projectVelocities();
     }
 
     private void start(int block) {

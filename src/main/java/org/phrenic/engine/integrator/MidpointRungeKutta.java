@@ -45,6 +45,7 @@ final class MidpointRungeKutta extends AbstractIntegrator {
         system.workers().run(blocks, toEnd);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
+        system.projectVelocities();
     }
 
     private void toMiddle(int block) {

@@ -3,20 +3,31 @@ package org.phrenic.engine.integrator;
 import org.phrenic.engine.ParticleSystem;
 
 /**
- * The clock of a system: whole steps of dt, each split into as many substeps as stability asks for, each watched by a {@link
- * DivergenceGuard}. Time is the step count times dt, never a sum; where dt is changed, the sum over the stretches of one dt, each a
+ * The clock of a system: whole steps of dt, each split into as many substeps as stability asks for, watched by a {@link
+ * DivergenceGuard} and a {@link ChatterWatch}: a scene that has become stiffer than the limit foresaw is carried on in twice as many parts. Time is the step count times dt, never a sum; where dt is changed, the sum over the stretches of one dt, each a
  * count times its dt.
  */
 public final class Stepper {
     /** Share of the largest stable step that is used: room for stiffness that grows while tissue deforms. */
     public static final double SAFETY = 0.9;
 
+    /** Into at most so many parts is a step split: more would look as if the program had stopped. */
+    public static final int MOST_SUBSTEPS = 10_000;
+
+    /** So many times as many parts as the limit asks for are tried against chatter. */
+    private static final int MOST_FINER = 16;
+
     private Integrator integrator;
     private double dt;
     private final StepPolicy policy;
     private final DivergenceGuard guard;
+    private final ChatterWatch watch;
     private StabilityLimit limit;
     private int substeps;
+    /** How many times as many parts as the limit asks for. */
+    private int finer = 1;
+
+    private String finerWhy = "";
     private long steps;
     /** Where the present time step began to count: its step, and the time that the steps before it add up to. */
     private long segmentStep;
@@ -42,6 +53,7 @@ public final class Stepper {
         this.dt = dt;
         this.policy = policy;
         this.guard = new DivergenceGuard(integrator.system());
+        this.watch = new ChatterWatch(integrator.system());
         apply(measured);
     }
 
@@ -68,7 +80,7 @@ public final class Stepper {
             dt = nextDt;
         }
         integrator = next;
-        integrator.reset();
+        begin();
         limit = ahead.largestStep(next.kind()) < here.largestStep(next.kind()) ? ahead : here;
         substeps = most;
     }
@@ -83,7 +95,21 @@ public final class Stepper {
         if (policy == StepPolicy.REFUSE && !measured.isStable(kind, step)) {
             throw new IllegalArgumentException(measured.sentence(kind, step) + ": refused");
         }
-        return policy == StepPolicy.REFUSE ? 1 : measured.substeps(kind, step, SAFETY);
+        int parts = policy == StepPolicy.REFUSE ? 1 : measured.substeps(kind, step, SAFETY);
+        if (parts > MOST_SUBSTEPS) {
+            throw new IllegalArgumentException(measured.sentence(kind, step) + ": it would take " + parts
+                    + " substeps, expected at most " + MOST_SUBSTEPS
+                    + " (choose verlet or backward-euler, or a shorter time step)");
+        }
+        return parts;
+    }
+
+    /** After a change of scheme, step or scene: nothing is known of chatter yet. */
+    private void begin() {
+        integrator.reset();
+        watch.reset();
+        finer = 1;
+        finerWhy = "";
     }
 
     /** Back to step 0, the system being where it starts. */
@@ -99,7 +125,7 @@ public final class Stepper {
     private void apply(StabilityLimit measured) {
         limit = measured;
         substeps = split(integrator.kind(), dt, measured);
-        integrator.reset();
+        begin();
     }
 
     /**
@@ -113,17 +139,43 @@ public final class Stepper {
             guard.keep(0);
         }
         double h = dt / substeps;
+        int chattering = -1;
         for (int i = 0; i < substeps; i++) {
             integrator.step(segmentTime + ((steps - segmentStep) * (long) substeps + i) * h, h);
+            int node = watch.after();
+            chattering = node < 0 ? chattering : node;
         }
         steps++;
         String cause = guard.check(steps);
+        if (cause == null && chattering >= 0) {
+            cause = refine(chattering);
+        }
         if (cause != null) {
             long failed = steps;
             steps = guard.restore();
             integrator.reset();
+            watch.reset();
             throw new DivergenceException(segmentTime + (failed - segmentStep) * dt, time(), cause);
         }
+    }
+
+    /** Splits steps into twice as many parts from now on; the cause if that may not be or has not helped. */
+    private String refine(int node) {
+        String cause = "node " + node + " turns round in every substep";
+        if (policy == StepPolicy.REFUSE || finer >= MOST_FINER || 2L * substeps > MOST_SUBSTEPS) {
+            return cause;
+        }
+        finer *= 2;
+        substeps *= 2;
+        finerWhy = cause;
+        integrator.reset();
+        watch.reset();
+        return null;
+    }
+
+    /** Why steps are split into more parts than the limit asks for, as the cause in a sentence; empty if they are not. */
+    public String finerWhy() {
+        return finerWhy;
     }
 
     /** Simulated time, s. */

@@ -9,7 +9,7 @@ import org.phrenic.engine.Workers;
  * <pre>
  * v(t+h/2) = (v(t) + h/2 f(t)/m) / (1 + w)
  * x(t+h)   = x(t) + h v(t+h/2)              then constraints; v(t+h/2) gets their shift / h
- * v(t+h)   = (1 - w) v(t+h/2) + h/2 f(t+h)/m
+ * v(t+h)   = (1 - w) v(t+h/2) + h/2 f(t+h)/m   then constraints of velocity
  * </pre>
  *
  * <p>Seen from half step to half step this is v' = ((1-w) v + h f/m) / (1+w). Order 2, one force evaluation a step, symplectic without damping, stable for ω h
@@ -47,6 +47,7 @@ final class VelocityVerlet extends AbstractIntegrator {
         } else {
             system.forces(time + step, x, v, force, kick);
         }
+        system.projectVelocities();
         forceIsCurrent = true;
     }
 

@@ -1,0 +1,117 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.format.AtomicFile;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.Json;
+import org.phrenic.study.StudyProgress;
+import org.phrenic.study.hard.StabilityReport;
+import org.phrenic.study.hard.StabilityStudy;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic bench stability}: the hard cases under every integrator. */
+@Command(
+        name = "stability",
+        description = "Run scenes chosen to break a simulation: each must stay stable, be noticed and recovered, or be"
+                + " refused.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic bench stability --quick",
+            "  phrenic bench stability --out result                    the long version: about an hour",
+            "  phrenic bench stability --only published,sliders --integrator verlet,rk2",
+            "",
+            "DIR gets stability.md, stability.csv and stability.json. Exit code 3 if a cell fails in silence.",
+            "The cases: docs/stability.md."
+        })
+final class BenchStabilityCommand implements Callable<Integer> {
+    private static final double MOST_SPENT = 1e15;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--quick", description = "Shorter times on coarser domes: a minute or two.")
+    private boolean quick;
+
+    @Option(names = "--only", paramLabel = "CASE,...", description = "Only these cases.")
+    private String only;
+
+    @Option(names = "--integrator", paramLabel = "NAME,...", description = "Only these integrators.")
+    private String integrators;
+
+    @Option(
+            names = "--spend",
+            paramLabel = "N",
+            description = "Evaluations of the force on a node that a cell may spend before it ends early"
+                    + " (default 2.5e9, with --quick 2e7).")
+    private String spend;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "Folder for the reports; without it, nothing is written.")
+    private Path out;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        if (out != null) {
+            OutputFolder.require(out);
+        }
+        StabilityStudy study =
+                StabilityStudy.of(settings(), progress(spec.commandLine().getErr()));
+        StabilityReport report = new StabilityReport(study);
+        if (out != null) {
+            AtomicFile.write(out.resolve("stability.md"), report.markdown());
+            AtomicFile.write(out.resolve("stability.csv"), report.csv());
+            Json.write(out.resolve("stability.json"), report.values());
+        }
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(json ? Json.format(report.values()) : table(report.table()) + "\n" + report.sum() + "\n");
+        stdout.flush();
+        return study.passes() ? ExitCode.DONE : ExitCode.OUT_OF_RANGE;
+    }
+
+    private StabilityStudy.Settings settings() {
+        StabilityStudy.Settings usual = quick ? StabilityStudy.Settings.QUICK : StabilityStudy.Settings.LONG;
+        List<String> cases = only == null ? List.of() : OptionNumbers.parts(only);
+        for (String key : cases) {
+            if (!StabilityStudy.caseKeys().contains(key)) {
+                throw new BadInputException(
+                        "--only: found '" + key + "', expected " + String.join(", ", StabilityStudy.caseKeys()));
+            }
+        }
+        List<IntegratorKind> kinds = integrators == null
+                ? usual.kinds()
+                : OptionNumbers.parts(integrators).stream()
+                        .map(IntegratorKind::of)
+                        .toList();
+        return new StabilityStudy.Settings(
+                cases,
+                kinds,
+                quick,
+                spend == null ? usual.nodeEvaluations() : OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
+    }
+
+    private static StudyProgress progress(PrintWriter err) {
+        return (count, total, what) -> {
+            err.println(count + " of " + total + " cells done: " + what);
+            err.flush();
+        };
+    }
+
+    private static String table(List<List<String>> rows) {
+        Table table = new Table(new boolean[rows.get(0).size()]);
+        rows.forEach(row -> table.row(row.toArray(String[]::new)));
+        return table.text();
+    }
+}

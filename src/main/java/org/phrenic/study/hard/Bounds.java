@@ -1,0 +1,61 @@
+package org.phrenic.study.hard;
+
+/**
+ * What must hold in a hard case. The trusted run is velocity Verlet at an eighth of its stability limit, over {@link HardCase#trustedS()}; beyond that a periodic case is held against the trusted run's last period.
+ *
+ * @param kineticFactor kinetic energy at any sample over the largest of the trusted run
+ * @param speedMmS speed of any node at any sample, mm/s
+ * @param reachMm distance of any node from where it began, mm
+ * @param shape rms distance of all nodes from the trusted run at the same time or phase, over that run's largest rms distance from its start; infinite where trajectories may part
+ * @param linkError largest | |AB| - L | / L of a rigid link
+ * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
+ * @param driftMm largest distance of any node between the ends of the second and of the last period; infinite where it is not asked for
+ */
+record Bounds(
+        double kineticFactor,
+        double speedMmS,
+        double reachMm,
+        double shape,
+        double linkError,
+        double returnMm,
+        double driftMm) {
+    private static final double ANY = Double.POSITIVE_INFINITY;
+
+    /** A cough moves tissue at some 1,000 mm/s and nothing in a trunk is 300 mm from where it was; links to a thousandth. */
+    static Bounds body() {
+        return new Bounds(ANY, 1000, 300, ANY, 1e-3, ANY, ANY);
+    }
+
+    Bounds kinetic(double factor) {
+        return new Bounds(factor, speedMmS, reachMm, shape, linkError, returnMm, driftMm);
+    }
+
+    Bounds speed(double mmS) {
+        return new Bounds(kineticFactor, mmS, reachMm, shape, linkError, returnMm, driftMm);
+    }
+
+    Bounds reach(double mm) {
+        return new Bounds(kineticFactor, speedMmS, mm, shape, linkError, returnMm, driftMm);
+    }
+
+    Bounds shape(double share) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, share, linkError, returnMm, driftMm);
+    }
+
+    Bounds links(double relative) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, relative, returnMm, driftMm);
+    }
+
+    Bounds returns(double mm) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, linkError, mm, driftMm);
+    }
+
+    Bounds drift(double mm) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, linkError, returnMm, mm);
+    }
+
+    /** Whether a trusted run is needed. */
+    boolean needsTrusted() {
+        return kineticFactor < ANY || shape < ANY;
+    }
+}

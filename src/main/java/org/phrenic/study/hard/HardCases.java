@@ -1,0 +1,224 @@
+package org.phrenic.study.hard;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SimulationRun;
+
+/** The hard cases: domes for the engine alone, thoraxes for the whole program. */
+final class HardCases {
+    /** Everything of the whole thorax that is not the diaphragm moves little and costs half of the time. */
+    private static final String[] DIAPHRAGM = {"resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
+    };
+
+    private static final double BREATH_S = 4;
+    /** The time step of a thorax is already half of its limit: its trusted run is refined by half as much. */
+    private static final double COARSER = 2;
+
+    private static final double EVER = Double.POSITIVE_INFINITY;
+
+    private final DomeMesh mesh;
+    private final int rings;
+    private Thorax thorax;
+    private final List<HardCase> cases = new ArrayList<>();
+
+    private HardCases(int rings) {
+        this.rings = rings;
+        mesh = DomeMesh.regular(rings);
+    }
+
+    /**
+     * All cases.
+     *
+     * @param quick for the short version, on coarser domes
+     */
+    static List<HardCase> all(boolean quick) {
+        HardCases made = new HardCases(quick ? 5 : 10);
+        made.domes();
+        made.thoraxes();
+        return List.copyOf(made.cases);
+    }
+
+    private void domes() {
+        DomeRecipe published = DomeRecipe.published(mesh);
+        Bounds close = Bounds.body().kinetic(2).shape(0.1);
+        dome("published", "the paper's parameters", published, close, 200, 8);
+        dome("stiffness-100", "springs 100 times as stiff", published.stiffer(100), close, 20, 4);
+        dome("stiffness-10000", "springs 10,000 times as stiff", published.stiffer(10_000), close, 20, 4);
+        dome("dt-2", "time step twice as long", published.slower(2), close, 40, 8);
+        dome("dt-5", "time step 5 times as long", published.slower(5), close, 40, 8);
+        dome("dt-20", "time step 20 times as long", published.slower(20), close, 40, 8);
+        dome("damping-0", "no damping", published.damped(0), Bounds.body().kinetic(4), 200, 8);
+        dome("damping-1000", "damping 1,000 times as strong", published.damped(1000), close, 40, 4);
+        dome("mass-ratio", "masses that differ by a factor of a million", published.uneven(1e6), close, 20, 4);
+        dome("valence", "nodes of valence 3 to 24", DomeRecipe.published(DomeMesh.uneven(rings, 24)), close, 40, 4);
+        dome(
+                "slivers",
+                "slivers and triangles without area",
+                DomeRecipe.published(DomeMesh.slivers(rings, false)),
+                close,
+                40,
+                4);
+        dome(
+                "coincident",
+                "triangles that have an edge without length",
+                DomeRecipe.published(DomeMesh.slivers(rings, true)),
+                close,
+                40,
+                4);
+        dome(
+                "links-conflict",
+                "three rigid links a pair that contradict each other",
+                published.inConflict(),
+                close,
+                20,
+                2);
+        dome(
+                "rim-thrown",
+                "the rim thrown through its whole range in one step, and back",
+                published.withRimThrown(),
+                Bounds.body().kinetic(2).shape(0.25),
+                40,
+                8);
+        dome(
+                "force-50",
+                "muscle force 50 times as strong",
+                published.pulled(50),
+                close.reach(EVER).speed(10_000),
+                40,
+                8);
+        dome("limp", "a sheet that nothing pulls and nothing brings back", published.limp(), close, 60, 4);
+    }
+
+    private void dome(String key, String title, DomeRecipe recipe, Bounds bounds, double durationS, double quickS) {
+        cases.add(new HardCase(
+                key,
+                title,
+                bounds,
+                (kind, refinement, duration) -> new Dome(recipe, kind, refinement),
+                durationS,
+                quickS,
+                DomeBreath.PERIOD_S));
+    }
+
+    private void thoraxes() {
+        Bounds close = Bounds.body().kinetic(2).shape(0.1);
+        Bounds apart = Bounds.body().speed(10_000);
+        thorax("thorax-published", "the paper's parameters, quiet breaths", close, 200, 2, BREATH_S, "material=paper");
+        thorax("thorax-dt-20", "time step 20 times as long", close, 20, 1, BREATH_S, "time_step_s=0.02");
+        thorax("thorax-limp", "neither muscle nor pressure", close, 20, 1, BREATH_S, "muscle=false", "pressure=false");
+        thorax(
+                "thorax-stiff",
+                "muscle as stiff as the slider goes, no damping",
+                close,
+                20,
+                1,
+                BREATH_S,
+                "muscle_stiffness_n_per_m=3000",
+                "tendon_stiffness_ratio=50",
+                "damping_rate_per_s=0");
+        thorax(
+                "thorax-deep",
+                "breaths as deep as the sliders go",
+                close,
+                20,
+                1,
+                0,
+                "preset=deep",
+                "depth=2",
+                "muscle_activation=0.8",
+                "rib_rotation=1.5");
+        ribs();
+        sliders("sliders", "all sliders thrown from end to end at random", 600, apart.returns(1));
+        sliders(
+                "sliders-paper",
+                "the same with the paper's material",
+                600,
+                apart.reach(EVER).returns(1),
+                "material=paper");
+        thorax("hour", "an hour of quiet breathing", close.drift(0.1), 3600, 1, BREATH_S);
+        thorax(
+                "hour-paper",
+                "the same with the paper's material",
+                close.drift(0.1),
+                3600,
+                2,
+                BREATH_S,
+                "material=paper");
+    }
+
+    /** Ribs go from exhaled to beyond inhaled and back within two steps of a tenth of a second, as fast as a slider can be thrown. */
+    private void ribs() {
+        Scenario scenario = scenario("preset=hold-inspiration", "time_step_s=0.1", "rib_rotation=0");
+        simulated(
+                "thorax-ribs-thrown",
+                "ribs thrown through their whole range",
+                Bounds.body().kinetic(2).shape(0.25),
+                new double[] {20, 1},
+                0,
+                scenario,
+                duration -> new RibThrow());
+    }
+
+    private void sliders(String key, String title, double durationS, Bounds bounds, String... settings) {
+        Scenario scenario = scenario(settings);
+        simulated(
+                key,
+                title,
+                bounds,
+                new double[] {durationS, Sliders.CALM_S + 2},
+                0,
+                scenario,
+                duration -> new Sliders(scenario, duration - Sliders.CALM_S));
+    }
+
+    private void thorax(
+            String key,
+            String title,
+            Bounds bounds,
+            double durationS,
+            double quickS,
+            double periodS,
+            String... settings) {
+        simulated(
+                key,
+                title,
+                bounds,
+                new double[] {durationS, quickS},
+                periodS,
+                scenario(settings),
+                duration -> simulation -> {});
+    }
+
+    private void simulated(
+            String key,
+            String title,
+            Bounds bounds,
+            double[] durationsS,
+            double periodS,
+            Scenario scenario,
+            DoubleFunction<ThoraxTrial.Doing> doing) {
+        HardCase.Maker maker = (kind, refinement, duration) -> {
+            double usual = scenario("material=" + scenario.material().label()).timeStepS();
+            double dt = refinement == 1
+                    ? scenario.timeStepS()
+                    : Math.min(usual, scenario.timeStepS()) * COARSER / refinement;
+            Scenario on = scenario.with("integrator=" + kind.label(), "time_step_s=" + dt);
+            return new ThoraxTrial(on, body(), doing.apply(duration));
+        };
+        cases.add(new HardCase(key, title, bounds, maker, durationsS[0], durationsS[1], periodS));
+    }
+
+    private static Scenario scenario(String... settings) {
+        return Scenario.defaults().with(DIAPHRAGM).with(settings);
+    }
+
+    private synchronized Thorax body() {
+        if (thorax == null) {
+            thorax = SimulationRun.thorax(scenario());
+        }
+        return thorax;
+    }
+}

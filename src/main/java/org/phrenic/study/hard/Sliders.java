@@ -1,0 +1,105 @@
+package org.phrenic.study.hard;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Parameter;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.Simulation;
+
+/** Throws sliders from end to end at random, several at a time, then puts all back, stops breathing and lets the body come to rest. */
+final class Sliders implements ThoraxTrial.Doing {
+    private static final long SEED = 2009;
+    private static final double FEWEST_S = 0.05;
+    private static final double SPREAD_S = 1;
+    private static final int MOST_AT_ONCE = 4;
+    private static final List<String> SWITCHES = List.of("muscle", "pressure", "ribs", "tensegrity", "contact", "hold");
+    private static final List<String> PRESETS = List.of("quiet", "deep", "sniff", "cough", "rapid-shallow");
+    /** About critical for the springs that bring the paper's sheet home; its own 0.02 N s/m would let it swing for a minute. */
+    private static final double CALMING = 1;
+
+    /** How long the body has to come to rest, s. */
+    static final double CALM_S = 20;
+
+    private final Random random = new Random(SEED);
+    private final Scenario calm;
+    private final Parameter[] parameters;
+    private final double untilS;
+    private double next = FEWEST_S;
+    private boolean calmed;
+
+    /**
+     * @param start what the body does at first
+     * @param untilS when all is put back, s
+     */
+    Sliders(Scenario start, double untilS) {
+        this.untilS = untilS;
+        calm = start;
+        parameters = Arrays.stream(Parameter.values())
+                .filter(p -> p.isUsedBy(start.material()))
+                .toArray(Parameter[]::new);
+    }
+
+    @Override
+    public void before(Simulation simulation) {
+        double now = simulation.time();
+        if (now >= untilS) {
+            if (!calmed) {
+                simulation.change(putBack());
+                calmed = true;
+            }
+        } else if (now >= next) {
+            next = now + FEWEST_S + SPREAD_S * random.nextDouble() * random.nextDouble();
+            simulation.change(thrown());
+        }
+    }
+
+    private List<Assignment> thrown() {
+        List<Assignment> list = new ArrayList<>();
+        int count = 1 + random.nextInt(MOST_AT_ONCE);
+        for (int i = 0; i < count; i++) {
+            int which = random.nextInt(parameters.length + SWITCHES.size() + 1);
+            if (which < parameters.length) {
+                Parameter p = parameters[which];
+                list.add(set(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
+            } else if (which < parameters.length + SWITCHES.size()) {
+                list.add(set(SWITCHES.get(which - parameters.length), random.nextBoolean()));
+            } else {
+                list.add(set("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
+            }
+        }
+        return list;
+    }
+
+    /** All as it was, but no breath any more. */
+    private List<Assignment> putBack() {
+        List<Assignment> list = new ArrayList<>();
+        list.add(set("preset", calm.preset()));
+        for (String key : SWITCHES) {
+            list.add(set(key, calm.toMap().get(key)));
+        }
+        var breath = calm.breathing().parameters();
+        for (Parameter p : parameters) {
+            double value = calm.value(p);
+            if (p == Parameter.RATE) {
+                value = breath.ratePerMin();
+            } else if (p == Parameter.INSPIRATORY_FRACTION) {
+                value = breath.inspiratoryFraction();
+            } else if (p == Parameter.CHEST_SHARE) {
+                value = breath.chestShare();
+            } else if (p == Parameter.DEPTH) {
+                value = 0;
+            } else if (p == Parameter.DAMPING) {
+                value = CALMING;
+            }
+            list.add(set(p.key(), value));
+        }
+        return list;
+    }
+
+    private static Assignment set(String key, Object value) {
+        return new Assignment("slider " + key, key, String.valueOf(value));
+    }
+}

@@ -1,0 +1,91 @@
+package org.phrenic.study.hard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.phrenic.engine.integrator.IntegratorKind;
+
+/** The short version of the hard cases: no scheme may fail in silence, and those known to be unfit must be refused or split. */
+class StabilityStudyTest {
+    /** A cell of the short version ends after so many evaluations of the force on a node: a tenth of a second. */
+    private static final double SPENT = 4e6;
+
+    private static StabilityStudy run(List<String> only, double spent, IntegratorKind... kinds) {
+        return StabilityStudy.of(
+                new StabilityStudy.Settings(only, Arrays.asList(kinds), true, spent), (count, total, what) -> {});
+    }
+
+    private static List<String> domes() {
+        return StabilityStudy.caseKeys().stream()
+                .filter(key -> HardCases.all(true).stream()
+                        .anyMatch(c -> c.key().equals(key) && c.periodS() == DomeBreath.PERIOD_S && !isThorax(key)))
+                .toList();
+    }
+
+    private static boolean isThorax(String key) {
+        return key.startsWith("thorax") || key.startsWith("sliders") || key.startsWith("hour");
+    }
+
+    @Test
+    void noIntegratorFailsInSilenceOnADome() {
+        StabilityStudy study = run(domes(), SPENT, IntegratorKind.values());
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.verdict())
+                .as(c.caseKey() + ", " + c.kind().label() + ": " + c.sentence())
+                .isNotEqualTo(Verdict.SILENT_FAILURE));
+        assertThat(study.passes()).isTrue();
+        Map<String, Verdict> of = study.cells().stream()
+                .collect(Collectors.toMap(c -> c.caseKey() + " " + c.kind().label(), Cell::verdict));
+        // Both grow at every step without damping (docs/equations.md).
+        assertThat(of.get("damping-0 rk2")).isEqualTo(Verdict.REFUSED);
+        assertThat(of.get("damping-0 lagged")).isEqualTo(Verdict.REFUSED);
+        assertThat(of.get("published verlet")).isEqualTo(Verdict.STABLE);
+        assertThat(of.get("links-conflict verlet")).isEqualTo(Verdict.RECOVERED);
+        assertThat(of.get("coincident verlet")).isEqualTo(Verdict.REFUSED);
+        // The published step of 0.01 s is beyond the limit of midpoint Runge-Kutta: it is split.
+        assertThat(study.cells().stream()
+                        .filter(c -> c.caseKey().equals("published") && c.kind() == IntegratorKind.RK2)
+                        .findFirst()
+                        .orElseThrow()
+                        .substeps())
+                .isEqualTo(2);
+    }
+
+    @Test
+    void theThoraxHoldsItsBoundsAndComesToRestAfterSlidersWereThrown() {
+        StabilityStudy study = run(List.of("thorax-published", "sliders-paper"), 1e9, IntegratorKind.VERLET);
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.verdict())
+                .as(c.caseKey() + ": " + c.sentence())
+                .isNotEqualTo(Verdict.SILENT_FAILURE));
+    }
+
+    @Test
+    void aBreachThatNobodyNoticedIsAFailure() {
+        HardCase made = HardCases.all(true).get(0);
+        HardCase strict = new HardCase(
+                "strict", "", Bounds.body().speed(1), made.maker(), made.durationS(), made.quickS(), made.periodS());
+        Cell cell = CellRun.of(strict, IntegratorKind.VERLET, null, 2, 1e9);
+        assertThat(cell.verdict()).isEqualTo(Verdict.SILENT_FAILURE);
+        assertThat(cell.sentence()).contains("speed of a node").contains("expected at most 1.000");
+        StabilityStudy study =
+                new StabilityStudy(List.of("strict"), List.of(""), List.of(IntegratorKind.VERLET), List.of(cell));
+        assertThat(study.passes()).isFalse();
+        assertThat(new StabilityReport(study).markdown())
+                .contains("1 FAILED SILENTLY")
+                .contains("| strict | FAILED SILENTLY |");
+    }
+
+    @Test
+    void reportsSayTheSameInEveryForm() {
+        StabilityStudy study = run(List.of("damping-0"), SPENT, IntegratorKind.VERLET, IntegratorKind.RK2);
+        StabilityReport report = new StabilityReport(study);
+        assertThat(report.markdown()).contains("| damping-0 | stable | refused |");
+        assertThat(report.csv())
+                .startsWith("case,integrator,verdict,simulated_s")
+                .contains("damping-0,rk2,refused");
+        assertThat(report.values()).containsEntry("passes", true);
+    }
+}
