@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -91,7 +90,9 @@ final class BenchErrorCommand implements Callable<Integer> {
     @Option(names = "--threads", paramLabel = "N", description = "Threads of each run (default ${DEFAULT-VALUE}).")
     private String threads = "1";
 
-    @Option(names = "--quick", description = "Low resolution, few settings, a part of a breath: seconds.")
+    @Option(
+            names = "--quick",
+            description = "The sheet alone, low resolution, few settings, a part of a breath: seconds.")
     private boolean quick;
 
     @Option(
@@ -106,7 +107,8 @@ final class BenchErrorCommand implements Callable<Integer> {
     @Option(
             names = "--write",
             paramLabel = "FILE",
-            description = "Table to put the rows into, such as data/error/settings.csv, from which run --max-error chooses.")
+            description =
+                    "Table to put the rows into, such as data/error/settings.csv, from which run --max-error chooses.")
     private Path table;
 
     @Option(names = "--json", description = "Print JSON instead of tables.")
@@ -143,8 +145,8 @@ final class BenchErrorCommand implements Callable<Integer> {
         for (String text : settings) {
             Assignment assignment = Assignment.parse(text);
             if (RESERVED.contains(assignment.key())) {
-                throw new BadInputException(assignment.origin()
-                        + ": found a key that the measurement sets itself, expected any other key");
+                throw new BadInputException(
+                        assignment.origin() + ": found a key that the measurement sets itself, expected any other key");
             }
             more.add(assignment);
         }
@@ -158,6 +160,10 @@ final class BenchErrorCommand implements Callable<Integer> {
                                 "--threads",
                                 "threads",
                                 Integer.toString(OptionNumbers.whole("--threads", threads, 1, MOST_THREADS)))));
+                if (quick) {
+                    list.add(new Assignment("--quick", "lungs", "embedded"));
+                    list.add(new Assignment("--quick", "sternum", "kinematic"));
+                }
                 list.addAll(more);
                 scenarios.add(Scenario.defaults().with(list));
             }

@@ -178,8 +178,10 @@ public final class ErrorPicture {
     }
 
     private static void target(XYPlot plot, double percent) {
-        ValueMarker marker = new ValueMarker(percent, new Color(0x9a1b1b), new BasicStroke(
-                1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {7, 5}, 0));
+        ValueMarker marker = new ValueMarker(
+                percent,
+                new Color(0x9a1b1b),
+                new BasicStroke(1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {7, 5}, 0));
         marker.setLabel("aim: " + percent + " %");
         marker.setLabelFont(font(Font.PLAIN, 13));
         marker.setLabelPaint(new Color(0x9a1b1b));
@@ -194,13 +196,7 @@ public final class ErrorPicture {
             items.add(new LegendItem(integrators.get(i), null, null, null, shape(i), colour(i)));
         }
         items.add(new LegendItem(
-                "default",
-                null,
-                null,
-                null,
-                new Ellipse2D.Double(-7, -7, 14, 14),
-                new BasicStroke(2f),
-                Color.BLACK));
+                "default", null, null, null, new Ellipse2D.Double(-7, -7, 14, 14), new BasicStroke(2f), Color.BLACK));
         LegendTitle legend = new LegendTitle(() -> items);
         legend.setItemFont(font(Font.PLAIN, 14));
         legend.setPosition(RectangleEdge.TOP);

@@ -6,7 +6,10 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Observation;
 import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 
 /**
@@ -49,10 +52,7 @@ final class BreathRuns implements AutoCloseable {
     /** Into how many substeps the stability limit splits a step of a setting; at most what an int holds. */
     int substeps(StepSettings settings) {
         try {
-            return simulation
-                    .stepper()
-                    .limit()
-                    .substeps(settings.integrator(), settings.timeStepS(), Stepper.SAFETY);
+            return simulation.stepper().limit().substeps(settings.integrator(), settings.timeStepS(), Stepper.SAFETY);
         } catch (IllegalArgumentException never) {
             return Integer.MAX_VALUE;
         }
@@ -93,13 +93,32 @@ final class BreathRuns implements AutoCloseable {
         return new Trajectory(positions, stepper.substeps(), cpu * 1e-9, wall * 1e-9);
     }
 
+    /** How far the domes go down in a trajectory, mean of both, mm. */
+    double excursionMm(Trajectory trajectory) {
+        SceneSurfaces surfaces = new SceneSurfaces(simulation);
+        Frame frame = surfaces.newFrame();
+        double rest = domes(start, surfaces, frame);
+        return rest
+                - Arrays.stream(trajectory.positions())
+                        .mapToDouble(p -> domes(p, surfaces, frame))
+                        .min()
+                        .orElse(rest);
+    }
+
+    private double domes(double[] positions, SceneSurfaces surfaces, Frame frame) {
+        System.arraycopy(positions, 0, simulation.system().positions(), 0, positions.length);
+        surfaces.capture(frame);
+        return 0.5
+                * (frame.values()[Observation.COLUMNS.indexOf("dome_right_mm")]
+                        + frame.values()[Observation.COLUMNS.indexOf("dome_left_mm")]);
+    }
+
     /** Of this thread where it computes alone, else of all threads of the program. */
     private long cpuNanos() {
         if (scenario.threads() == 1) {
             return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         }
-        return ManagementFactory.getOperatingSystemMXBean()
-                        instanceof com.sun.management.OperatingSystemMXBean process
+        return ManagementFactory.getOperatingSystemMXBean() instanceof com.sun.management.OperatingSystemMXBean process
                 ? process.getProcessCpuTime()
                 : 0;
     }

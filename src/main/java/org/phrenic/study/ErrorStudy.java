@@ -31,7 +31,7 @@ public record ErrorStudy(
         List<ErrorPoint> points,
         List<String> leftOut) {
     /** Of a quick study, s: enough for the sheet to move. */
-    private static final double QUICK_S = 0.3;
+    private static final double QUICK_S = 0.2;
 
     /** Steps of a scheme's force evaluations that one simulated second may cost: beyond, a setting is no choice. */
     private static final double MOST_EVALUATIONS_PER_S = 20_000;
@@ -54,8 +54,9 @@ public record ErrorStudy(
     public static ErrorStudy of(Scenario scenario, StepGrid grid, boolean quick, StudyProgress progress) {
         Thorax thorax = SimulationRun.thorax(scenario);
         double periodS = scenario.breathing().pattern().periodS();
-        double breathS = quick ? QUICK_S : Double.isInfinite(periodS) ? scenario.breathing().pattern().wholeS() : periodS;
-        double excursion = excursion(scenario, thorax, quick);
+        double breathS = quick
+                ? QUICK_S
+                : Double.isInfinite(periodS) ? scenario.breathing().pattern().wholeS() : periodS;
         try (BreathRuns runs = new BreathRuns(scenario, thorax, breathS)) {
             List<StepSettings> wanted = new ArrayList<>();
             List<String> leftOut = new ArrayList<>();
@@ -68,9 +69,13 @@ public record ErrorStudy(
                 }
             }
             int total = wanted.size() + 2;
-            StepSettings reference = StepGrid.reference(StepGrid.referenceStepS(scenario.material(), quick));
+            StepSettings reference = StepGrid.reference(StepGrid.referenceStepS(scenario.material()));
             Trajectory coarse = runs.run(StepGrid.reference(2 * reference.timeStepS()));
-            progress.done(1, total, "reference, " + StepGrid.reference(2 * reference.timeStepS()).label());
+            progress.done(
+                    1,
+                    total,
+                    "reference, "
+                            + StepGrid.reference(2 * reference.timeStepS()).label());
             Trajectory exact = runs.run(reference);
             progress.done(2, total, "reference, " + reference.label());
             double[] proof = coarse.distanceFrom(exact);
@@ -78,7 +83,7 @@ public record ErrorStudy(
             for (StepSettings settings : wanted) {
                 try {
                     points.add(point(runs.run(settings), exact, settings, runs.untilS(), scenario));
-                } catch (DivergenceException gone) {
+                } catch (DivergenceException | IllegalArgumentException gone) {
                     leftOut.add(settings.label() + ": " + gone.getMessage());
                 }
                 progress.done(points.size() + 2, total, settings.label());
@@ -87,7 +92,7 @@ public record ErrorStudy(
                     scenario,
                     runs.nodes(),
                     runs.untilS(),
-                    excursion,
+                    runs.excursionMm(exact),
                     reference,
                     proof,
                     withFront(points),
@@ -151,13 +156,6 @@ public record ErrorStudy(
             marked.add(points.get(i).onFront(front[i]));
         }
         return marked;
-    }
-
-    /** How far both domes go down in a whole breath of the scenario as it is, on the mean; of a part of a breath as far as they get. */
-    private static double excursion(Scenario scenario, Thorax thorax, boolean quick) {
-        Scenario seen = quick ? scenario.with("duration_s=" + QUICK_S) : scenario;
-        BreathSeries series = PresetRun.of(seen, thorax, PresetRun.SAMPLE_S, List.of());
-        return -0.5 * (series.change("dome_right_mm") + series.change("dome_left_mm"));
     }
 
     /** Per cent of the excursion. */

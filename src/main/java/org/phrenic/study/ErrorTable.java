@@ -90,7 +90,9 @@ public record ErrorTable(String name, List<Row> rows) {
             if (in == null) {
                 throw new IllegalStateException("the table of errors is missing from the program");
             }
-            return of(CsvTable.parse("settings.csv", new String(in.readAllBytes(), StandardCharsets.UTF_8)), "settings.csv");
+            return of(
+                    CsvTable.parse("settings.csv", new String(in.readAllBytes(), StandardCharsets.UTF_8)),
+                    "settings.csv");
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -255,6 +257,8 @@ public record ErrorTable(String name, List<Row> rows) {
     }
 
     private static String plain(double mm) {
-        return String.format(Locale.ROOT, "%.6g", mm).replaceFirst("(\\.\\d*?)0+$", "$1").replaceFirst("\\.$", "");
+        return String.format(Locale.ROOT, "%.6g", mm)
+                .replaceFirst("(\\.\\d*?)0+$", "$1")
+                .replaceFirst("\\.$", "");
     }
 }

@@ -18,8 +18,11 @@ import org.phrenic.simulation.Scenario;
  */
 public record StepGrid(
         List<IntegratorKind> integrators, List<Double> timeStepsS, List<Integer> sweeps, List<Double> refreshesS) {
-    /** Steps of the reference: the finest is held against twice the step. */
-    private static final int REFERENCE_SWEEPS = 16;
+    /** Each sweep halves what the last one left: of eight about a 250th is left. */
+    private static final int REFERENCE_SWEEPS = 8;
+
+    /** Steps of the reference between anchors and wall planes taken anew. */
+    private static final int REFERENCE_REFRESH = 2;
 
     /** All that a material's front is chosen from. */
     public static StepGrid of(Material material) {
@@ -66,14 +69,13 @@ public record StepGrid(
         return List.copyOf(list);
     }
 
-    /** The reference with a step: fourth order, constraints swept until they agree, anchors and walls taken anew at every step. */
+    /** The reference with a step: fourth order, constraints swept until they agree, anchors and walls taken anew every other step. */
     static StepSettings reference(double stepS) {
-        return new StepSettings(IntegratorKind.RK4, stepS, REFERENCE_SWEEPS, stepS);
+        return new StepSettings(IntegratorKind.RK4, stepS, REFERENCE_SWEEPS, REFERENCE_REFRESH * stepS);
     }
 
     /** Step of the finest reference of a material, s. */
-    static double referenceStepS(Material material, boolean quick) {
-        double step = material == Material.PHYSICAL ? 0.00025 : 0.001;
-        return quick ? 2 * step : step;
+    static double referenceStepS(Material material) {
+        return material == Material.PHYSICAL ? 0.0005 : 0.001;
     }
 }

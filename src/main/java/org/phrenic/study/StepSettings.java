@@ -45,6 +45,8 @@ public record StepSettings(IntegratorKind integrator, double timeStepS, int swee
 
     /** A time for people, without digits that say nothing. */
     static String number(double seconds) {
-        return String.format(Locale.ROOT, "%.4g", seconds).replaceFirst("(\\.\\d*?)0+$", "$1").replaceFirst("\\.$", "");
+        return String.format(Locale.ROOT, "%.4g", seconds)
+                .replaceFirst("(\\.\\d*?)0+$", "$1")
+                .replaceFirst("\\.$", "");
     }
 }
