@@ -101,11 +101,7 @@ public record Reproduction(
         Map<Resolution, Thorax> bodies = new LinkedHashMap<>();
         for (Resolution resolution : resolutions) {
             bodies.put(resolution, SimulationRun.thorax(PaperScene.own("quiet", resolution)));
-<<<<<<< HEAD
             speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), trials, trialS));
-=======
-            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), TRIALS, quick ? QUICK_TRIAL_S : TRIAL_S));
->>>>>>> main
             progress.done(
                     speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
         }
