@@ -37,6 +37,8 @@ public final class NeedleSession {
     private double timeS = Double.NaN;
     private int breath = 1;
     private double phase;
+    private double phaseBefore;
+    private double passedS;
     private BreathLabel label = BreathLabel.PAUSE;
     private Optional<SkinPoint> skin = Optional.empty();
     private double[] entry = new double[3];
@@ -75,7 +77,10 @@ public final class NeedleSession {
         }
         scene.take(frame);
         timeS = frame.timeS();
-        breath = 1 + (int) frame.values()[BREATH];
+        int breathNow = 1 + (int) frame.values()[BREATH];
+        phaseBefore = breathNow == breath ? phase : 0;
+        passedS = passed;
+        breath = breathNow;
         phase = frame.values()[PHASE];
         label = doing;
         log.targetAt(targetNow());
@@ -176,7 +181,10 @@ public final class NeedleSession {
     }
 
     private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
-        log.add(new AttemptEvent(kind, structure, when, breath, phase, label, atDepth));
+        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its beginning.
+        double before = passedS > 0 ? (timeS - when) / passedS : 0;
+        double at = phase - before * (phase - phaseBefore);
+        log.add(new AttemptEvent(kind, structure, when, breath, at, label, atDepth));
     }
 
     /**

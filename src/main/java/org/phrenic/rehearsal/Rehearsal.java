@@ -1,7 +1,6 @@
 package org.phrenic.rehearsal;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
@@ -43,7 +42,7 @@ public record Rehearsal(
     public static final double LOOK_EVERY_S = 0.02;
 
     /** What counts as room enough about a path, mm; see {@link AccessMap#best}. */
-    public static final double ROOM_MM = 5;
+    public static final double ROOM_MM = 3;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
@@ -66,12 +65,10 @@ public record Rehearsal(
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.phases());
             AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
             List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
-            Optional<double[]> best = map.best(ROOM_MM)
-                    .map(v -> Arrays.copyOfRange(scene.skin().surface().rest().positions(), 3 * v, 3 * v + 3));
-            Optional<PathCycle> path = firstEntry(plan, best)
+            Optional<PathCycle> path = firstEntry(plan, map)
                     .map(entry -> PathCycle.of(scene, cycle, entry, target, plan.needle(), plan.avoided()));
             if (simulation.restart()) {
-                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, best, progress);
+                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, progress);
             }
         }
         throw new BadInputException(
@@ -88,10 +85,9 @@ public record Rehearsal(
             AccessMap map,
             List<SpaceTable.Row> spaces,
             Optional<PathCycle> path,
-            Optional<double[]> best,
             SimulationRun.Progress progress) {
         NeedleSession needle = new NeedleSession(scene, target, plan.needle(), plan.avoided());
-        PlanPlayer player = new PlanPlayer(plan, needle, best, (held, origin) ->
+        PlanPlayer player = new PlanPlayer(plan, needle, map, (held, origin) ->
                 simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
         List<NeedleView> views = new ArrayList<>();
         int samples = 0;
@@ -148,13 +144,11 @@ public record Rehearsal(
         }
     }
 
-    private static Optional<double[]> firstEntry(RehearsalPlan plan, Optional<double[]> best) {
+    private static Optional<double[]> firstEntry(RehearsalPlan plan, AccessMap map) {
         return plan.steps().stream()
                 .filter(PlanStep.Place.class::isInstance)
-                .map(PlanStep.Place.class::cast)
-                .findFirst()
-                .map(PlanStep.Place::entryRest)
-                .flatMap(entry -> entry.or(() -> best));
+                .map(step -> PlanPlayer.entry((PlanStep.Place) step, map))
+                .findFirst();
     }
 
     /** Whether what counts as done was reached; true where the plan asks for nothing. */
