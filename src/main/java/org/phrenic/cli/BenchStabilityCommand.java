@@ -67,7 +67,8 @@ final class BenchStabilityCommand implements Callable<Integer> {
         if (out != null) {
             OutputFolder.require(out);
         }
-        StabilityStudy study = StabilityStudy.of(settings(), progress(spec.commandLine().getErr()));
+        StabilityStudy study =
+                StabilityStudy.of(settings(), progress(spec.commandLine().getErr()));
         StabilityReport report = new StabilityReport(study);
         if (out != null) {
             AtomicFile.write(out.resolve("stability.md"), report.markdown());
@@ -85,8 +86,8 @@ final class BenchStabilityCommand implements Callable<Integer> {
         List<String> cases = only == null ? List.of() : OptionNumbers.parts(only);
         for (String key : cases) {
             if (!StabilityStudy.caseKeys().contains(key)) {
-                throw new BadInputException("--only: found '" + key + "', expected "
-                        + String.join(", ", StabilityStudy.caseKeys()));
+                throw new BadInputException(
+                        "--only: found '" + key + "', expected " + String.join(", ", StabilityStudy.caseKeys()));
             }
         }
         List<IntegratorKind> kinds = integrators == null
@@ -94,7 +95,11 @@ final class BenchStabilityCommand implements Callable<Integer> {
                 : OptionNumbers.parts(integrators).stream()
                         .map(IntegratorKind::of)
                         .toList();
-        return new StabilityStudy.Settings(cases, kinds, quick, spend == null ? usual.nodeEvaluations() : OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
+        return new StabilityStudy.Settings(
+                cases,
+                kinds,
+                quick,
+                spend == null ? usual.nodeEvaluations() : OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
     }
 
     private static StudyProgress progress(PrintWriter err) {

@@ -76,9 +76,8 @@ final class ReproduceCommand implements Callable<Integer> {
                             .map(p -> new Picture(PICTURES + "/" + p.fileName(), p.alternative(), p.caption()))
                             .toList());
         });
-        ReportDocument report = new ReproductionReport(
-                        found, pictures, noPictures, new VersionProvider().getVersion()[0])
-                .document();
+        ReportDocument report =
+                new ReproductionReport(found, pictures, noPictures, new VersionProvider().getVersion()[0]).document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.of(report));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.of(report));
         PrintWriter stdout = spec.commandLine().getOut();

@@ -256,8 +256,8 @@ public final class SegmentProbe {
             double high = boxes[o + 3 + axis];
             along += (0.5 * (low + high) - from[axis]) * unit[axis];
             radius += 0.25 * (high - low) * (high - low);
-            double gap = Math.max(
-                    0, Math.max(low - Math.max(from[axis], to[axis]), Math.min(from[axis], to[axis]) - high));
+            double gap =
+                    Math.max(0, Math.max(low - Math.max(from[axis], to[axis]), Math.min(from[axis], to[axis]) - high));
             apart += gap * gap;
         }
         along = Math.max(0, Math.min(length, along));

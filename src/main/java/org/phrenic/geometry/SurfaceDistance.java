@@ -39,7 +39,7 @@ public final class SurfaceDistance {
         int[] balance = new int[topology.edgeCount()];
         for (int side = 0; side < t.length; side++) {
             if (sides[side] >= 0) {
-                balance[sides[side]] += t[side] < t[MeshTopology.next(side)] ? 1 : -1;
+                balance[sides[side]] += t[side] < t[EdgeTable.next(side)] ? 1 : -1;
             }
         }
         for (int b : balance) {

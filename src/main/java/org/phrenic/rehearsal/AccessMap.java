@@ -96,10 +96,12 @@ public final class AccessMap {
         List<MovingStructure> structures = scene.structures();
         for (int m = 0; m < cycle.size(); m++) {
             int moment = m;
-            workers.run(structures.size(), i -> structures.get(i).take(cycle.get(moment).frame()));
+            workers.run(
+                    structures.size(),
+                    i -> structures.get(i).take(cycle.get(moment).frame()));
             map.targets[m] = tissue.now(middle);
-            double[] normals =
-                    MeshMeasure.vertexNormals(map.skin.withPositions(scene.skin().now()));
+            double[] normals = MeshMeasure.vertexNormals(
+                    map.skin.withPositions(scene.skin().now()));
             workers.run(blocks, block -> {
                 int end = Math.min((block + 1) * BLOCK, map.margin.length);
                 for (int v = block * BLOCK; v < end; v++) {

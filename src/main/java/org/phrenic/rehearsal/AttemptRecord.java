@@ -105,10 +105,12 @@ public record AttemptRecord(
         map.put("needle_turned_by_liver_deg", swingDeg);
         map.put("needle_moved_along_by_liver_mm", slipMm);
         map.put("rib_lower_border_mm", borderMm);
-        map.put("closest", closest.stream()
-                .sorted(Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name))
-                .map(Approach::toMap)
-                .toList());
+        map.put(
+                "closest",
+                closest.stream()
+                        .sorted(Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name))
+                        .map(Approach::toMap)
+                        .toList());
         map.put("events", events.stream().map(AttemptEvent::toMap).toList());
         map.put("needle_gauge", needle.gauge());
         map.put("needle_length_mm", needle.lengthMm());

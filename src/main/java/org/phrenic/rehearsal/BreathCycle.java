@@ -28,7 +28,8 @@ public final class BreathCycle {
         List<BreathMoment> moments = new ArrayList<>();
         Frame frame = surfaces.newFrame();
         for (int i = 0; i < phases; i++) {
-            while (simulation.time() < start + length * i / phases - 0.5 * simulation.stepper().dt()) {
+            while (simulation.time()
+                    < start + length * i / phases - 0.5 * simulation.stepper().dt()) {
                 simulation.step();
             }
             surfaces.capture(frame);

@@ -68,17 +68,15 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
     boolean happens(BreathLabel before, int breathBefore, BreathLabel now, int breathNow) {
         boolean yes =
                 switch (kind) {
-                    case INSPIRATION ->
-                        now == BreathLabel.INSPIRATION && (before != now || breathBefore != breathNow);
+                    case INSPIRATION -> now == BreathLabel.INSPIRATION && (before != now || breathBefore != breathNow);
                     case END_INSPIRATION -> before == BreathLabel.INSPIRATION && now != before;
                     case END_EXPIRATION ->
                         now == BreathLabel.PAUSE || (before == BreathLabel.EXPIRATION && now != before);
                     case HOLD -> now == BreathLabel.HOLD;
                 };
-        int number =
-                kind == Kind.END_EXPIRATION && now != BreathLabel.PAUSE || kind == Kind.END_INSPIRATION
-                        ? breathBefore
-                        : breathNow;
+        int number = (kind == Kind.END_EXPIRATION && now != BreathLabel.PAUSE) || kind == Kind.END_INSPIRATION
+                ? breathBefore
+                : breathNow;
         return yes && (breath.isEmpty() || breath.getAsInt() == number);
     }
 

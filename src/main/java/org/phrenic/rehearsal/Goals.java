@@ -25,10 +25,9 @@ public record Goals(boolean hit, Map<String, Double> most) {
         MEASURES.put("no_go_s_at_most", AttemptRecord::inNoGoS);
         MEASURES.put("inside_s_at_most", AttemptRecord::insideS);
         MEASURES.put("capsule_pull_mm_at_most", AttemptRecord::capsulePullMm);
-        MEASURES.put("lateral_mm_at_most", r -> r.samples().stream()
-                .mapToDouble(Miss::lateralMm)
-                .min()
-                .orElse(Double.POSITIVE_INFINITY));
+        MEASURES.put(
+                "lateral_mm_at_most",
+                r -> r.samples().stream().mapToDouble(Miss::lateralMm).min().orElse(Double.POSITIVE_INFINITY));
     }
 
     /** One goal and whether it was reached. */

@@ -15,9 +15,7 @@ public record Miss(double axialMm, double lateralMm, boolean hit) {
         double[] d = Vectors.minus(middle, tip);
         double axial = Vectors.dot(d, direction);
         return new Miss(
-                axial,
-                Vectors.length(Vectors.along(d, -axial, direction)),
-                Vectors.length(d) <= target.radiusMm());
+                axial, Vectors.length(Vectors.along(d, -axial, direction)), Vectors.length(d) <= target.radiusMm());
     }
 
     /** Distance between tip and middle, mm. */

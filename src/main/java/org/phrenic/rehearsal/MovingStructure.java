@@ -105,9 +105,7 @@ public final class MovingStructure {
         if (pose.length == 0) {
             probe.set(from[0], from[1], from[2], to[0], to[1], to[2]);
         } else {
-            probe.set(
-                    own(0, from), own(1, from), own(2, from),
-                    own(0, to), own(1, to), own(2, to));
+            probe.set(own(0, from), own(1, from), own(2, from), own(0, to), own(1, to), own(2, to));
         }
     }
 

@@ -11,8 +11,8 @@ import java.util.TreeMap;
  */
 public record Needle(int gauge, double lengthMm) {
     /** Outer diameters of needle tube, mm (ISO 9626 nominal sizes). */
-    private static final Map<Integer, Double> DIAMETER_MM = new TreeMap<>(Map.of(
-            14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7));
+    private static final Map<Integer, Double> DIAMETER_MM =
+            new TreeMap<>(Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7));
 
     private static final double SHORTEST_MM = 20;
     private static final double LONGEST_MM = 300;
@@ -25,8 +25,8 @@ public record Needle(int gauge, double lengthMm) {
             throw new IllegalArgumentException("found a needle of " + gauge + " G, expected 14 to 22 G");
         }
         if (!(lengthMm >= SHORTEST_MM && lengthMm <= LONGEST_MM)) {
-            throw new IllegalArgumentException("found a needle " + lengthMm + " mm long, expected " + SHORTEST_MM
-                    + " to " + LONGEST_MM + " mm");
+            throw new IllegalArgumentException(
+                    "found a needle " + lengthMm + " mm long, expected " + SHORTEST_MM + " to " + LONGEST_MM + " mm");
         }
     }
 

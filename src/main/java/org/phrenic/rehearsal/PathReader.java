@@ -258,9 +258,7 @@ public final class PathReader {
                 side = s.surface().side();
             }
         }
-        return above > 0 && below == above + 1
-                ? Optional.of(new IntercostalSpace(above, side))
-                : Optional.empty();
+        return above > 0 && below == above + 1 ? Optional.of(new IntercostalSpace(above, side)) : Optional.empty();
     }
 
     /** Angle between a path and the liver's surface where it first enters, degrees; NaN where it does not. */

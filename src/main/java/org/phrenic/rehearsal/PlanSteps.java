@@ -22,8 +22,8 @@ final class PlanSteps {
             step.requireOnly(KINDS);
             int number = all.size() + 1;
             if (step.keys().size() != 1) {
-                throw new BadInputException(file + ": steps, step " + number + ": found " + step.keys().size()
-                        + " keys, expected one of " + String.join(", ", KINDS));
+                throw new BadInputException(file + ": steps, step " + number + ": found "
+                        + step.keys().size() + " keys, expected one of " + String.join(", ", KINDS));
             }
             String kind = step.keys().iterator().next();
             all.add(step(step, kind, file + ": step " + number + ", " + kind));
@@ -50,8 +50,7 @@ final class PlanSteps {
             case "advance" -> {
                 YamlMap map = step.map(kind);
                 map.requireOnly(List.of("depth_mm", "speed_mm_per_s"));
-                Optional<Double> depth =
-                        map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty();
+                Optional<Double> depth = map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty();
                 yield new PlanStep.Advance(place, depth, speed(map));
             }
             case "withdraw" -> {

@@ -73,8 +73,10 @@ public record RehearsalPlan(
         YamlMap target = yaml.map("target");
         target.requireOnly(TARGET_KEYS);
         if (target.has("rest_mm") == target.has("seed")) {
-            throw yaml.bad("target", "found " + (target.has("seed") ? "both" : "neither")
-                    + " of rest_mm and seed, expected one of them");
+            throw yaml.bad(
+                    "target",
+                    "found " + (target.has("seed") ? "both" : "neither")
+                            + " of rest_mm and seed, expected one of them");
         }
         if (target.has("rest_mm") && !target.has("diameter_mm")) {
             throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
@@ -88,7 +90,7 @@ public record RehearsalPlan(
                 target.number("diameter_mm", Double.NaN),
                 needle(yaml),
                 avoided(yaml),
-                (int) within(yaml, "phases", yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
+                (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
                 within(yaml, "give_up_after_s", yaml.number("give_up_after_s", GIVE_UP_S), 1, 3600),
                 Goals.read(yaml.mapOrEmpty("done_when")),
                 yaml.has("steps") ? PlanSteps.read(yaml.maps("steps"), file.toString()) : List.of(),
@@ -138,7 +140,9 @@ public record RehearsalPlan(
                     .orElseThrow(() -> yaml.bad(
                             "avoid",
                             "found '" + name + "', expected "
-                                    + Arrays.stream(NoGo.values()).map(NoGo::key).collect(Collectors.joining(", ")))));
+                                    + Arrays.stream(NoGo.values())
+                                            .map(NoGo::key)
+                                            .collect(Collectors.joining(", ")))));
         }
         return avoided;
     }

@@ -10,7 +10,8 @@ final class StructureLabel {
 
     /** "right rib 8", "left lung", "liver". */
     static String of(Surface surface) {
-        String side = surface.side() == Side.MIDLINE ? "" : surface.side().name().toLowerCase(Locale.ROOT) + " ";
+        String side =
+                surface.side() == Side.MIDLINE ? "" : surface.side().name().toLowerCase(Locale.ROOT) + " ";
         return switch (surface.kind()) {
             case RIB -> side + "rib " + surface.level();
             case COSTAL_CARTILAGE -> side + "costal cartilage " + surface.level();

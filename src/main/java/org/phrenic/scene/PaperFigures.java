@@ -93,11 +93,13 @@ public final class PaperFigures {
             Look look = style.look(s.name()).orElseThrow();
             style = switch (s.kind()) {
                 case DIAPHRAGM -> style;
-                case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> style.withLook(s.name(), look.withOpacity(CLEAR_BONE));
+                case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC ->
+                    style.withLook(s.name(), look.withOpacity(CLEAR_BONE));
                 case LUNG, LIVER, SKIN, OTHER -> style.withLook(s.name(), look.withVisible(false));
             };
         }
-        Renderer renderer = new Renderer(surfaces, List.of(ofSheet(breath.player().overlays(), sheet)));
+        Renderer renderer =
+                new Renderer(surfaces, List.of(ofSheet(breath.player().overlays(), sheet)));
         return new FigurePicture(
                 "fig1-attachments-" + view.label(),
                 "The diaphragm below clear bones with orange points along its border, seen from the "
@@ -141,7 +143,9 @@ public final class PaperFigures {
             Look look = style.look(s.name()).orElseThrow();
             style = style.withLook(
                     s.name(),
-                    s.name().equals(sheet.name()) ? look.withOpacity(coloured ? 1 : CLEAR_SHEET) : look.withVisible(false));
+                    s.name().equals(sheet.name())
+                            ? look.withOpacity(coloured ? 1 : CLEAR_SHEET)
+                            : look.withVisible(false));
         }
         if (coloured) {
             double most = COLOUR_STEP_MM * Math.ceil(farthest(sheet, index, start, breath.expired()) / COLOUR_STEP_MM);

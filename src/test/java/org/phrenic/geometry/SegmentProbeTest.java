@@ -64,7 +64,11 @@ class SegmentProbeTest {
     void alongAnEdgeOrInAFaceEntriesAndExitsComeInPairs() {
         TriangleTree box = new TriangleTree(Shapes.box(10, 10, 10));
         double[][] grazing = {
-            {-5, 0, 0, 15, 0, 0}, {-5, 10, 10, 15, 10, 10}, {-5, 3, 0, 15, 3, 0}, {-5, -5, 0, 15, 15, 0}, {-5, 0, -5, 15, 0, 15},
+            {-5, 0, 0, 15, 0, 0},
+            {-5, 10, 10, 15, 10, 10},
+            {-5, 3, 0, 15, 3, 0},
+            {-5, -5, 0, 15, 15, 0},
+            {-5, 0, -5, 15, 0, 15},
         };
         for (double[] s : grazing) {
             probe.set(s[0], s[1], s[2], s[3], s[4], s[5]);

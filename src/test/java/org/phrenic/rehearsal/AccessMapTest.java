@@ -35,7 +35,8 @@ class AccessMapTest {
     @BeforeAll
     static void breathe() {
         workers = Workers.of(2);
-        Scenario deep = Scenario.defaults().with("preset=deep", "resolution=low", "lungs=embedded", "sternum=kinematic");
+        Scenario deep =
+                Scenario.defaults().with("preset=deep", "resolution=low", "lungs=embedded", "sternum=kinematic");
         try (Simulation simulation = Simulation.of(deep, SimulationRun.thorax(deep))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
@@ -54,7 +55,9 @@ class AccessMapTest {
     }
 
     private static Optional<IntercostalSpace> space(AccessMap map, int moment, int vertex) {
-        return new PathReader(scene, Needle.usual()).read(entry(vertex), map.target(moment)).space();
+        return new PathReader(scene, Needle.usual())
+                .read(entry(vertex), map.target(moment))
+                .space();
     }
 
     private static double[] entry(int vertex) {
@@ -202,7 +205,8 @@ class AccessMapTest {
     void randomTargetsAreRepeatableAndLieWithinTheLiver() {
         for (long seed = 1; seed < 6; seed++) {
             Target one = Target.random(scene, seed, Double.NaN);
-            assertThat(one.restMm()).isEqualTo(Target.random(scene, seed, Double.NaN).restMm());
+            assertThat(one.restMm())
+                    .isEqualTo(Target.random(scene, seed, Double.NaN).restMm());
             assertThat(one.diameterMm()).isBetween(8.0, 50.0);
         }
     }

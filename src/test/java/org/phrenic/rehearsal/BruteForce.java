@@ -120,8 +120,8 @@ final class BruteForce {
     }
 
     private double alongPath(double[] c, int o, double[] from, double[] d) {
-        TriangleTree single = new TriangleTree(
-                new TriangleMesh(java.util.Arrays.copyOfRange(c, o, o + 9), new int[] {0, 1, 2}));
+        TriangleTree single =
+                new TriangleTree(new TriangleMesh(java.util.Arrays.copyOfRange(c, o, o + 9), new int[] {0, 1, 2}));
         double low = 0;
         double high = 1;
         double a = high - GOLDEN * (high - low);

@@ -22,9 +22,7 @@ class PathReaderTest {
     void depthsOfStackedBoxesAreTheirFaces() {
         scene.take(body.still(0));
         PathReading reading = read(35);
-        assertThat(reading.crossings())
-                .extracting(Crossing::name)
-                .containsExactly("rib_08_R", "lung_R", "liver");
+        assertThat(reading.crossings()).extracting(Crossing::name).containsExactly("rib_08_R", "lung_R", "liver");
         double[] faces = {10, 16, 20, 30, 40, 90};
         for (int i = 0; i < 3; i++) {
             assertThat(reading.crossings().get(i).fromMm()).isCloseTo(faces[2 * i], within(TOLERANCE_MM));

@@ -69,7 +69,11 @@ final class ChatterWatch {
     }
 
     private static boolean turned(double[] u, double[] v, int i) {
-        double size = u[i] * u[i] + u[i + 1] * u[i + 1] + u[i + 2] * u[i + 2] + v[i] * v[i] + v[i + 1] * v[i + 1]
+        double size = u[i] * u[i]
+                + u[i + 1] * u[i + 1]
+                + u[i + 2] * u[i + 2]
+                + v[i] * v[i]
+                + v[i + 1] * v[i + 1]
                 + v[i + 2] * v[i + 2];
         double dx = v[i] - u[i];
         double dy = v[i + 1] - u[i + 1];

@@ -46,6 +46,20 @@ public record Cell(
     static Cell refused(HardCase hard, IntegratorKind kind, double askedS, String sentence) {
         double none = Double.NaN;
         return new Cell(
-                hard.key(), kind, Verdict.REFUSED, sentence, askedS, 0, none, 0, none, none, none, none, none, none, none);
+                hard.key(),
+                kind,
+                Verdict.REFUSED,
+                sentence,
+                askedS,
+                0,
+                none,
+                0,
+                none,
+                none,
+                none,
+                none,
+                none,
+                none,
+                none);
     }
 }

@@ -133,7 +133,11 @@ final class CellRun {
         if (!(time < splitTime + SETTLES_S)) {
             within("speed of a node, mm/s", fastest, bounds.speedMmS(), time);
             if (trusted != null) {
-                within("kinetic energy over that of the trusted run", kinetic / peakAllowed, bounds.kineticFactor(), time);
+                within(
+                        "kinetic energy over that of the trusted run",
+                        kinetic / peakAllowed,
+                        bounds.kineticFactor(),
+                        time);
             }
         }
         within("distance of a node from its start, mm", reach, bounds.reachMm(), time);
@@ -162,7 +166,11 @@ final class CellRun {
     private void end(double durationS) {
         double time = trial.stepper().time();
         if (breach.isEmpty() && noticed.isEmpty() && time >= durationS - 1e-9) {
-            within("rms distance from the start at the end, mm", returned(), hard.bounds().returnMm(), time);
+            within(
+                    "rms distance from the start at the end, mm",
+                    returned(),
+                    hard.bounds().returnMm(),
+                    time);
         }
     }
 
@@ -180,9 +188,8 @@ final class CellRun {
 
     private Cell cell(double durationS) {
         String told = noticed.isEmpty() ? split : noticed;
-        Verdict verdict = !breach.isEmpty()
-                ? Verdict.SILENT_FAILURE
-                : told.isEmpty() ? Verdict.STABLE : Verdict.RECOVERED;
+        Verdict verdict =
+                !breach.isEmpty() ? Verdict.SILENT_FAILURE : told.isEmpty() ? Verdict.STABLE : Verdict.RECOVERED;
         return new Cell(
                 hard.key(),
                 kind,

@@ -68,9 +68,7 @@ final class Dome implements Trial {
         double dt = refinement == 1
                 ? recipe.dtS()
                 : CellRun.SAMPLE_S
-                        / Math.ceil(CellRun.SAMPLE_S
-                                * refinement
-                                / Math.min(limit.largestStep(kind), recipe.dtS()));
+                        / Math.ceil(CellRun.SAMPLE_S * refinement / Math.min(limit.largestStep(kind), recipe.dtS()));
         stepper = new Stepper(kind.on(system), dt, StepPolicy.SUBSTEP, limit);
     }
 
@@ -95,7 +93,8 @@ final class Dome implements Trial {
                 .distinct()
                 .toArray();
         int[] below = mesh.below();
-        int[] upper = IntStream.range(0, below.length).filter(i -> below[i] != i).toArray();
+        int[] upper =
+                IntStream.range(0, below.length).filter(i -> below[i] != i).toArray();
         int[] a = new int[keys.length + upper.length];
         int[] b = new int[a.length];
         for (int i = 0; i < a.length; i++) {
@@ -118,8 +117,8 @@ final class Dome implements Trial {
         for (int i = 0; i < a.length; i++) {
             a[i] = linked[i / shares.length];
             b[i] = below[a[i]];
-            length[i] = shares[i % shares.length] * Shape.farthest(of(rest, new int[] {a[i]}), of(rest, new int[] {b[i]
-            }));
+            length[i] =
+                    shares[i % shares.length] * Shape.farthest(of(rest, new int[] {a[i]}), of(rest, new int[] {b[i]}));
         }
         return RigidLinks.sweepingTo(layout, a, b, length, LINK_TOLERANCE, LINK_SWEEPS);
     }

@@ -155,10 +155,7 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
             }
         }
         return new DomeMesh(
-                p,
-                triangles,
-                below,
-                rim.stream().mapToInt(Integer::intValue).toArray());
+                p, triangles, below, rim.stream().mapToInt(Integer::intValue).toArray());
     }
 
     private static void place(double[] p, int node, double x, double y, double z) {

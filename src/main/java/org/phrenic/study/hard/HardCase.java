@@ -13,14 +13,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param quickS simulated time of the short version, s
  * @param periodS of what drives it, s; 0 where it does not repeat itself
  */
-record HardCase(
-        String key,
-        String title,
-        Bounds bounds,
-        Maker maker,
-        double durationS,
-        double quickS,
-        double periodS) {
+record HardCase(String key, String title, Bounds bounds, Maker maker, double durationS, double quickS, double periodS) {
 
     /** Puts a scene together for an integrator. */
     interface Maker {

@@ -10,8 +10,7 @@ import org.phrenic.simulation.SimulationRun;
 /** The hard cases: domes for the engine alone, thoraxes for the whole program. */
 final class HardCases {
     /** Everything of the whole thorax that is not the diaphragm moves little and costs half of the time. */
-    private static final String[] DIAPHRAGM = {
-        "resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
+    private static final String[] DIAPHRAGM = {"resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
     };
 
     private static final double BREATH_S = 4;
@@ -69,7 +68,13 @@ final class HardCases {
                 close,
                 40,
                 4);
-        dome("links-conflict", "three rigid links a pair that contradict each other", published.inConflict(), close, 20, 2);
+        dome(
+                "links-conflict",
+                "three rigid links a pair that contradict each other",
+                published.inConflict(),
+                close,
+                20,
+                2);
         dome(
                 "rim-thrown",
                 "the rim thrown through its whole range in one step, and back",
@@ -77,12 +82,17 @@ final class HardCases {
                 Bounds.body().kinetic(2).shape(0.25),
                 40,
                 8);
-        dome("force-50", "muscle force 50 times as strong", published.pulled(50), close.reach(EVER).speed(10_000), 40, 8);
+        dome(
+                "force-50",
+                "muscle force 50 times as strong",
+                published.pulled(50),
+                close.reach(EVER).speed(10_000),
+                40,
+                8);
         dome("limp", "a sheet that nothing pulls and nothing brings back", published.limp(), close, 60, 4);
     }
 
-    private void dome(
-            String key, String title, DomeRecipe recipe, Bounds bounds, double durationS, double quickS) {
+    private void dome(String key, String title, DomeRecipe recipe, Bounds bounds, double durationS, double quickS) {
         cases.add(new HardCase(
                 key,
                 title,
@@ -99,15 +109,44 @@ final class HardCases {
         thorax("thorax-published", "the paper's parameters, quiet breaths", close, 200, 2, BREATH_S, "material=paper");
         thorax("thorax-dt-20", "time step 20 times as long", close, 20, 1, BREATH_S, "time_step_s=0.02");
         thorax("thorax-limp", "neither muscle nor pressure", close, 20, 1, BREATH_S, "muscle=false", "pressure=false");
-        thorax("thorax-stiff", "muscle as stiff as the slider goes, no damping", close, 20, 1, BREATH_S,
-                "muscle_stiffness_n_per_m=3000", "tendon_stiffness_ratio=50", "damping_rate_per_s=0");
-        thorax("thorax-deep", "breaths as deep as the sliders go", close, 20, 1, 0,
-                "preset=deep", "depth=2", "muscle_activation=0.8", "rib_rotation=1.5");
+        thorax(
+                "thorax-stiff",
+                "muscle as stiff as the slider goes, no damping",
+                close,
+                20,
+                1,
+                BREATH_S,
+                "muscle_stiffness_n_per_m=3000",
+                "tendon_stiffness_ratio=50",
+                "damping_rate_per_s=0");
+        thorax(
+                "thorax-deep",
+                "breaths as deep as the sliders go",
+                close,
+                20,
+                1,
+                0,
+                "preset=deep",
+                "depth=2",
+                "muscle_activation=0.8",
+                "rib_rotation=1.5");
         ribs();
         sliders("sliders", "all sliders thrown from end to end at random", 600, apart.returns(1));
-        sliders("sliders-paper", "the same with the paper's material", 600, apart.reach(EVER).returns(1), "material=paper");
+        sliders(
+                "sliders-paper",
+                "the same with the paper's material",
+                600,
+                apart.reach(EVER).returns(1),
+                "material=paper");
         thorax("hour", "an hour of quiet breathing", close.drift(0.1), 3600, 1, BREATH_S);
-        thorax("hour-paper", "the same with the paper's material", close.drift(0.1), 3600, 2, BREATH_S, "material=paper");
+        thorax(
+                "hour-paper",
+                "the same with the paper's material",
+                close.drift(0.1),
+                3600,
+                2,
+                BREATH_S,
+                "material=paper");
     }
 
     /** Ribs go from exhaled to beyond inhaled and back within two steps of a tenth of a second, as fast as a slider can be thrown. */

@@ -25,8 +25,7 @@ public record StabilityStudy(List<String> keys, List<String> titles, List<Integr
      */
     public record Settings(List<String> only, List<IntegratorKind> kinds, boolean quick, double nodeEvaluations) {
         /** All cells of the long version. */
-        public static final Settings LONG =
-                new Settings(List.of(), List.of(IntegratorKind.values()), false, 2.5e9);
+        public static final Settings LONG = new Settings(List.of(), List.of(IntegratorKind.values()), false, 2.5e9);
 
         /** All cells of the short version. */
         public static final Settings QUICK = new Settings(List.of(), List.of(IntegratorKind.values()), true, 2e7);

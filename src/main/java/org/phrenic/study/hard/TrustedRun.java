@@ -31,8 +31,7 @@ final class TrustedRun {
         try (Trial trial = hard.maker().make(IntegratorKind.VERLET, REFINEMENT, durationS)) {
             Shape shape = new Shape(trial.system());
             double[] start = shape.now().clone();
-            long perSample =
-                    Math.max(1, Math.round(sampleS / trial.stepper().dt()));
+            long perSample = Math.max(1, Math.round(sampleS / trial.stepper().dt()));
             run.shapes.add(start);
             long samples = Math.round(run.endS / sampleS);
             for (long s = 0; s < samples; s++) {

@@ -73,7 +73,9 @@ public record ModelCounts(
                     sheet.rest().triangleCount(),
                     new MeshTopology(sheet.rest()).eulerCharacteristic(),
                     tendon,
-                    overlay(scene, Overlay.Kind.RIGID_LINKS).map(o -> o.nodePairs().length / 2).orElse(0),
+                    overlay(scene, Overlay.Kind.RIGID_LINKS)
+                            .map(o -> o.nodePairs().length / 2)
+                            .orElse(0),
                     held(scene, sheet),
                     simulation.stepper().limit().largestStep(IntegratorKind.RK2),
                     simulation.stepper().limit().substeps(IntegratorKind.RK2, PaperScene.STEP_S, Stepper.SAFETY));
@@ -85,15 +87,20 @@ public record ModelCounts(
     }
 
     private static Map<String, Integer> held(SceneSurfaces scene, Surface sheet) {
-        List<Surface> bones = scene.surfaces().stream().filter(s -> place(s) != null).toList();
+        List<Surface> bones =
+                scene.surfaces().stream().filter(s -> place(s) != null).toList();
         List<TriangleTree> trees = new ArrayList<>();
         bones.forEach(bone -> trees.add(new TriangleTree(bone.rest())));
         Map<String, Integer> count = new LinkedHashMap<>();
         PLACES.forEach(place -> count.put(place, 0));
         TriangleTree.Hit hit = new TriangleTree.Hit();
         // The sheet's nodes come first; a point of an overlay names its node twice.
-        int[] nodes = overlay(scene, Overlay.Kind.ATTACHMENTS).map(Overlay::nodePairs).orElse(new int[0]);
-        for (int node : Arrays.stream(nodes).distinct().filter(n -> n < sheet.rest().vertexCount()).toArray()) {
+        int[] nodes =
+                overlay(scene, Overlay.Kind.ATTACHMENTS).map(Overlay::nodePairs).orElse(new int[0]);
+        for (int node : Arrays.stream(nodes)
+                .distinct()
+                .filter(n -> n < sheet.rest().vertexCount())
+                .toArray()) {
             TriangleMesh rest = sheet.rest();
             double distance = Double.POSITIVE_INFINITY;
             int nearest = 0;
@@ -111,7 +118,8 @@ public record ModelCounts(
     private static String place(Surface s) {
         return switch (s.kind()) {
             case STERNUM -> PLACES.get(0);
-            case RIB, COSTAL_CARTILAGE -> PLACES.get(s.level() >= FIRST_FLOATING ? 2 : s.level() >= FIRST_OF_MARGIN ? 1 : 4);
+            case RIB, COSTAL_CARTILAGE ->
+                PLACES.get(s.level() >= FIRST_FLOATING ? 2 : s.level() >= FIRST_OF_MARGIN ? 1 : 4);
             case VERTEBRA, DISC -> PLACES.get(3);
             case DIAPHRAGM, LUNG, LIVER, SKIN, OTHER -> null;
         };

@@ -27,7 +27,9 @@ final class ModelSection {
         List<List<String>> rows = new ArrayList<>();
         for (String place : ModelCounts.PLACES) {
             rows.add(List.of(
-                    place, grouped(published.held().get(place)), grouped(own.held().get(place))));
+                    place,
+                    grouped(published.held().get(place)),
+                    grouped(own.held().get(place))));
         }
         rows.add(List.of("in all", grouped(published.heldInAll()), grouped(own.heldInAll())));
         report.table(
@@ -38,9 +40,10 @@ final class ModelSection {
                         Column.number("the paper's rule: nearer than 25 mm"),
                         Column.number("here: the border of the sheet")),
                 rows);
-        report.paragraph("By distance alone the paper's rule also holds muscle that lies against the lower ribs and slides"
-                + " there in people (the zone of apposition). So the model as used here holds the border only, exactly,"
-                + " and lets the rest slide along the chest wall without passing through it.");
+        report.paragraph(
+                "By distance alone the paper's rule also holds muscle that lies against the lower ribs and slides"
+                        + " there in people (the zone of apposition). So the model as used here holds the border only, exactly,"
+                        + " and lets the rest slide along the chest wall without passing through it.");
     }
 
     void add(ReportDocument report) {
@@ -61,7 +64,8 @@ final class ModelSection {
                                         + grouped(published.tendonVertices()),
                                 "The paper's counts have an Euler characteristic of -2 if the surface is closed, as two"
                                         + " openings in a sheet of two faces would give; here it is "
-                                        + own.euler() + ": no openings. A plane takes the tops of the domes for tendon and"
+                                        + own.euler()
+                                        + ": no openings. A plane takes the tops of the domes for tendon and"
                                         + " leaves its middle to the muscle."),
                         part(
                                 "Muscle tissue",

@@ -13,8 +13,9 @@ final class PatientSection {
 
     static void add(ReportDocument report) {
         report.section("Figs. 4 and 5, table 2: the patients");
-        report.remark("Not there yet: no patient is reproduced in this report. Its own scans are not public; a public scan"
-                + " at two breath levels will stand in their place.");
+        report.remark(
+                "Not there yet: no patient is reproduced in this report. Its own scans are not public; a public scan"
+                        + " at two breath levels will stand in their place.");
         report.table(
                 "Fig. 5: distance between the lungs' surface in the simulation and in the scan at the end of inhale, mean and"
                         + " standard deviation in mm (MeshDev).",
@@ -34,7 +35,8 @@ final class PatientSection {
                 "Pipeline (segmentation by hand, mesh, windowed-sinc smoothing with a pass band of 0.2, 50 % decimation, 200"
                         + " more iterations; no rib motion; small forces on the action lines; lungs linked by springs): "
                         + LATER + ".",
-                "Table 2, iterations a second of subject 1: " + LATER + ". As printed it repeats table 1 in every figure,"
+                "Table 2, iterations a second of subject 1: " + LATER
+                        + ". As printed it repeats table 1 in every figure,"
                         + " vertices included, although the patient's mesh is another: the patient's speed is unknown.");
     }
 

@@ -27,8 +27,9 @@ final class PhysiologySection {
 
     void add(ReportDocument report) {
         report.section("The discussion: physiology");
-        report.paragraph("Levels: whole numbers are the middles of bones and grow downward, so 8.5 lies between T8 and T9, and"
-                + " 4.5 is the fourth intercostal space.");
+        report.paragraph(
+                "Levels: whole numbers are the middles of bones and grow downward, so 8.5 lies between T8 and T9, and"
+                        + " 4.5 is the fourth intercostal space.");
         Claim.table(report, "", claims());
     }
 
@@ -85,7 +86,8 @@ final class PhysiologySection {
     }
 
     private static Claim left(Breath light) {
-        return level("In full exhale the left dome reaches the 5th rib", "5", light.expired("dome_left_rib"), FIFTH_RIB);
+        return level(
+                "In full exhale the left dome reaches the 5th rib", "5", light.expired("dome_left_rib"), FIFTH_RIB);
     }
 
     private static Claim level(String what, String printed, double here, double wanted) {

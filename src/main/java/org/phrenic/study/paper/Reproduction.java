@@ -99,7 +99,8 @@ public record Reproduction(
         for (Resolution resolution : resolutions) {
             bodies.put(resolution, SimulationRun.thorax(PaperScene.own("quiet", resolution)));
             speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), TRIALS, quick ? QUICK_TRIAL_S : TRIAL_S));
-            progress.done(speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
+            progress.done(
+                    speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
         }
         Resolution finest = resolutions.get(resolutions.size() - 1);
         double realTime = SpeedTrials.realTime(finest, bodies.get(finest), quick ? QUICK_TRIAL_S : TRIAL_S);
@@ -108,11 +109,11 @@ public record Reproduction(
         progress.done(resolutions.size() + 1, total, "size of the model");
         Resolution breathing = quick ? Resolution.LOW : Resolution.MEDIUM;
         List<Jobs.Job<Breath>> jobs = runs.stream()
-                .map(run -> new Jobs.Job<>(
-                        run.label(),
-                        () -> Breath.of(run.scenario(breathing), bodies.get(breathing))))
+                .map(run ->
+                        new Jobs.Job<>(run.label(), () -> Breath.of(run.scenario(breathing), bodies.get(breathing))))
                 .toList();
-        List<Breath> done = Jobs.run(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));
+        List<Breath> done =
+                Jobs.run(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));
         Map<Run, Breath> breaths = new LinkedHashMap<>();
         for (int i = 0; i < runs.size(); i++) {
             breaths.put(runs.get(i), done.get(i));

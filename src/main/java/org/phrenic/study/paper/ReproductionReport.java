@@ -92,8 +92,7 @@ public final class ReproductionReport {
         }
     }
 
-    private void glance(
-            ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology) {
+    private void glance(ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology) {
         report.section("At a glance");
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("Figures"));
@@ -131,8 +130,10 @@ public final class ReproductionReport {
                         List.of(
                                 "diaphragm's muscle force intensity",
                                 keys("muscle_activation", "muscle_force_mn", "left_over_right")),
-                        List.of("damping, stiffness, mass, step", "these and more: " + Parameter.values().length
-                                + " parameters, the time step and the integrator")));
+                        List.of(
+                                "damping, stiffness, mass, step",
+                                "these and more: " + Parameter.values().length
+                                        + " parameters, the time step and the integrator")));
         report.table(
                 "What is displayed.",
                 columns,

@@ -92,8 +92,10 @@ public record SpeedTable(List<Row> rows) {
         if (of.size() < 2) {
             return OptionalDouble.empty();
         }
-        double meanX = of.stream().mapToDouble(r -> Math.log(r.vertices())).average().orElseThrow();
-        double meanY = of.stream().mapToDouble(r -> -Math.log(r.perS())).average().orElseThrow();
+        double meanX =
+                of.stream().mapToDouble(r -> Math.log(r.vertices())).average().orElseThrow();
+        double meanY =
+                of.stream().mapToDouble(r -> -Math.log(r.perS())).average().orElseThrow();
         double xy = 0;
         double xx = 0;
         for (Row r : of) {

@@ -58,7 +58,8 @@ final class SpeedTrials {
 
     /** Real time that the paper's material takes up on one thread with the scheme and the step that are used here without being asked: simulated time over processor time. */
     static double realTime(Resolution resolution, Thorax thorax, double trialS) {
-        try (Simulation scene = Simulation.of(PaperScene.asPublished("deep", resolution).with("threads=1"), thorax)) {
+        try (Simulation scene =
+                Simulation.of(PaperScene.asPublished("deep", resolution).with("threads=1"), thorax)) {
             perS(scene, trialS);
             return perS(scene, trialS) * scene.stepper().dt();
         }

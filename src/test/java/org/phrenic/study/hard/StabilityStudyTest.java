@@ -33,10 +33,9 @@ class StabilityStudyTest {
     @Test
     void noIntegratorFailsInSilenceOnADome() {
         StabilityStudy study = run(domes(), SPENT, IntegratorKind.values());
-        assertThat(study.cells())
-                .allSatisfy(c -> assertThat(c.verdict())
-                        .as(c.caseKey() + ", " + c.kind().label() + ": " + c.sentence())
-                        .isNotEqualTo(Verdict.SILENT_FAILURE));
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.verdict())
+                .as(c.caseKey() + ", " + c.kind().label() + ": " + c.sentence())
+                .isNotEqualTo(Verdict.SILENT_FAILURE));
         assertThat(study.passes()).isTrue();
         Map<String, Verdict> of = study.cells().stream()
                 .collect(Collectors.toMap(c -> c.caseKey() + " " + c.kind().label(), Cell::verdict));
@@ -58,10 +57,9 @@ class StabilityStudyTest {
     @Test
     void theThoraxHoldsItsBoundsAndComesToRestAfterSlidersWereThrown() {
         StabilityStudy study = run(List.of("thorax-published", "sliders-paper"), 1e9, IntegratorKind.VERLET);
-        assertThat(study.cells())
-                .allSatisfy(c -> assertThat(c.verdict())
-                        .as(c.caseKey() + ": " + c.sentence())
-                        .isNotEqualTo(Verdict.SILENT_FAILURE));
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.verdict())
+                .as(c.caseKey() + ": " + c.sentence())
+                .isNotEqualTo(Verdict.SILENT_FAILURE));
     }
 
     @Test
