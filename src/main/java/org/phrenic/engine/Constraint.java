@@ -20,6 +20,11 @@ public interface Constraint {
      */
     default void projectVelocities(ParticleSystem system) {}
 
+    /** Whether nodes lean on it: an implicit scheme, which solves for where forces alone would carry nodes, then goes wrong by h times as much. */
+    default boolean isWall() {
+        return false;
+    }
+
     /** What could not be made to hold in the last projection, as the cause in a sentence; null where all holds. */
     default String unmet() {
         return null;

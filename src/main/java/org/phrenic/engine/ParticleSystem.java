@@ -362,6 +362,11 @@ public final class ParticleSystem {
         }
     }
 
+    /** Whether nodes may lean on a constraint, switched on or off. */
+    public boolean hasWalls() {
+        return allConstraints.stream().anyMatch(Constraint::isWall);
+    }
+
     /** What a constraint switched on could not make hold in the last step; null where all hold. */
     public String unmet() {
         for (Constraint constraint : constraints) {

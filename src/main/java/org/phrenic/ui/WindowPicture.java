@@ -87,7 +87,6 @@ public final class WindowPicture {
         onEdt(() -> content.shown = true);
         session.live().setSpeed(Speed.FLAT_OUT.factor());
         await(() -> session.live().status().timeS() >= timeS);
-        session.live().pause();
         long step = session.live().status().step();
         await(() -> view.isImpossible() || view.shownStep() >= step);
         if (view.isImpossible()) {
@@ -153,7 +152,8 @@ public final class WindowPicture {
         try {
             SwingUtilities.invokeAndWait(what);
         } catch (InvocationTargetException e) {
-            String reason = Optional.ofNullable(e.getCause().getMessage()).orElse(e.getCause().toString());
+            String reason = Optional.ofNullable(e.getCause().getMessage())
+                    .orElse(e.getCause().toString());
             throw new NoGraphicsException("The window's parts cannot be painted here: " + reason, e.getCause());
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();

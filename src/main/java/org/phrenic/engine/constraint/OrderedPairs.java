@@ -69,6 +69,11 @@ public final class OrderedPairs implements Constraint {
     }
 
     @Override
+    public boolean isWall() {
+        return true;
+    }
+
+    @Override
     public void prepare(double time) {
         // A time that does not move on means that an earlier state was put back: its normals are taken anew.
         refresh = !(time > now && time - refreshed < refreshInterval * (1 - 1e-9));

@@ -87,6 +87,11 @@ public final class SlidingContact implements Constraint {
     }
 
     @Override
+    public boolean isWall() {
+        return true;
+    }
+
+    @Override
     public void prepare(double time) {
         // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
         // that
