@@ -181,7 +181,8 @@ public final class NeedleSession {
     }
 
     private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
-        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its beginning.
+        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its
+        // beginning.
         double before = passedS > 0 ? (timeS - when) / passedS : 0;
         double at = phase - before * (phase - phaseBefore);
         log.add(new AttemptEvent(kind, structure, when, breath, at, label, atDepth));

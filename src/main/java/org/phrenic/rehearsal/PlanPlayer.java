@@ -106,10 +106,7 @@ public final class PlanPlayer {
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {
             throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "found %s over at %.1f s, expected a later breath",
-                    event.text(),
-                    needle.timeS()));
+                    Locale.ROOT, "found %s over at %.1f s, expected a later breath", event.text(), needle.timeS()));
         }
         return false;
     }

@@ -72,7 +72,8 @@ public record Rehearsal(
             }
         }
         throw new BadInputException(
-                plan.file() + ": found a scenario with changes of its own, expected one without: a plan holds the breath by its steps");
+                plan.file()
+                        + ": found a scenario with changes of its own, expected one without: a plan holds the breath by its steps");
     }
 
     private static Rehearsal attempt(
@@ -87,8 +88,11 @@ public record Rehearsal(
             Optional<PathCycle> path,
             SimulationRun.Progress progress) {
         NeedleSession needle = new NeedleSession(scene, target, plan.needle(), plan.avoided());
-        PlanPlayer player = new PlanPlayer(plan, needle, map, (held, origin) ->
-                simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
+        PlanPlayer player = new PlanPlayer(
+                plan,
+                needle,
+                map,
+                (held, origin) -> simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
         List<NeedleView> views = new ArrayList<>();
         int samples = 0;
         boolean done = false;
@@ -125,7 +129,9 @@ public record Rehearsal(
     }
 
     private static void step(Simulation simulation, boolean done) {
-        long steps = done ? 0 : Math.max(1, Math.round(LOOK_EVERY_S / simulation.stepper().dt()));
+        long steps = done
+                ? 0
+                : Math.max(1, Math.round(LOOK_EVERY_S / simulation.stepper().dt()));
         for (long i = 0; i < steps; i++) {
             simulation.step();
         }
