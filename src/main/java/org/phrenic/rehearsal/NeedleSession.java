@@ -206,7 +206,7 @@ public final class NeedleSession {
 
     private void place(SkinPoint point, double[] aim) {
         double[] from = point.now();
-        requireReach(from, aim);
+        needle.requireReach(from, aim);
         if (depth > 0) {
             withdrawAtOnce();
         }
@@ -218,20 +218,6 @@ public final class NeedleSession {
         tip = Optional.empty();
         log.newAttempt();
         event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS);
-    }
-
-    private void requireReach(double[] from, double[] aim) {
-        double length = Vectors.distance(from, aim);
-        if (length > needle.lengthMm()) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
-                    needle.lengthMm(),
-                    length));
-        }
-        if (length < 1) {
-            throw new BadInputException("aim: found the entry itself, expected a place within the body");
-        }
     }
 
     private void withdrawAtOnce() {
@@ -250,7 +236,7 @@ public final class NeedleSession {
         if (tip.isPresent()) {
             throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
         }
-        requireReach(entry, aim);
+        needle.requireReach(entry, aim);
         direction = Vectors.unit(Vectors.minus(aim, entry));
         event(AttemptEvent.Kind.REDIRECTION, "", depth, timeS);
     }

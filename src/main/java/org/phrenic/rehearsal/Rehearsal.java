@@ -61,7 +61,7 @@ public record Rehearsal(
             MovingScene scene = new MovingScene(surfaces.surfaces());
             scene.take(frame);
             Target target = plan.target(scene);
-            requireEntries(plan, scene);
+            requireEntries(plan, scene, target);
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.phases());
             AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
             List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
@@ -137,12 +137,15 @@ public record Rehearsal(
         }
     }
 
-    /** Finds an entry that is not on the skin before a breath is simulated. */
-    private static void requireEntries(RehearsalPlan plan, MovingScene scene) {
+    /** Finds an entry that is not on the skin, or too far from the target, before a breath is simulated. */
+    private static void requireEntries(RehearsalPlan plan, MovingScene scene, Target target) {
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 try {
                     SkinPoint.atRest(scene.skin(), place.entryRest().get());
+                    plan.needle()
+                            .requireReach(
+                                    place.entryRest().get(), place.aim().point().orElse(target.restMm()));
                 } catch (BadInputException bad) {
                     throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
                 }
