@@ -22,6 +22,8 @@ import org.phrenic.format.ReportDocument.Table;
 public final class HtmlPage {
     /** Sections from which on a list of contents is worth its room. */
     private static final int CONTENTS_FROM = 4;
+    /** Rows up to which a table is kept on one page. */
+    private static final int SHORT = 8;
 
     private static final String STYLE =
             """
@@ -50,7 +52,7 @@ public final class HtmlPage {
             tbody th { padding-top: .7rem; font-weight: 650; }
             .number { text-align: right; }
             td.number { white-space: nowrap; }
-            tr { break-inside: avoid; }
+            tr, .short { break-inside: avoid; }
             figure { margin: 1.3rem 0 1.6rem; break-inside: avoid; }
             .several { display: grid; grid-template-columns: repeat(auto-fit, minmax(17rem, 1fr)); gap: .8rem; align-items: start; }
             figure span { display: block; margin-top: .25rem; font-size: .88rem; color: #46525e; }
@@ -168,7 +170,7 @@ public final class HtmlPage {
     }
 
     private void table(Table table) {
-        text.append("<div class=\"wide\">\n<table>\n");
+        text.append("<div class=\"wide" + (table.rows().size() <= SHORT ? " short" : "") + "\">\n<table>\n");
         if (!table.caption().isEmpty()) {
             text.append("<caption>" + escaped(table.caption()) + "</caption>\n");
         }
