@@ -29,7 +29,9 @@ public final class RehearsalReport {
         RehearsalPlan plan = rehearsal.plan();
         map.put("title", plan.title());
         map.put("done", rehearsal.isDone());
-        map.put("goals", plan.goals().of(record).stream().map(Goals.Outcome::toMap).toList());
+        map.put(
+                "goals",
+                plan.goals().of(record).stream().map(Goals.Outcome::toMap).toList());
         map.put("attempt", record.toMap());
         rehearsal.path().ifPresent(path -> map.put("path", path.toMap()));
         map.put("access", access());
@@ -104,7 +106,8 @@ public final class RehearsalReport {
         return (record.hit() ? "Hit" : "Missed") + ": the tip was " + mm(last.distanceMm())
                 + " mm from the middle of a target of " + mm(rehearsal.target().diameterMm()) + " mm ("
                 + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)."
-                + rehearsal.path()
+                + rehearsal
+                        .path()
                         .map(p -> " The target moves " + mm(p.targetMovesMm()) + " mm in a breath.")
                         .orElse("");
     }
@@ -130,9 +133,11 @@ public final class RehearsalReport {
     private void attempt(ReportDocument document) {
         document.section("The attempt");
         List<List<String>> rows = new ArrayList<>();
-        rows.add(row("Attempts, redirections, contacts with the skin", record.count(AttemptEvent.Kind.SKIN_PUNCTURE)
-                + ", " + record.count(AttemptEvent.Kind.REDIRECTION) + ", "
-                + record.count(AttemptEvent.Kind.SKIN_CONTACT)));
+        rows.add(row(
+                "Attempts, redirections, contacts with the skin",
+                record.count(AttemptEvent.Kind.SKIN_PUNCTURE)
+                        + ", " + record.count(AttemptEvent.Kind.REDIRECTION) + ", "
+                        + record.count(AttemptEvent.Kind.SKIN_CONTACT)));
         rows.add(row("Time from the first contact, s", number(record.timeS())));
         rows.add(row("Time in the body, s", number(record.insideS())));
         rows.add(row("Way of the tip by hand, mm", number(record.pathMm())));
@@ -185,7 +190,8 @@ public final class RehearsalReport {
                     + rest.crossings().stream()
                             .map(c -> c.label() + " from " + mm(c.fromMm()) + " to " + mm(c.toMm()) + " mm")
                             .collect(Collectors.joining(", "))
-                    + ". Free at " + path.freeMoments() + " of " + path.readings().size() + " moments.");
+                    + ". Free at " + path.freeMoments() + " of "
+                    + path.readings().size() + " moments.");
             List<List<String>> rows = new ArrayList<>();
             for (int m = 0; m < path.readings().size(); m++) {
                 rows.add(List.of(
@@ -215,11 +221,7 @@ public final class RehearsalReport {
                 + counts.get("in_part") + " in part of it.");
         document.table(
                 "Points in reach, by where their path passes the cage at end-expiration",
-                List.of(
-                        Column.text("Where"),
-                        Column.number("Free"),
-                        Column.number("In part"),
-                        Column.number("Never")),
+                List.of(Column.text("Where"), Column.number("Free"), Column.number("In part"), Column.number("Never")),
                 rehearsal.spaces().stream()
                         .map(r -> List.of(r.space(), "" + r.free(), "" + r.part(), "" + r.never()))
                         .toList());

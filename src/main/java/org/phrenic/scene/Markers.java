@@ -40,8 +40,7 @@ final class Markers {
     /** A profile of pairs (along the axis, away from it) turned about the axis and closed at both ends. */
     private static TriangleMesh turned(double[] origin, double[] axis, double start, double end, double[] profile) {
         double[] u = across(axis);
-        double[] v = {
-            axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]
+        double[] v = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]
         };
         int rings = profile.length / 2;
         double[] p = new double[3 * (rings * AROUND + 2)];

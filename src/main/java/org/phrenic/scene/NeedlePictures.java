@@ -58,9 +58,10 @@ public final class NeedlePictures implements AutoCloseable {
         Renderer renderer = new Renderer(all, List.of());
         SceneStyle style = seenThrough(all);
         List<String> names = new ArrayList<>();
-        String moment = Annotations.moment(
-                view.frame().timeS(), view.label().name().toLowerCase(Locale.ROOT));
-        names.add(write(folder, view.name() + "_anterior", renderer, view.frame(), View.ANTERIOR, style, title, moment));
+        String moment =
+                Annotations.moment(view.frame().timeS(), view.label().name().toLowerCase(Locale.ROOT));
+        names.add(
+                write(folder, view.name() + "_anterior", renderer, view.frame(), View.ANTERIOR, style, title, moment));
         names.add(write(folder, view.name() + "_right", renderer, view.frame(), View.RIGHT, style, title, moment));
         names.add(write(
                 folder,
@@ -93,17 +94,12 @@ public final class NeedlePictures implements AutoCloseable {
         }
         looks.put(NEEDLE, NEEDLE_LOOK);
         looks.put(TARGET, TARGET_LOOK);
-        return SceneStyle.atlas(all)
-                .withLooks(looks)
-                .withSamples(SAMPLES)
-                .withTransparency(Transparency.PEELED);
+        return SceneStyle.atlas(all).withLooks(looks).withSamples(SAMPLES).withTransparency(Transparency.PEELED);
     }
 
     /** A plane that holds the needle and is as level as it can be; what lies above is left out. */
     private static SceneStyle cut(List<Surface> all, NeedleView view) {
-        double[] d = {
-            view.tip()[0] - view.hub()[0], view.tip()[1] - view.hub()[1], view.tip()[2] - view.hub()[2]
-        };
+        double[] d = {view.tip()[0] - view.hub()[0], view.tip()[1] - view.hub()[1], view.tip()[2] - view.hub()[2]};
         double flat = Math.sqrt(d[0] * d[0] + d[1] * d[1]);
         // At a right angle to the needle and to the level direction across it.
         double nx = flat > 0 ? -d[2] * d[0] / flat : 0;

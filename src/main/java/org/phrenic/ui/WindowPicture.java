@@ -153,7 +153,8 @@ public final class WindowPicture {
         try {
             SwingUtilities.invokeAndWait(what);
         } catch (InvocationTargetException e) {
-            String reason = Optional.ofNullable(e.getCause().getMessage()).orElse(e.getCause().toString());
+            String reason = Optional.ofNullable(e.getCause().getMessage())
+                    .orElse(e.getCause().toString());
             throw new NoGraphicsException("The window's parts cannot be painted here: " + reason, e.getCause());
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();

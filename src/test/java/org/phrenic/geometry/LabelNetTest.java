@@ -44,7 +44,7 @@ class LabelNetTest {
         Set<Long> directed = new HashSet<>();
         int[] t = surface.triangles();
         for (int side = 0; side < t.length; side++) {
-            long edge = (long) t[side] << 32 | t[MeshTopology.next(side)];
+            long edge = (long) t[side] << 32 | t[EdgeTable.next(side)];
             assertThat(directed.add(edge))
                     .as("each edge is run along once each way")
                     .isTrue();
