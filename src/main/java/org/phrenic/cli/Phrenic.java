@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
             InfoCommand.class,
             BenchCommand.class,
             ValidateCommand.class,
+            RegressCommand.class,
             ReproduceCommand.class,
             RehearseCommand.class
         },

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
@@ -15,10 +16,12 @@ import org.phrenic.format.ReportDocument.Picture;
 import org.phrenic.scene.FigurePicture;
 import org.phrenic.scene.NoGraphicsException;
 import org.phrenic.scene.PaperFigures;
+import org.phrenic.simulation.Scenario;
 import org.phrenic.study.StudyProgress;
 import org.phrenic.study.paper.PaperScene;
 import org.phrenic.study.paper.Reproduction;
 import org.phrenic.study.paper.ReproductionReport;
+import org.phrenic.ui.WindowPicture;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -41,6 +44,8 @@ import picocli.CommandLine.Spec;
 final class ReproduceCommand implements Callable<Integer> {
     private static final int PICTURE = 960;
     private static final int QUICK_PICTURE = 240;
+    private static final double WINDOW_S = 3.4;
+    private static final double QUICK_WINDOW_S = 0.1;
     private static final String PICTURES = "pictures";
 
     @Spec
@@ -89,14 +94,17 @@ final class ReproduceCommand implements Callable<Integer> {
 
     private Map<Integer, List<FigurePicture>> figures(PrintWriter err) {
         ProgressPrinter progress = new ProgressPrinter(err, ProgressPrinter.isTerminal());
-        Resolution resolution = quick ? Resolution.LOW : Resolution.HIGH;
         Map<Integer, List<FigurePicture>> figures = new TreeMap<>();
+        Scenario breath = quick
+                ? PaperScene.own("quiet", Resolution.LOW).with("rate_per_min=60")
+                : PaperScene.own("deep", Resolution.LOW);
         try {
             figures.putAll(PaperFigures.draw(
-                    PaperScene.own(quick ? "quiet" : "deep", resolution),
-                    PaperScene.asPublished("deep", resolution),
+                    breath,
+                    quick ? Optional.empty() : Optional.of(PaperScene.asPublished("deep", Resolution.LOW)),
                     quick ? QUICK_PICTURE : PICTURE,
                     progress));
+            figures.put(2, List.of(WindowPicture.of(breath, quick ? QUICK_WINDOW_S : WINDOW_S)));
         } catch (NoGraphicsException none) {
             noPictures = none.getMessage() + ".";
             progress.note(noPictures);

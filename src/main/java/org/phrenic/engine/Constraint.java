@@ -20,10 +20,22 @@ public interface Constraint {
      */
     default void projectVelocities(ParticleSystem system) {}
 
+    /** Whether nodes lean on it: an implicit scheme, which solves for where forces alone would carry nodes, then goes wrong by h times as much. */
+    default boolean isWall() {
+        return false;
+    }
+
     /** What could not be made to hold in the last projection, as the cause in a sentence; null where all holds. */
     default String unmet() {
         return null;
     }
+
+    /**
+     * Sets how much simulated time may go by before what moves by a given motion is asked for anew; in between it goes on at its velocity. Nothing where nothing is kept.
+     *
+     * @param seconds not negative
+     */
+    default void setRefreshInterval(double seconds) {}
 
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
@@ -42,14 +43,15 @@ public final class PaperFigures {
     /**
      * Draws them.
      *
-     * @param own a deep breath of the model as it is used here
-     * @param published one with the paper's material
+     * @param own a breath of the model as it is used here
+     * @param published one with the paper's material; empty to leave it out
      * @param width of a picture, pixels
      * @return pictures by the number of their figure
      * @throws NoGraphicsException if nothing here draws, with one sentence; nothing was simulated then
      */
     public static Map<Integer, List<FigurePicture>> draw(
-            Scenario own, Scenario published, int width, SimulationRun.Progress progress) throws NoGraphicsException {
+            Scenario own, Optional<Scenario> published, int width, SimulationRun.Progress progress)
+            throws NoGraphicsException {
         System.setProperty("java.awt.headless", "true");
         try (OffscreenGl gl = OffscreenGl.open()) {
             PaperFigures figures = new PaperFigures(gl, width, width * 7 / 8);
@@ -62,8 +64,10 @@ public final class PaperFigures {
                 third.add(figures.motion(breath, "fig3-motion", "Tissues.", false));
                 third.add(figures.motion(breath, "fig3-displacement", "Way of each point from the wireframe.", true));
             }
-            try (BreathEnds breath = new BreathEnds(published, progress)) {
-                third.add(figures.motion(breath, "fig3-paper-material", "With the paper's material.", false));
+            if (published.isPresent()) {
+                try (BreathEnds breath = new BreathEnds(published.get(), progress)) {
+                    third.add(figures.motion(breath, "fig3-paper-material", "With the paper's material.", false));
+                }
             }
             return Map.of(1, first, 3, third);
         }

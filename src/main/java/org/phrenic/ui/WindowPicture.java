@@ -87,7 +87,6 @@ public final class WindowPicture {
         onEdt(() -> content.shown = true);
         session.live().setSpeed(Speed.FLAT_OUT.factor());
         await(() -> session.live().status().timeS() >= timeS);
-        session.live().pause();
         long step = session.live().status().step();
         await(() -> view.isImpossible() || view.shownStep() >= step);
         if (view.isImpossible()) {

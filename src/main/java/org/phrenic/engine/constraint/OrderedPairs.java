@@ -19,7 +19,7 @@ public final class OrderedPairs implements Constraint {
     private final int[] inner;
     private final int[] triangle;
     private final double[] least;
-    private final double refreshInterval;
+    private double refreshInterval;
     private final double[] normal;
     private double refreshed = Double.NaN;
     private double now = Double.NaN;
@@ -60,12 +60,22 @@ public final class OrderedPairs implements Constraint {
     }
 
     @Override
+    public void setRefreshInterval(double seconds) {
+        refreshInterval = seconds;
+    }
+
+    @Override
     public void forget() {
         now = Double.NaN;
     }
 
     public int count() {
         return outer.length;
+    }
+
+    @Override
+    public boolean isWall() {
+        return true;
     }
 
     @Override

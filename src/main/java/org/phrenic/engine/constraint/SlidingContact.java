@@ -22,7 +22,7 @@ public final class SlidingContact implements Constraint {
 
     private final int[] node;
     private final ContactSurface surface;
-    private final double refreshInterval;
+    private double refreshInterval;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
@@ -69,6 +69,11 @@ public final class SlidingContact implements Constraint {
     }
 
     @Override
+    public void setRefreshInterval(double seconds) {
+        refreshInterval = seconds;
+    }
+
+    @Override
     public void forget() {
         now = Double.NaN;
     }
@@ -84,6 +89,11 @@ public final class SlidingContact implements Constraint {
             sum += t ? 1 : 0;
         }
         return sum;
+    }
+
+    @Override
+    public boolean isWall() {
+        return true;
     }
 
     @Override

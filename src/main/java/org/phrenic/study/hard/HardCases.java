@@ -107,14 +107,14 @@ final class HardCases {
         Bounds close = Bounds.body().kinetic(2).shape(0.1);
         Bounds apart = Bounds.body().speed(10_000);
         thorax("thorax-published", "the paper's parameters, quiet breaths", close, 200, 2, BREATH_S, "material=paper");
-        thorax("thorax-dt-20", "time step 20 times as long", close, 20, 1, BREATH_S, "time_step_s=0.02");
-        thorax("thorax-limp", "neither muscle nor pressure", close, 20, 1, BREATH_S, "muscle=false", "pressure=false");
+        thorax("thorax-dt-20", "time step 20 times as long", close, 20, 2, BREATH_S, "time_step_s=0.02");
+        thorax("thorax-limp", "neither muscle nor pressure", close, 20, 2, BREATH_S, "muscle=false", "pressure=false");
         thorax(
                 "thorax-stiff",
                 "muscle as stiff as the slider goes, no damping",
                 close,
                 20,
-                1,
+                2,
                 BREATH_S,
                 "muscle_stiffness_n_per_m=3000",
                 "tendon_stiffness_ratio=50",
@@ -124,8 +124,8 @@ final class HardCases {
                 "breaths as deep as the sliders go",
                 close,
                 20,
-                1,
-                0,
+                2,
+                8,
                 "preset=deep",
                 "depth=2",
                 "muscle_activation=0.8",

@@ -74,7 +74,8 @@ public record Reproduction(
     private static final int THREADS = 2;
     private static final int TRIALS = 5;
     private static final double TRIAL_S = 0.4;
-    private static final double QUICK_TRIAL_S = 0.05;
+    private static final int QUICK_TRIALS = 3;
+    private static final double QUICK_TRIAL_S = 0.02;
 
     public Reproduction {
         breaths = Map.copyOf(breaths);
@@ -93,17 +94,19 @@ public record Reproduction(
     public static Reproduction of(boolean quick, StudyProgress progress) {
         List<Resolution> resolutions = quick ? List.of(Resolution.LOW) : List.of(Resolution.values());
         List<Run> runs = quick ? List.of(Run.LIGHT, Run.PUBLISHED) : List.of(Run.values());
+        int trials = quick ? QUICK_TRIALS : TRIALS;
+        double trialS = quick ? QUICK_TRIAL_S : TRIAL_S;
         int total = resolutions.size() + runs.size() + 1;
         List<SpeedTable.Row> speed = new ArrayList<>();
         Map<Resolution, Thorax> bodies = new LinkedHashMap<>();
         for (Resolution resolution : resolutions) {
             bodies.put(resolution, SimulationRun.thorax(PaperScene.own("quiet", resolution)));
-            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), TRIALS, quick ? QUICK_TRIAL_S : TRIAL_S));
+            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), trials, trialS));
             progress.done(
                     speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
         }
         Resolution finest = resolutions.get(resolutions.size() - 1);
-        double realTime = SpeedTrials.realTime(finest, bodies.get(finest), quick ? QUICK_TRIAL_S : TRIAL_S);
+        double realTime = SpeedTrials.realTime(finest, bodies.get(finest), trialS);
         ModelCounts own = ModelCounts.of(PaperScene.own("quiet", finest), bodies.get(finest));
         ModelCounts asPublished = ModelCounts.of(PaperScene.asPublished("quiet", finest), bodies.get(finest));
         progress.done(resolutions.size() + 1, total, "size of the model");

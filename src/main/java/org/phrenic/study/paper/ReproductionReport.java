@@ -64,8 +64,9 @@ public final class ReproductionReport {
         figure(
                 report,
                 2,
-                "Fig. 2. The interface. The paper's part a shows the model, parts b to d its patients, who are not there"
-                        + " yet. Painted without a screen by the window's own components.");
+                "Fig. 2. The interface, in the middle of a deep breath: the window's own view, docks and status line,"
+                        + " painted without a screen; its menu and tool bar are left out. The paper's part a shows the"
+                        + " model; its parts b to d show patients, who are not there yet.");
         interfaceTable(report);
         report.section("Fig. 3: the motion of the diaphragm");
         figure(

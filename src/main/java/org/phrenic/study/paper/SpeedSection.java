@@ -51,9 +51,8 @@ final class SpeedSection {
                 + " of the factor; the rest is flat arrays in place of objects, and blocks of nodes that stay in the"
                 + " cache.");
         if (found.quick()) {
-            report.remark(
-                    "A quick reproduction: low resolution alone, trials of a twentieth of a second. The figures of"
-                            + " speed are worth little.");
+            report.remark("A quick reproduction: low resolution alone, trials of a fiftieth of a second. The figures of"
+                    + " speed are worth little.");
         }
         report.section("The discussion: speed");
         Claim.table(report, "", claims());

@@ -127,7 +127,7 @@ class StabilityLimitTest {
     }
 
     private static StabilityLimit undamped(double omega) {
-        return new StabilityLimit(omega, omega, 0, 0, 0);
+        return new StabilityLimit(omega, omega, 0, 0, 0, false);
     }
 
     @Test
@@ -145,7 +145,7 @@ class StabilityLimitTest {
     @Test
     void dampingSetsTheLimitOfSchemesThatGrow() {
         double damping = GAMMA / M;
-        StabilityLimit limit = new StabilityLimit(36, 36, damping, damping, 0);
+        StabilityLimit limit = new StabilityLimit(36, 36, damping, damping, 0, false);
         double h = Math.cbrt(4 * damping / Math.pow(36, 4));
         assertThat(limit.largestStep(IntegratorKind.RK2)).isCloseTo(h, within(0.02 * h));
         double lagged = damping / (36 * 36);
@@ -156,7 +156,7 @@ class StabilityLimitTest {
     @Test
     void viscosityLeavesVerletItsLimit() {
         for (double damping = 1e-12; damping < 1e6; damping *= 10) {
-            StabilityLimit limit = new StabilityLimit(30, 30, damping, damping, 0);
+            StabilityLimit limit = new StabilityLimit(30, 30, damping, damping, 0, false);
             assertThat(limit.largestStep(IntegratorKind.VERLET))
                     .as("γ/m = %s", damping)
                     .isCloseTo(2.0 / 30, within(NEAR / 30));
@@ -169,12 +169,12 @@ class StabilityLimitTest {
     void dashpotsLimitVerlet() {
         double omega = 30;
         double rate = 100;
-        StabilityLimit limit = new StabilityLimit(omega, omega, 0, rate, rate);
+        StabilityLimit limit = new StabilityLimit(omega, omega, 0, rate, rate, false);
         double h = (-rate + Math.sqrt(rate * rate + 4 * omega * omega)) / (omega * omega);
         assertThat(limit.largestStep(IntegratorKind.VERLET)).isCloseTo(h, within(NEAR * h));
         assertThat(limit.largestStep(IntegratorKind.BACKWARD_EULER)).isLessThan(10 / rate);
         // Viscosity of other nodes is no help.
-        StabilityLimit mixed = new StabilityLimit(omega, omega, 0, 2 * rate, rate);
+        StabilityLimit mixed = new StabilityLimit(omega, omega, 0, 2 * rate, rate, false);
         assertThat(mixed.largestStep(IntegratorKind.VERLET)).isLessThanOrEqualTo(h * (1 + NEAR));
         double implicit = limit.largestStep(IntegratorKind.BACKWARD_EULER);
         assertThat(mixed.largestStep(IntegratorKind.BACKWARD_EULER)).isCloseTo(implicit, within(NEAR * implicit));
@@ -287,6 +287,18 @@ class StabilityLimitTest {
         StabilityLimit limit = StabilityLimit.of(system);
         assertThat(limit.omegaMax()).isEqualTo(limit.omegaBound());
         assertThat(limit.largestStep(IntegratorKind.VERLET)).isCloseTo(2 / limit.omegaBound(), within(1e-6));
+    }
+
+    /** Backward Euler does not see a wall in its solve: where nodes may lean on one its step is held to ω h of 3 (docs/stability.md). */
+    @Test
+    void wallsLimitBackwardEulerAndNoOther() {
+        StabilityLimit free = undamped(40);
+        StabilityLimit walled = new StabilityLimit(40, 40, 0, 0, 0, true);
+        assertThat(free.largestStep(IntegratorKind.BACKWARD_EULER)).isInfinite();
+        assertThat(walled.largestStep(IntegratorKind.BACKWARD_EULER)).isCloseTo(3.0 / 40, within(1e-6));
+        assertThat(walled.largestStep(IntegratorKind.VERLET)).isEqualTo(free.largestStep(IntegratorKind.VERLET));
+        assertThat(StabilityLimit.of(Scenes.sheets(5, 5, 1)).walls()).isTrue();
+        assertThat(StabilityLimit.of(chain(5)).walls()).isFalse();
     }
 
     @Test

@@ -175,4 +175,63 @@ class StepperTest {
         stepper.step();
         assertThat(stepper.steps()).isEqualTo(1);
     }
+
+    @Test
+    void refusesAStepThatWouldTakeMoreThanTenThousandParts() {
+        // The lagged scheme needs h ω² < γ/m: 1e-2 / 1600 s here, a 16,000th of the step.
+        ParticleSystem system = Scenes.oscillator(0.1, 160, 0.001);
+        assertThatThrownBy(() -> new Stepper(IntegratorKind.LAGGED.on(system), 0.1, StepPolicy.SUBSTEP))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("substeps, expected at most 10000")
+                .hasMessageContaining("lagged");
+    }
+
+    /** A spring that becomes almost three times as stiff without telling, as a scene under load does; it swings by 1 mm. */
+    private static ParticleSystem stiffening() {
+        ParticleSystem system = fast();
+        system.add(new ForceField() {
+            private double more;
+
+            @Override
+            public void prepare(double time) {
+                more = time > 1 ? 289 : 0;
+            }
+
+            @Override
+            public void addForces(double[] x, double[] v, double[] force, int block) {
+                force[0] -= more * x[0];
+            }
+        });
+        return system;
+    }
+
+    @Test
+    void carriesOnInFinerPartsWhatHasBecomeTooStiff() {
+        ParticleSystem system = stiffening();
+        Stepper stepper = stepper(system, 0.03, StepPolicy.SUBSTEP);
+        assertThat(stepper.substeps()).isEqualTo(1);
+        while (stepper.time() < 20) {
+            stepper.step();
+        }
+        // ω goes from 40 to 67 1/s: at a step of 0.03 s just beyond the limit. What had grown until it was noticed
+        // swings on, but grows no more.
+        assertThat(Math.abs(system.positions()[0])).isLessThan(100);
+        assertThat(stepper.substeps()).isEqualTo(2);
+        assertThat(stepper.finerWhy()).isEqualTo("node 0 turns round in every substep");
+    }
+
+    @Test
+    void refusingStepperSaysThatASceneChatters() {
+        ParticleSystem system = fast();
+        system.positions()[0] = 10;
+        Stepper stepper = stepper(system, 0.049, StepPolicy.REFUSE);
+        // Within the limit, but at 40 1/s it turns round in every substep.
+        assertThatThrownBy(() -> {
+                    for (int i = 0; i < 1000; i++) {
+                        stepper.step();
+                    }
+                })
+                .isInstanceOf(DivergenceException.class)
+                .hasMessageContaining("turns round in every substep");
+    }
 }
