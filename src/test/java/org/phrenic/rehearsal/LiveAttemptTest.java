@@ -29,7 +29,8 @@ class LiveAttemptTest {
         CompletableFuture<AttemptRecord> live = new CompletableFuture<>();
         CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
         try (LiveRun run = new LiveRun(plan.scenario(), new Listener(loaded))) {
-            MovingScene scene = new MovingScene(loaded.get(PATIENCE_S, TimeUnit.SECONDS).surfaces());
+            MovingScene scene =
+                    new MovingScene(loaded.get(PATIENCE_S, TimeUnit.SECONDS).surfaces());
             NeedleSession needle = new NeedleSession(scene, headless.target(), plan.needle(), plan.avoided());
             PlanPlayer player = new PlanPlayer(plan, needle, headless.map(), (held, origin) -> {});
             run.watch(Rehearsal.LOOK_EVERY_S, (frame, label) -> {
@@ -49,13 +50,14 @@ class LiveAttemptTest {
     }
 
     private RehearsalPlan plan() throws IOException {
-        return RehearsalPlan.read(Files.writeString(
-                folder.resolve("plan.yaml"),
-                "set: {preset: rapid-shallow, resolution: low, lungs: embedded, sternum: kinematic}\nphases: 2\n"
-                        + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n"
-                        + "steps:\n  - wait: end-inspiration of breath 1\n"
-                        + "  - place: {entry: [-38.9, -121.2, 26.6], aim: target}\n"
-                        + "  - advance: {speed_mm_per_s: 120}\n  - sample: now\n  - withdraw: {speed_mm_per_s: 300}\n"));
+        return RehearsalPlan.read(
+                Files.writeString(
+                        folder.resolve("plan.yaml"),
+                        "set: {preset: rapid-shallow, resolution: low, lungs: embedded, sternum: kinematic}\nphases: 2\n"
+                                + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n"
+                                + "steps:\n  - wait: end-inspiration of breath 1\n"
+                                + "  - place: {entry: [-38.9, -121.2, 26.6], aim: target}\n"
+                                + "  - advance: {speed_mm_per_s: 120}\n  - sample: now\n  - withdraw: {speed_mm_per_s: 300}\n"));
     }
 
     /** Hands on the first scene and that it failed. */
