@@ -70,6 +70,7 @@ class ErrorStudyTest {
     @Test
     void theReportHasALineASettingAndTheJsonTheSame() {
         assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
-        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString()).contains("reference_halving_rms_mm");
+        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
+                .contains("reference_halving_rms_mm");
     }
 }
