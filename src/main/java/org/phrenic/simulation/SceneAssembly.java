@@ -231,6 +231,7 @@ final class SceneAssembly {
             builder.contractile(parts.diaphragm.share());
         }
         Springs springs = builder.build();
+        springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         if (contractile) {
             drive.drives(springs);
@@ -246,6 +247,7 @@ final class SceneAssembly {
                 .stiffness(parts.passive.stiffness())
                 .rest(parts.passive.rest())
                 .build();
+        springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         return Optional.of(springs);
     }
