@@ -121,7 +121,7 @@ record Reference(String of, int nodesInAll, int[] nodes, List<Frame> frames) {
     }
 
     private static long[] numbers(YamlMap map, String key, int expected) {
-        String[] parts = map.text(key).strip().split("\\s+");
+        String[] parts = map.text(key).strip().split("\\s+", -1);
         long[] numbers = new long[parts.length];
         for (int i = 0; i < parts.length; i++) {
             try {
