@@ -35,13 +35,18 @@ class ArchitectureTest {
         MAY_USE.put("anatomy", List.of("geometry", "engine", "format"));
         MAY_USE.put("breathing", List.of("geometry", "engine", "format"));
         MAY_USE.put("simulation", List.of("geometry", "engine", "format", "anatomy", "breathing"));
-        MAY_USE.put("study", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
-        MAY_USE.put("scene", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
-        MAY_USE.put(
-                "ui", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "study", "scene"));
-        MAY_USE.put(
-                "cli",
-                List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "study", "scene", "ui"));
+        MAY_USE.put("rehearsal", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
+        MAY_USE.put("patient", List.of("geometry", "engine", "format", "anatomy"));
+        List<String> upToRehearsal =
+                List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "rehearsal", "patient");
+        MAY_USE.put("study", upToRehearsal);
+        MAY_USE.put("scene", upToRehearsal);
+        MAY_USE.put("ui", and(upToRehearsal, "study", "scene"));
+        MAY_USE.put("cli", and(upToRehearsal, "study", "scene", "ui"));
+    }
+
+    private static List<String> and(List<String> some, String... more) {
+        return Stream.concat(some.stream(), Stream.of(more)).toList();
     }
 
     private static String within(String name) {

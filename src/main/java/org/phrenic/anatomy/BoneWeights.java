@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.geometry.TriangleMesh;
@@ -22,8 +23,8 @@ public final class BoneWeights {
     private static final int SAMPLES = 240;
     /** How much farther than the nearest sample a sample may be and still count, mm: half the space between two ribs. */
     private static final double REACH_MM = 14;
-    /** Points that one thread takes at a time. */
-    private static final int RUN = 256;
+    /** Points within a cube of this size are searched for together. */
+    private static final double RUN_MM = 25;
 
     /**
      * What carries some points.
@@ -100,12 +101,8 @@ public final class BoneWeights {
         int count = points.size();
         TreeMap<Long, List<Integer>> cells = new TreeMap<>();
         for (int j = 0; j < count; j++) {
-            double[] p = points.get(j);
-            long key = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                key = (key << 21) | ((long) Math.floor(p[axis] / CELL_MM) & 0x1fffff);
-            }
-            cells.computeIfAbsent(key, k -> new ArrayList<>()).add(j);
+            cells.computeIfAbsent(key(points.get(j), 0, CELL_MM), k -> new ArrayList<>())
+                    .add(j);
         }
         sample = new double[3 * count];
         sampleWeights = new double[count][];
@@ -223,60 +220,134 @@ public final class BoneWeights {
     public Blend at(double[] where) {
         int n = where.length / 3;
         Blend blend = new Blend(new int[n * MOST_BODIES], new double[n * MOST_BODIES], new double[n]);
-        IntStream.range(0, (n + RUN - 1) / RUN)
-                .parallel()
-                .forEach(run -> weigh(where, run * RUN, Math.min(n, (run + 1) * RUN), blend));
+        byRuns(where, (points, search) -> {
+            double[] sum = new double[bodies];
+            for (int i : points) {
+                weigh(where, i, search, sum, blend);
+            }
+        });
         return blend;
     }
 
     /** Distance of points from the nearest bone, mm: what {@link #at} gives too, without the weights. */
     public double[] distances(double[] where) {
-        int n = where.length / 3;
-        double[] out = new double[n];
-        IntStream.range(0, (n + RUN - 1) / RUN).parallel().forEach(run -> {
-            double[] toCell = new double[cellStart.length - 1];
-            for (int i = run * RUN; i < Math.min(n, (run + 1) * RUN); i++) {
-                out[i] = nearest(where[3 * i], where[3 * i + 1], where[3 * i + 2], toCell);
+        double[] out = new double[where.length / 3];
+        byRuns(where, (points, search) -> {
+            for (int i : points) {
+                out[i] = search.nearest(where[3 * i], where[3 * i + 1], where[3 * i + 2]);
             }
         });
         return out;
     }
 
-    /** Distance from the nearest sample; leaves the squared distances from the boxes of all cells in {@code toCell}. */
-    private double nearest(double x, double y, double z, double[] toCell) {
-        int first = 0;
-        for (int c = 0; c < toCell.length; c++) {
-            toCell[c] = toBox(c, x, y, z);
-            first = toCell[c] < toCell[first] ? c : first;
+    /** Gives points that lie together to one search, which then looks at few cells; on all cores. */
+    private void byRuns(double[] where, BiConsumer<int[], Search> task) {
+        int n = where.length / 3;
+        long[] order = new long[n];
+        for (int i = 0; i < n; i++) {
+            // Two points far apart may share a cube's number: their search is slower then, and as right.
+            order[i] = key(where, 3 * i, RUN_MM) << 32 | i;
         }
-        double nearest = nearestIn(first, x, y, z, Double.POSITIVE_INFINITY);
-        for (int c = 0; c < toCell.length; c++) {
-            if (toCell[c] < nearest) {
-                nearest = nearestIn(c, x, y, z, nearest);
+        Arrays.sort(order);
+        List<int[]> runs = new ArrayList<>();
+        int from = 0;
+        for (int k = 1; k <= n; k++) {
+            if (k == n || order[k] >>> 32 != order[from] >>> 32) {
+                runs.add(Arrays.stream(order, from, k).mapToInt(o -> (int) o).toArray());
+                from = k;
             }
         }
-        return Math.sqrt(nearest);
+        runs.parallelStream().forEach(run -> task.accept(run, new Search(where, run)));
     }
 
-    private void weigh(double[] where, int from, int to, Blend blend) {
-        int cells = cellStart.length - 1;
-        double[] toCell = new double[cells];
-        double[] sum = new double[bodies];
-        for (int i = from; i < to; i++) {
-            double x = where[3 * i];
-            double y = where[3 * i + 1];
-            double z = where[3 * i + 2];
-            double distance = nearest(x, y, z, toCell);
-            blend.distance[i] = distance;
-            double reach = distance + REACH_MM;
-            Arrays.fill(sum, 0);
-            for (int c = 0; c < cells; c++) {
-                if (toCell[c] < reach * reach) {
-                    addCell(c, x, y, z, reach, sum);
+    /** Number of the cube of this size that holds a point; each axis takes ten of its low 30 bits. */
+    private static long key(double[] p, int at, double size) {
+        long key = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            key = (key << 10) | ((long) Math.floor(p[at + axis] / size) & 0x3ff);
+        }
+        return key;
+    }
+
+    /** The cells that can matter to any of some points, with the squared distance of each from the point looked at last. */
+    private final class Search {
+        private final int[] cells;
+        private final double[] toCell;
+
+        Search(double[] where, int[] points) {
+            double[] box = new double[6];
+            Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
+            Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+            for (int i : points) {
+                for (int axis = 0; axis < 3; axis++) {
+                    box[axis] = Math.min(box[axis], where[3 * i + axis]);
+                    box[3 + axis] = Math.max(box[3 + axis], where[3 * i + axis]);
                 }
             }
-            keepLargest(sum, blend.body, blend.weight, i * MOST_BODIES);
+            int all = cellStart.length - 1;
+            double farthest = Double.POSITIVE_INFINITY;
+            for (int c = 0; c < all; c++) {
+                farthest = Math.min(farthest, farthest(c, box));
+            }
+            double limit = Math.sqrt(farthest) + REACH_MM;
+            cells = IntStream.range(0, all)
+                    .filter(c -> !(apart(c, box) > limit * limit))
+                    .toArray();
+            toCell = new double[cells.length];
         }
+
+        /** Distance from the nearest sample. */
+        double nearest(double x, double y, double z) {
+            int first = 0;
+            for (int k = 0; k < cells.length; k++) {
+                toCell[k] = toBox(cells[k], x, y, z);
+                first = toCell[k] < toCell[first] ? k : first;
+            }
+            double nearest = nearestIn(cells[first], x, y, z, Double.POSITIVE_INFINITY);
+            for (int k = 0; k < cells.length; k++) {
+                if (toCell[k] < nearest) {
+                    nearest = nearestIn(cells[k], x, y, z, nearest);
+                }
+            }
+            return Math.sqrt(nearest);
+        }
+    }
+
+    /** Greatest squared distance of a point of a box from one of a cell's box. */
+    private double farthest(int cell, double[] box) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double most = Math.max(box[3 + axis] - cellBox[6 * cell + axis], cellBox[6 * cell + 3 + axis] - box[axis]);
+            sum += most * most;
+        }
+        return sum;
+    }
+
+    /** Least squared distance of a point of a box from one of a cell's box. */
+    private double apart(int cell, double[] box) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double gap = Math.max(
+                    0, Math.max(cellBox[6 * cell + axis] - box[3 + axis], box[axis] - cellBox[6 * cell + 3 + axis]));
+            sum += gap * gap;
+        }
+        return sum;
+    }
+
+    private void weigh(double[] where, int i, Search search, double[] sum, Blend blend) {
+        double x = where[3 * i];
+        double y = where[3 * i + 1];
+        double z = where[3 * i + 2];
+        double distance = search.nearest(x, y, z);
+        blend.distance[i] = distance;
+        double reach = distance + REACH_MM;
+        Arrays.fill(sum, 0);
+        for (int k = 0; k < search.cells.length; k++) {
+            if (search.toCell[k] < reach * reach) {
+                addCell(search.cells[k], x, y, z, reach, sum);
+            }
+        }
+        keepLargest(sum, blend.body, blend.weight, i * MOST_BODIES);
     }
 
     /** Squared distance from the box of a cell's samples. */

@@ -176,25 +176,42 @@ public final class RibEnds {
 
         /** Links the patch of the first cell to the nearest cell outside it until there is none outside; returns the distances from the first cell. */
         private double[] bridgePatches() {
-            while (true) {
-                double[] reach = distances(0);
+            boolean[] reached = new boolean[links.size()];
+            int count = spread(0, reached);
+            while (count < reached.length) {
                 double nearest = Double.POSITIVE_INFINITY;
                 int inside = -1;
                 int outside = -1;
-                for (int a = 0; a < reach.length; a++) {
-                    for (int b = 0; b < reach.length && reach[a] >= 0; b++) {
-                        if (reach[b] < 0 && distance(a, b) < nearest) {
+                for (int a = 0; a < reached.length; a++) {
+                    for (int b = 0; b < reached.length && reached[a]; b++) {
+                        if (!reached[b] && distance(a, b) < nearest) {
                             nearest = distance(a, b);
                             inside = a;
                             outside = b;
                         }
                     }
                 }
-                if (outside < 0) {
-                    return reach;
-                }
                 link(inside, outside);
+                count += spread(outside, reached);
             }
+            return distances(0);
+        }
+
+        /** Marks what hangs together with a cell; returns how many were not marked before. */
+        private int spread(int from, boolean[] reached) {
+            int[] queue = new int[reached.length];
+            queue[0] = from;
+            reached[from] = true;
+            int tail = 1;
+            for (int head = 0; head < tail; head++) {
+                for (int next : links.get(queue[head])) {
+                    if (!reached[next]) {
+                        reached[next] = true;
+                        queue[tail++] = next;
+                    }
+                }
+            }
+            return tail;
         }
 
         /** Distance along the rib from a cell to each, mm; -1 where there is no way. */

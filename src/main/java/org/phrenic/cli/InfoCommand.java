@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
+import org.phrenic.format.LabelVolumes;
 import org.phrenic.format.MeshFiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -20,12 +21,13 @@ import picocli.CommandLine.Spec;
 /** {@code phrenic info}: what files hold. */
 @Command(
         name = "info",
-        description = "Say what meshes, scenarios and thorax folders hold.",
+        description = "Say what meshes, label volumes, scenarios and thorax folders hold.",
         footer = {
             "",
             "Examples:",
             "  phrenic info diaphragm.ply liver.stl",
             "  phrenic info scenario.yaml",
+            "  phrenic info segmentation.nii.gz",
             "  phrenic info my-thorax --json"
         })
 final class InfoCommand implements Callable<Integer> {
@@ -35,7 +37,8 @@ final class InfoCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "FILE",
-            description = "A mesh (stl, obj, ply, vtk, vtp), a scenario (yaml) or a folder of meshes.")
+            description =
+                    "A mesh (stl, obj, ply, vtk, vtp), a label volume (nii, nii.gz, nrrd, nhdr, mha, mhd), a scenario (yaml) or a folder of meshes.")
     private List<Path> files;
 
     @Option(names = "--json", description = "Print JSON: a list 'files'.")
@@ -62,16 +65,21 @@ final class InfoCommand implements Callable<Integer> {
             return ThoraxInfo.of(file);
         }
         if (!Files.exists(file)) {
-            throw new BadInputException(file + ": no such file, expected a mesh, a scenario or a folder of meshes");
+            throw new BadInputException(
+                    file + ": no such file, expected a mesh, a volume, a scenario or a folder of meshes");
         }
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             return ScenarioInfo.of(file);
         }
+        if (LabelVolumes.isVolume(file)) {
+            return VolumeInfo.of(file);
+        }
         if (!MeshFiles.isMesh(file)) {
             throw new BadInputException(
-                    file + ": found no mesh, scenario or folder, expected a name that ends in yaml or "
-                            + String.join(", ", MeshFiles.READABLE));
+                    file + ": found no mesh, volume, scenario or folder, expected a name that ends in yaml, "
+                            + String.join(", ", MeshFiles.READABLE) + " or "
+                            + String.join(", ", LabelVolumes.READABLE));
         }
         return MeshInfo.of(file);
     }

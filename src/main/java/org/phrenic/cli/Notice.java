@@ -2,7 +2,7 @@ package org.phrenic.cli;
 
 /** What every report ends with. */
 final class Notice {
-    static final String TEXT = "For research and training only. Not for clinical use.";
+    static final String TEXT = org.phrenic.format.Notice.TEXT;
 
     private Notice() {}
 }

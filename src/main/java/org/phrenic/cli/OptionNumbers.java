@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.format.BadInputException;
+import org.phrenic.scene.ColourScale;
 
 /** Numbers and lists that options give as text. */
 final class OptionNumbers {
@@ -46,6 +47,20 @@ final class OptionNumbers {
             throw new BadInputException(where + ": found " + text + ", expected " + least + " to " + most);
         }
         return (int) value;
+    }
+
+    /** Colours over a range given as MIN:MAX. */
+    static ColourScale range(String where, String range, ColourScale usual) {
+        int colon = range.indexOf(':');
+        if (colon < 1) {
+            throw new BadInputException(where + ": found '" + range + "', expected MIN:MAX such as 0:15");
+        }
+        double min = number(where + " " + range, range.substring(0, colon));
+        double max = number(where + " " + range, range.substring(colon + 1));
+        ColourScale.problem(min, max).ifPresent(problem -> {
+            throw new BadInputException(where + ": " + problem);
+        });
+        return usual.withRange(min, max);
     }
 
     /** The parts of a list with commas; empty parts are kept, to be complained about. */

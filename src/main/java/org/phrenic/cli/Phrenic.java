@@ -23,10 +23,14 @@ import picocli.CommandLine.Spec;
             WindowCommand.class,
             RunCommand.class,
             RenderCommand.class,
+            CompareCommand.class,
+            ImportCommand.class,
             InfoCommand.class,
             BenchCommand.class,
+            ValidateCommand.class,
             RegressCommand.class,
-            ValidateCommand.class
+            ReproduceCommand.class,
+            RehearseCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
@@ -40,7 +44,11 @@ import picocli.CommandLine.Spec;
             "  phrenic run --preset deep --out result    a deep one into ./result",
             "  phrenic render --out pictures --view all  pictures of it from six sides",
             "  phrenic info scenario.yaml liver.stl      what files hold",
+            "  phrenic import scan.nii.gz --out patient  a thorax folder of a segmented scan",
+            "  phrenic compare a.ply b.stl               how far two surfaces lie apart",
             "  phrenic validate                          breaths held against a table of physiology",
+            "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
+            "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Notice.TEXT

@@ -150,16 +150,7 @@ final class StyleOptions {
             throw new BadInputException(
                     "--range " + range + ": found no --field, expected displacement, strain or distance");
         }
-        int colon = range.indexOf(':');
-        if (colon < 1) {
-            throw new BadInputException("--range: found '" + range + "', expected MIN:MAX such as 0:15");
-        }
-        double min = OptionNumbers.number("--range " + range, range.substring(0, colon));
-        double max = OptionNumbers.number("--range " + range, range.substring(colon + 1));
-        ColourScale.problem(min, max).ifPresent(problem -> {
-            throw new BadInputException("--range: " + problem);
-        });
-        return usual.withRange(min, max);
+        return OptionNumbers.range("--range", range, usual);
     }
 
     private Background behind() {

@@ -17,6 +17,23 @@ final class InputBytes {
      * @throws BadInputException if the file is missing, a folder, unreadable, empty or larger than 2 GiB
      */
     static byte[] read(Path file) {
+        long size = size(file);
+        if (size > LARGEST) {
+            throw new BadInputException(file + ": found " + size + " bytes, expected less than 2 GiB");
+        }
+        try {
+            return Files.readAllBytes(file);
+        } catch (IOException failure) {
+            throw failed(file, failure);
+        }
+    }
+
+    /**
+     * Size of {@code file}, bytes.
+     *
+     * @throws BadInputException if the file is missing, a folder or empty
+     */
+    static long size(Path file) {
         if (Files.isDirectory(file)) {
             throw new BadInputException(file + ": found a folder, expected a file");
         }
@@ -25,18 +42,19 @@ final class InputBytes {
         }
         try {
             long size = Files.size(file);
-            if (size > LARGEST) {
-                throw new BadInputException(file + ": found " + size + " bytes, expected less than 2 GiB");
-            }
-            byte[] bytes = Files.readAllBytes(file);
-            if (bytes.length == 0) {
+            if (size == 0) {
                 throw new BadInputException(file + ": found an empty file, expected content");
             }
-            return bytes;
-        } catch (AccessDeniedException denied) {
-            throw new BadInputException(file + ": found a file that may not be read, expected read permission", denied);
+            return size;
         } catch (IOException failure) {
-            throw new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
+            throw failed(file, failure);
         }
+    }
+
+    /** One sentence about a failure to read. */
+    static BadInputException failed(Path file, IOException failure) {
+        return failure instanceof AccessDeniedException
+                ? new BadInputException(file + ": found a file that may not be read, expected read permission", failure)
+                : new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
     }
 }

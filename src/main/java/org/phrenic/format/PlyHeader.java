@@ -9,8 +9,22 @@ import java.util.List;
  * Reading it leaves the cursor at the first element, in the byte order of the file.
  */
 record PlyHeader(List<Element> elements) {
-    /** {@code listCount} is the type of the length before a list, null for a single value. */
-    record Property(String name, ScalarType listCount, ScalarType type) {
+    /**
+     * {@code listCount} is the type of the length before a list, null for a single value; the last three are how a value, a
+     * list's length and a list are spoken of, made once and not for each row.
+     */
+    record Property(
+            String name, ScalarType listCount, ScalarType type, String valueText, String lengthText, String listText) {
+        Property(String name, ScalarType listCount, ScalarType type) {
+            this(
+                    name,
+                    listCount,
+                    type,
+                    "property '" + name + "'",
+                    "the length of list '" + name + "'",
+                    "list '" + name + "'");
+        }
+
         boolean isList() {
             return listCount != null;
         }

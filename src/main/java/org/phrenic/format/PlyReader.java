@@ -111,20 +111,20 @@ final class PlyReader {
     private void skip(Property property) {
         long count = property.isList() ? listLength(property) : 1;
         if (cursor.isBinary()) {
-            cursor.skip(count * property.type().size(), "property '" + property.name() + "'");
+            cursor.skip(count * property.type().size(), property.valueText());
         } else {
             for (long i = 0; i < count; i++) {
-                cursor.word("property '" + property.name() + "'");
+                cursor.word(property.valueText());
             }
         }
     }
 
     private long listLength(Property property) {
-        long count = cursor.whole(property.listCount(), "the length of list '" + property.name() + "'");
+        long count = cursor.whole(property.listCount(), property.lengthText());
         if (count < 0 || count > Integer.MAX_VALUE) {
             throw cursor.bad("found list length " + count + ", expected 0 to " + Integer.MAX_VALUE);
         }
-        cursor.needValues(count, property.type(), "list '" + property.name() + "'");
+        cursor.needValues(count, property.type(), property.listText());
         return count;
     }
 }

@@ -48,7 +48,7 @@ final class HalfEdgeMesh {
 
     HalfEdgeMesh(TriangleMesh mesh) {
         int[] t = withoutRepeatedCorners(mesh.triangles());
-        MeshTopology topology = new MeshTopology(new TriangleMesh(mesh.positions(), t));
+        EdgeTable edges = new EdgeTable(new TriangleMesh(mesh.positions(), t));
         start = t;
         triangleEnd = t.length / 3;
         position = mesh.positions().clone();
@@ -58,7 +58,7 @@ final class HalfEdgeMesh {
         crease = new boolean[t.length];
         Arrays.fill(out, NONE);
         Arrays.fill(twin, NONE);
-        pair(topology);
+        pair(edges);
         separateFans();
         for (int v = 0; v < vertexEnd; v++) {
             if (out[v] == NONE) {
@@ -85,13 +85,13 @@ final class HalfEdgeMesh {
         return Arrays.copyOf(kept, length);
     }
 
-    private void pair(MeshTopology topology) {
-        int[] first = new int[topology.edgeCount()];
+    private void pair(EdgeTable edges) {
+        int[] first = new int[edges.count()];
         Arrays.fill(first, NONE);
-        int[] sideEdges = topology.triangleEdges();
+        int[] sideEdges = edges.triangleEdges;
         for (int h = 0; h < start.length; h++) {
             int edge = sideEdges[h];
-            if (topology.isBoundaryEdge(edge) || topology.isNonManifoldEdge(edge)) {
+            if (edges.edgeTriangleCount[edge] != 2) {
                 continue;
             }
             int other = first[edge];

@@ -214,8 +214,8 @@ public final class MeshMeasure {
         double[] p = mesh.positions();
         int[] triangles = mesh.triangles();
         int a = 3 * triangles[side];
-        int b = 3 * triangles[MeshTopology.next(side)];
-        int c = 3 * triangles[MeshTopology.next(MeshTopology.next(side))];
+        int b = 3 * triangles[EdgeTable.next(side)];
+        int c = 3 * triangles[EdgeTable.next(EdgeTable.next(side))];
         double ux = p[b] - p[a];
         double uy = p[b + 1] - p[a + 1];
         double uz = p[b + 2] - p[a + 2];

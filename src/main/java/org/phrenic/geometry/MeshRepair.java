@@ -153,7 +153,7 @@ public final class MeshRepair {
      * agree everywhere and keeps a seam.
      */
     public static Result orient(TriangleMesh mesh) {
-        MeshTopology topology = new MeshTopology(mesh);
+        EdgeTable edges = new EdgeTable(mesh);
         int[] t = mesh.triangles().clone();
         int count = mesh.triangleCount();
         boolean[] done = new boolean[count];
@@ -174,15 +174,15 @@ public final class MeshRepair {
                 int triangle = queue[head++];
                 turned += flip[triangle] ? 1 : 0;
                 for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-                    int edge = topology.triangleEdges()[side];
-                    if (edge < 0 || topology.isBoundaryEdge(edge) || topology.isNonManifoldEdge(edge)) {
+                    int edge = edges.triangleEdges[side];
+                    if (edge == EdgeTable.NONE || edges.edgeTriangleCount[edge] != 2) {
                         closed = false;
                         continue;
                     }
-                    int other = topology.otherTriangle(edge, triangle);
+                    int other = edges.otherTriangle(edge, triangle);
                     if (!done[other]) {
                         done[other] = true;
-                        flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[MeshTopology.next(side)]);
+                        flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[EdgeTable.next(side)]);
                         queue[tail++] = other;
                     }
                 }
@@ -206,7 +206,7 @@ public final class MeshRepair {
 
     private static boolean runsAlong(int[] t, int triangle, int from, int to) {
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-            if (t[side] == from && t[MeshTopology.next(side)] == to) {
+            if (t[side] == from && t[EdgeTable.next(side)] == to) {
                 return true;
             }
         }

@@ -14,9 +14,10 @@ import java.util.List;
  * ascending. All arrays are shared and must not be written to.
  */
 public final class MeshTopology {
-    private static final int NONE = -1;
+    private static final int NONE = EdgeTable.NONE;
 
     private final TriangleMesh mesh;
+    private final EdgeTable table;
     private final int[] edges;
     private final int[] edgeTriangles;
     private final int[] edgeTriangleCount;
@@ -33,62 +34,13 @@ public final class MeshTopology {
 
     public MeshTopology(TriangleMesh mesh) {
         this.mesh = mesh;
+        table = new EdgeTable(mesh);
+        edges = table.edges;
+        edgeTriangles = table.edgeTriangles;
+        edgeTriangleCount = table.edgeTriangleCount;
+        triangleEdges = table.triangleEdges;
         int vertexCount = mesh.vertexCount();
         int[] triangles = mesh.triangles();
-        int sides = triangles.length;
-
-        // Sides go into one bucket per smaller vertex; within a bucket they are sorted by the larger vertex, then by
-        // side.
-        int[] bucket = new int[vertexCount + 1];
-        for (int side = 0; side < sides; side++) {
-            int a = triangles[side];
-            int b = triangles[next(side)];
-            if (a != b) {
-                bucket[Math.min(a, b) + 1]++;
-            }
-        }
-        for (int v = 0; v < vertexCount; v++) {
-            bucket[v + 1] += bucket[v];
-        }
-        long[] keys = new long[bucket[vertexCount]];
-        int[] fill = Arrays.copyOf(bucket, vertexCount);
-        for (int side = 0; side < sides; side++) {
-            int a = triangles[side];
-            int b = triangles[next(side)];
-            if (a != b) {
-                keys[fill[Math.min(a, b)]++] = ((long) Math.max(a, b) << 32) | side;
-            }
-        }
-        triangleEdges = new int[sides];
-        Arrays.fill(triangleEdges, NONE);
-        int[] pairs = new int[2 * keys.length];
-        int[] pairTriangles = new int[2 * keys.length];
-        int[] pairCount = new int[keys.length];
-        int count = 0;
-        for (int v = 0; v < vertexCount; v++) {
-            Arrays.sort(keys, bucket[v], bucket[v + 1]);
-            int previous = NONE;
-            for (int k = bucket[v]; k < bucket[v + 1]; k++) {
-                int other = (int) (keys[k] >>> 32);
-                int side = (int) keys[k];
-                if (other != previous) {
-                    pairs[2 * count] = v;
-                    pairs[2 * count + 1] = other;
-                    pairTriangles[2 * count + 1] = NONE;
-                    previous = other;
-                    count++;
-                }
-                int edge = count - 1;
-                triangleEdges[side] = edge;
-                if (pairCount[edge] < 2) {
-                    pairTriangles[2 * edge + pairCount[edge]] = side / 3;
-                }
-                pairCount[edge]++;
-            }
-        }
-        edges = Arrays.copyOf(pairs, 2 * count);
-        edgeTriangles = Arrays.copyOf(pairTriangles, 2 * count);
-        edgeTriangleCount = Arrays.copyOf(pairCount, count);
 
         vertexEdgeStart = new int[vertexCount + 1];
         vertexEdges = rows(edges, 2, vertexEdgeStart);
@@ -102,14 +54,8 @@ public final class MeshTopology {
             used += vertexTriangleStart[v + 1] > vertexTriangleStart[v] ? 1 : 0;
         }
         usedVertices = used;
-        boolean everyEdgeTwice = true;
-        boolean noEdgeThrice = true;
-        for (int e = 0; e < count; e++) {
-            everyEdgeTwice &= edgeTriangleCount[e] == 2;
-            noEdgeThrice &= edgeTriangleCount[e] <= 2;
-        }
-        closed = everyEdgeTwice && mesh.triangleCount() > 0;
-        manifold = noEdgeThrice && everyVertexOneFan();
+        closed = table.isClosed();
+        manifold = table.hasPairsAtMost() && everyVertexOneFan();
     }
 
     /** Compressed rows vertex to item, from items that name {@code width} vertices each; fills {@code start}. */
@@ -214,16 +160,12 @@ public final class MeshTopology {
         return NONE;
     }
 
-    static int next(int side) {
-        return side % 3 == 2 ? side - 2 : side + 1;
-    }
-
     public TriangleMesh mesh() {
         return mesh;
     }
 
     public int edgeCount() {
-        return edgeTriangleCount.length;
+        return table.count();
     }
 
     /** Vertex pairs (a, b), a &lt; b, two numbers an edge, in lexicographic order. */
@@ -272,7 +214,7 @@ public final class MeshTopology {
 
     /** The triangle on the other side of a manifold edge, -1 on a boundary. */
     public int otherTriangle(int edge, int triangle) {
-        return edgeTriangles[2 * edge] == triangle ? edgeTriangles[2 * edge + 1] : edgeTriangles[2 * edge];
+        return table.otherTriangle(edge, triangle);
     }
 
     public boolean isBoundaryEdge(int edge) {

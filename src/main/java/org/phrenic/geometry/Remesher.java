@@ -26,6 +26,8 @@ public final class Remesher {
     /** Edges below this part of it are taken out whatever side their triangles then show. */
     private static final double CRUMB = 0.25;
 
+    private static final int LEAST_VERTICES = 12;
+    private static final int MOST_VERTICES = 20_000_000;
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
@@ -70,6 +72,22 @@ public final class Remesher {
             throw new IllegalArgumentException("remeshing " + mesh + ", expected a surface with area");
         }
         return new Remesher(mesh, vertices).run();
+    }
+
+    /**
+     * As {@link #toVertexCount} with as many vertices as give equilateral triangles of this edge.
+     *
+     * @param edgeMm above 0
+     * @throws IllegalArgumentException if the mesh has no area or the edge is not above 0
+     */
+    public static TriangleMesh toEdgeLength(TriangleMesh mesh, double edgeMm) {
+        if (!(edgeMm > 0)) {
+            throw new IllegalArgumentException("remeshing to edges of " + edgeMm + " mm, expected more than 0");
+        }
+        // A closed surface of F triangles has F / 2 vertices and as many again as its Euler characteristic says.
+        double triangles = MeshMeasure.area(mesh) / (Math.sqrt(3) / 4 * edgeMm * edgeMm);
+        return toVertexCount(
+                mesh, (int) Math.max(LEAST_VERTICES, Math.min(MOST_VERTICES, Math.rint(triangles / 2 + 2))));
     }
 
     private TriangleMesh run() {
@@ -226,7 +244,7 @@ public final class Remesher {
     }
 
     private TriangleMesh restoreVolume(TriangleMesh remeshed) {
-        if (!new MeshTopology(original).isClosed()) {
+        if (!new EdgeTable(original).isClosed()) {
             return remeshed;
         }
         double volume = MeshMeasure.signedVolume(original);

@@ -16,21 +16,21 @@ public final class TriangleTree {
 
     private final TriangleMesh mesh;
     /** Triangle numbers in leaf order. */
-    private final int[] order;
+    final int[] order;
     /** Nine corner coordinates a triangle, in leaf order. */
-    private final double[] corners;
+    final double[] corners;
     /** Unit normal a triangle, in leaf order. */
     private final double[] normals;
 
     private final boolean[] flat;
     /** Six numbers a node: minimum, then maximum. */
-    private final double[] boxes;
+    final double[] boxes;
     /** Right child of an inner node; -1 - (first place in leaf order) of a leaf. */
-    private final int[] child;
+    final int[] child;
     /** Triangles below the node, counted from its first place. */
-    private final int[] count;
+    final int[] count;
 
-    private final int nodes;
+    final int nodes;
 
     /** The answer to a query, and its working memory: make one a thread and use it again. */
     public static final class Hit {

@@ -111,7 +111,12 @@ final class VertexRelaxer {
         double x = vx + gx - along * nx;
         double y = vy + gy - along * ny;
         double z = vz + gz - along * nz;
-        if (surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit) && keepsSides(v, size, hit.x, hit.y, hit.z)) {
+        // A vertex that lay on the surface is no farther from it than it has moved: most searches end in that small
+        // ball.
+        double moved = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
+        boolean found = surface.closest(x, y, z, Math.min(reach, moved), nx, ny, nz, SAME_SIDE, hit)
+                || surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit);
+        if (found && keepsSides(v, size, hit.x, hit.y, hit.z)) {
             put(v, hit.x, hit.y, hit.z);
         }
     }

@@ -18,7 +18,7 @@ import java.util.Optional;
 public record Annotations(
         boolean lightBackground, String title, String moment, String fieldName, Optional<ColourScale> scale) {
     /** On the first screen, in every report and on every picture. */
-    public static final String NOTICE = "For research and training only. Not for clinical use.";
+    public static final String NOTICE = org.phrenic.format.Notice.TEXT;
 
     private static final double LETTER = 17;
     private static final double TEXT = 12;

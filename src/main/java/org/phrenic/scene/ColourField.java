@@ -8,7 +8,9 @@ public enum ColourField {
     /** Change of area against rest, mean of the triangles about a vertex: 100 (A / A0 - 1). */
     STRAIN("Change of area", "%"),
     /** Values given by {@link Renderer#setField}: the distance to another surface, say. */
-    DISTANCE("Distance", "mm");
+    DISTANCE("Distance", "mm"),
+    /** Values given by {@link Renderer#setField}: in how much of a breath a path from a point of the skin is free. */
+    ACCESS("Free path", "% of a breath");
 
     private final String label;
     private final String unit;

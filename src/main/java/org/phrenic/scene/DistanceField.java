@@ -1,7 +1,7 @@
 package org.phrenic.scene;
 
+import org.phrenic.geometry.SurfaceDistance;
 import org.phrenic.geometry.TriangleMesh;
-import org.phrenic.geometry.TriangleTree;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
 
@@ -10,12 +10,11 @@ import org.phrenic.simulation.Surface;
  * nearest triangle, mm, unsigned.
  */
 public final class DistanceField {
-    private final TriangleTree reference;
-    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final SurfaceDistance reference;
 
     /** @param reference in LPS, mm */
     public DistanceField(TriangleMesh reference) {
-        this.reference = new TriangleTree(reference);
+        this.reference = new SurfaceDistance(reference);
     }
 
     /** Gives a renderer the distances of one of its surfaces as it stands in a frame; a surface it has not is left alone. */
@@ -36,16 +35,15 @@ public final class DistanceField {
     float[] of(Surface surface, int index, Frame frame) {
         double[] now = new double[surface.rest().positions().length];
         frame.place(surface, index, now);
-        float[] out = new float[surface.rest().vertexCount()];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = distance(now[3 * i], now[3 * i + 1], now[3 * i + 2]);
-        }
-        return out;
+        return narrowed(reference.of(now));
     }
 
-    private float distance(double x, double y, double z) {
-        hit.distanceSquared = Double.POSITIVE_INFINITY;
-        reference.closest(x, y, z, hit);
-        return (float) Math.sqrt(hit.distanceSquared);
+    /** The same numbers in the precision of a picture. */
+    static float[] narrowed(double[] values) {
+        float[] out = new float[values.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = (float) values[i];
+        }
+        return out;
     }
 }

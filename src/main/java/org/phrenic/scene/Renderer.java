@@ -236,7 +236,7 @@ public final class Renderer {
     }
 
     /**
-     * Values of {@link ColourField#DISTANCE} on a structure.
+     * Values of {@link ColourField#DISTANCE} or {@link ColourField#ACCESS} on a structure.
      *
      * @throws IllegalArgumentException if there is no such structure or it has another count of vertices
      */

@@ -147,7 +147,7 @@ final class SurfaceBuffers {
         float[] shown =
                 switch (field) {
                     case NONE -> values.zero();
-                    case DISTANCE -> given == null ? values.zero() : given;
+                    case DISTANCE, ACCESS -> given == null ? values.zero() : given;
                     case STRAIN ->
                         surface.motion() == Surface.Motion.DEFORMING ? values.strain(positions) : values.zero();
                     case DISPLACEMENT ->

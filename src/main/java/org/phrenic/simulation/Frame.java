@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * What a scene looks like at one step: places of its surfaces, nodes and observables. Written by {@link SceneSurfaces#capture} into arrays that are made once, so that frames can be handed from the
@@ -36,6 +37,12 @@ public final class Frame {
             poses[i] = rigid[i] ? new float[POSE_LENGTH] : new float[0];
         }
         nodes = new float[nodeCoordinates];
+    }
+
+    /** The frame of a scene in which nothing moves and nothing is simulated. */
+    public static Frame still(List<Surface> surfaces) {
+        int n = surfaces.size();
+        return new Frame(new Object(), new int[n], new boolean[n], 0);
     }
 
     void stamp(long count, long atStep, double atTime, double[] observed) {

@@ -179,6 +179,11 @@ public final class Simulation implements AutoCloseable {
                 : settings().durationS(scene.drive().pattern());
     }
 
+    /** Seconds after which the breathing repeats itself; infinite if it does not. */
+    public double breathPeriodS() {
+        return scene.drive().pattern().periodS();
+    }
+
     /** Simulated time, s. */
     public double time() {
         return stepper.time();

@@ -10,19 +10,19 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 
 /** Does independent runs some at a time and gives their results in the order of the runs, whatever the number of threads. */
-final class Jobs {
+public final class Jobs {
     /**
      * A run.
      *
      * @param name for progress
      * @param work what to do
      */
-    record Job<T>(String name, Supplier<T> work) {}
+    public record Job<T>(String name, Supplier<T> work) {}
 
     private Jobs() {}
 
     /** All results; the first failure ends what has not begun and is thrown. */
-    static <T> List<T> run(List<Job<T>> jobs, int threads, StudyProgress progress) {
+    public static <T> List<T> run(List<Job<T>> jobs, int threads, StudyProgress progress) {
         ExecutorService pool = Executors.newFixedThreadPool(Math.max(1, Math.min(threads, jobs.size())), task -> {
             Thread thread = new Thread(task, "study");
             thread.setDaemon(true);

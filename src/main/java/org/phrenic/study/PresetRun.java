@@ -12,9 +12,9 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 
 /** One breath of a preset from rest, or all of it up to the end of its hold, as curves of the observables. */
-final class PresetRun {
+public final class PresetRun {
     /** Between samples of a validation, s. */
-    static final double SAMPLE_S = 0.05;
+    public static final double SAMPLE_S = 0.05;
 
     private PresetRun() {}
 
@@ -24,7 +24,7 @@ final class PresetRun {
      * @param sampleS between samples, s
      * @param wanted names of observables of {@link SceneMeasures} to compute besides those of every run
      */
-    static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
+    public static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             Frame frame = surfaces.newFrame();

@@ -19,6 +19,7 @@ public final class SceneMeasures {
             new Group(SectionMeasure.NAMES, SectionMeasure::new),
             new Group(AppositionMeasure.NAMES, AppositionMeasure::new),
             new Group(SheetMeasure.NAMES, SheetMeasure::new),
+            new Group(TissueMeasure.NAMES, TissueMeasure::new),
             new Group(OrganMeasure.NAMES, OrganMeasure::new),
             new Group(CageSize.NAMES, CageSize::new));
 

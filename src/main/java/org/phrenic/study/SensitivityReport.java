@@ -8,7 +8,7 @@ import java.util.Map;
 
 /** A sensitivity as Markdown and as values for JSON. */
 public final class SensitivityReport {
-    private static final String NOTICE = "For research and training only. Not for clinical use.";
+    private static final String NOTICE = org.phrenic.format.Notice.TEXT;
 
     private final Sensitivity sensitivity;
 

@@ -9,7 +9,7 @@ import org.phrenic.study.Finding.Verdict;
 
 /** A validation as Markdown and as values for JSON; the same validation gives the same text. */
 public final class ValidationReport {
-    private static final String NOTICE = "For research and training only. Not for clinical use.";
+    private static final String NOTICE = org.phrenic.format.Notice.TEXT;
 
     private final Validation validation;
 

@@ -2,7 +2,7 @@ package org.phrenic.ui;
 
 /** What the program is not for. */
 final class Notice {
-    static final String TEXT = "For research and training only. Not for clinical use.";
+    static final String TEXT = org.phrenic.format.Notice.TEXT;
 
     private Notice() {}
 }

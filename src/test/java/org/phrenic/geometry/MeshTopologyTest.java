@@ -58,7 +58,7 @@ class MeshTopologyTest {
             assertThat(loop).hasSize(12);
             boolean found = false;
             for (int side = 0; side < tube.triangles().length; side++) {
-                found |= tube.triangles()[side] == loop[0] && tube.triangles()[MeshTopology.next(side)] == loop[1];
+                found |= tube.triangles()[side] == loop[0] && tube.triangles()[EdgeTable.next(side)] == loop[1];
             }
             assertThat(found).isTrue();
         });

@@ -115,7 +115,7 @@ class TriangleTreeTest {
     }
 
     /** Random triangles, some of them points, lines with corners in any order, or slivers. */
-    private static TriangleMesh soupWithDegenerates(Random random, int triangles) {
+    static TriangleMesh soupWithDegenerates(Random random, int triangles) {
         double[] p = new double[9 * triangles];
         int[] t = new int[3 * triangles];
         for (int i = 0; i < triangles; i++) {
@@ -147,7 +147,7 @@ class TriangleTreeTest {
     /**
      * An independent answer: the nearest of the three sides, and of the plane where its foot lies within, by the normal.
      */
-    private static double distanceByRefinement(TriangleMesh mesh, int triangle, double[] q) {
+    static double distanceByRefinement(TriangleMesh mesh, int triangle, double[] q) {
         double[][] c = new double[3][3];
         for (int k = 0; k < 3; k++) {
             System.arraycopy(mesh.positions(), 3 * mesh.triangles()[3 * triangle + k], c[k], 0, 3);

@@ -1,0 +1,40 @@
+package org.phrenic.rehearsal;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+
+/** One breath at evenly spaced moments. */
+public final class BreathCycle {
+    /** Moments of a breath unless it is said otherwise. */
+    public static final int PHASES = 20;
+
+    /** A pattern that never ends or takes longer is looked at for so long, s. */
+    private static final double LONGEST_S = 40;
+
+    private BreathCycle() {}
+
+    /**
+     * Simulates one period of the breathing from where the simulation stands, or all of a breathing that has none, such as a hold.
+     *
+     * @param phases how many moments, the first now, the last one interval before the end
+     */
+    public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
+        double period = simulation.breathPeriodS();
+        double length = Math.min(Double.isInfinite(period) ? simulation.durationS() : period, LONGEST_S);
+        double start = simulation.time();
+        List<BreathMoment> moments = new ArrayList<>();
+        Frame frame = surfaces.newFrame();
+        for (int i = 0; i < phases; i++) {
+            while (simulation.time()
+                    < start + length * i / phases - 0.5 * simulation.stepper().dt()) {
+                simulation.step();
+            }
+            surfaces.capture(frame);
+            moments.add(new BreathMoment(frame.copy(), simulation.breathLabel()));
+        }
+        return moments;
+    }
+}

@@ -1,0 +1,86 @@
+package org.phrenic.rehearsal;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import org.phrenic.format.YamlMap;
+
+/**
+ * What counts as done in an exercise: whether the target must be hit, and the most of some measures. Chosen for teaching, not validated.
+ *
+ * @param hit whether a sample must be taken within the target
+ * @param most greatest value of measures by key
+ */
+public record Goals(boolean hit, Map<String, Double> most) {
+    private static final Map<String, ToDoubleFunction<AttemptRecord>> MEASURES = new LinkedHashMap<>();
+    private static final String HIT = "hit";
+
+    static {
+        MEASURES.put("attempts_at_most", r -> r.count(AttemptEvent.Kind.SKIN_PUNCTURE));
+        MEASURES.put("redirections_at_most", r -> r.count(AttemptEvent.Kind.REDIRECTION));
+        MEASURES.put("bone_contacts_at_most", r -> r.count(AttemptEvent.Kind.BONE_CONTACT));
+        MEASURES.put("lung_s_at_most", r -> r.secondsIn().getOrDefault(NoGo.LUNG, 0.0));
+        MEASURES.put("no_go_s_at_most", AttemptRecord::inNoGoS);
+        MEASURES.put("inside_s_at_most", AttemptRecord::insideS);
+        MEASURES.put("capsule_pull_mm_at_most", AttemptRecord::capsulePullMm);
+        MEASURES.put(
+                "lateral_mm_at_most",
+                r -> r.samples().stream().mapToDouble(Miss::lateralMm).min().orElse(Double.POSITIVE_INFINITY));
+    }
+
+    /** One goal and whether it was reached. */
+    public record Outcome(String goal, double limit, double value, boolean reached) {
+        /** Plain values for a report. */
+        Map<String, Object> toMap() {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("goal", goal);
+            map.put("limit", limit);
+            map.put("value", Double.isFinite(value) ? (Object) value : "no sample");
+            map.put("reached", reached);
+            return map;
+        }
+    }
+
+    /** No goals. */
+    public static Goals none() {
+        return new Goals(false, Map.of());
+    }
+
+    /**
+     * Reads them.
+     *
+     * @throws org.phrenic.format.BadInputException with one sentence, for a key that is none
+     */
+    static Goals read(YamlMap yaml) {
+        List<String> known = new ArrayList<>(MEASURES.keySet());
+        known.add(0, HIT);
+        yaml.requireOnly(known);
+        Map<String, Double> most = new LinkedHashMap<>();
+        for (String key : MEASURES.keySet()) {
+            if (yaml.has(key)) {
+                most.put(key, yaml.number(key));
+            }
+        }
+        return new Goals(yaml.flag(HIT, false), most);
+    }
+
+    /** Each goal held against a record. */
+    public List<Outcome> of(AttemptRecord record) {
+        List<Outcome> all = new ArrayList<>();
+        if (hit) {
+            all.add(new Outcome(HIT, 1, record.hit() ? 1 : 0, record.hit()));
+        }
+        most.forEach((key, limit) -> {
+            double value = MEASURES.get(key).applyAsDouble(record);
+            all.add(new Outcome(key, limit, value, value <= limit));
+        });
+        return all;
+    }
+
+    /** Whether all are reached; true where there are none. */
+    public boolean reached(AttemptRecord record) {
+        return of(record).stream().allMatch(Outcome::reached);
+    }
+}

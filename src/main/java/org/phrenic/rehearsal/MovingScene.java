@@ -1,0 +1,95 @@
+package org.phrenic.rehearsal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.format.BadInputException;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Surface;
+
+/** The body as a frame shows it, ready to be asked what a path crosses. Taking a frame is for one thread; asking may then be done by many. */
+public final class MovingScene {
+    private final List<MovingStructure> structures = new ArrayList<>();
+    private final List<MovingStructure> hazards = new ArrayList<>();
+    private final List<RibBorder> borders = new ArrayList<>();
+    private final MovingStructure skin;
+    private final MovingStructure liver;
+    private final Optional<MovingStructure> diaphragm;
+    private final Optional<PleuralLimit> pleura;
+    private double timeS;
+
+    /**
+     * @param surfaces of a scene, in the order of its frames
+     * @throws BadInputException with one sentence, if there is no skin or no liver
+     */
+    public MovingScene(List<Surface> surfaces) {
+        for (int i = 0; i < surfaces.size(); i++) {
+            MovingStructure structure = new MovingStructure(surfaces.get(i), i);
+            structures.add(structure);
+            if (structure.noGo().isPresent()) {
+                hazards.add(structure);
+            }
+            if (surfaces.get(i).kind() == StructureKind.RIB) {
+                borders.add(new RibBorder(structure));
+            }
+        }
+        skin = require(StructureKind.SKIN, "skin");
+        liver = require(StructureKind.LIVER, "liver");
+        diaphragm = find(StructureKind.DIAPHRAGM);
+        pleura = diaphragm.map(d -> new PleuralLimit(d.surface().rest()));
+    }
+
+    private MovingStructure require(StructureKind kind, String name) {
+        return find(kind)
+                .orElseThrow(() -> new BadInputException(
+                        "the body: found no " + name + ", expected one to rehearse liver access on"));
+    }
+
+    private Optional<MovingStructure> find(StructureKind kind) {
+        return structures.stream().filter(s -> s.surface().kind() == kind).findFirst();
+    }
+
+    /** Takes over where everything is. */
+    public void take(Frame frame) {
+        structures.forEach(s -> s.take(frame));
+        timeS = frame.timeS();
+    }
+
+    /** Simulated time of the frame, s. */
+    public double timeS() {
+        return timeS;
+    }
+
+    /** All structures, in the order of the frame. */
+    public List<MovingStructure> structures() {
+        return structures;
+    }
+
+    /** What a needle should not touch. */
+    List<MovingStructure> hazards() {
+        return hazards;
+    }
+
+    List<RibBorder> borders() {
+        return borders;
+    }
+
+    /** The skin. */
+    public MovingStructure skin() {
+        return skin;
+    }
+
+    /** The liver. */
+    public MovingStructure liver() {
+        return liver;
+    }
+
+    Optional<MovingStructure> diaphragm() {
+        return diaphragm;
+    }
+
+    Optional<PleuralLimit> pleura() {
+        return pleura;
+    }
+}

@@ -1,0 +1,393 @@
+package org.phrenic.rehearsal;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.breathing.BreathLabel;
+import org.phrenic.format.BadInputException;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Observation;
+
+/**
+ * A needle in a breathing body, step by step: it is placed on the skin, advanced, redirected, withdrawn, and takes a sample, while frames move the body on. What follows is a function of the frames and of the commands
+ * between them alone, so an attempt in a window and one by plan give the same record if they are given the same.
+ *
+ * <p>The needle is straight and rigid and meets no friction. It goes through the skin at a point that moves with the skin, and keeps its direction in the room as a hand would. From the liver's capsule on the tip stays with the
+ * tissue that it is in: between advances it goes where that tissue goes, and the needle turns about its point in the skin. How far the capsule is pulled aside by that, and the needle turned, is recorded as a warning; no force is worked
+ * out. Bone stops the tip.
+ *
+ * <p>Used by one thread.
+ */
+public final class NeedleSession {
+    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
+    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
+    private static final double STOPPED_MM = 1e-9;
+
+    private final MovingScene scene;
+    private final LiverTissue tissue;
+    private final Target target;
+    private final LiverTissue.Point middle;
+    private final Needle needle;
+    private final PathReader reader;
+    private final AttemptLog log;
+
+    private double timeS = Double.NaN;
+    private int breath = 1;
+    private double phase;
+    private double phaseBefore;
+    private double passedS;
+    private BreathLabel label = BreathLabel.PAUSE;
+    private Optional<SkinPoint> skin = Optional.empty();
+    private double[] entry = new double[3];
+    private double[] direction = new double[3];
+    private double depth;
+    private double speed;
+    private double goal;
+    private Optional<LiverTissue.Point> tip = Optional.empty();
+    private LiverTissue.Point capsule;
+    private double[] directionAtCapsule = new double[3];
+
+    /**
+     * @param scene that has taken a frame; the session takes all further ones
+     * @param avoided what the needle should not touch; time spent in it is recorded
+     */
+    public NeedleSession(MovingScene scene, Target target, Needle needle, Set<NoGo> avoided) {
+        this.scene = scene;
+        this.target = target;
+        this.needle = needle;
+        tissue = new LiverTissue(scene);
+        middle = tissue.at(target.restMm());
+        reader = new PathReader(scene, needle);
+        log = new AttemptLog(avoided);
+    }
+
+    /**
+     * Time goes on to a frame: the body moves, the tip with its tissue, then the needle as it was told to.
+     *
+     * @param doing what the breath is doing
+     */
+    public void take(Frame frame, BreathLabel doing) {
+        double passed = Double.isNaN(timeS) ? 0 : frame.timeS() - timeS;
+        if (passed < 0) {
+            throw new IllegalArgumentException(
+                    "found a frame of " + frame.timeS() + " s after one of " + timeS + " s, expected frames in order");
+        }
+        scene.take(frame);
+        timeS = frame.timeS();
+        int breathNow = 1 + (int) frame.values()[BREATH];
+        phaseBefore = breathNow == breath ? phase : 0;
+        passedS = passed;
+        breath = breathNow;
+        phase = frame.values()[PHASE];
+        label = doing;
+        log.targetAt(targetNow());
+        if (skin.isEmpty()) {
+            return;
+        }
+        entry = skin.get().now();
+        if (tip.isPresent()) {
+            double[] line = Vectors.minus(tissue.now(tip.get()), entry);
+            double length = Vectors.length(line);
+            log.slipped(length - depth);
+            depth = length;
+            direction = Vectors.unit(line);
+        }
+        double before = depth;
+        move(passed);
+        meet(before, passed);
+        if (tip.isPresent()) {
+            log.pulled(capsulePullMm(), swingDeg());
+        }
+    }
+
+    private void move(double passed) {
+        if (speed == 0) {
+            return;
+        }
+        double next = depth + Math.signum(goal - depth) * speed * passed;
+        boolean arrives = (next - goal) * (depth - goal) <= 0;
+        next = arrives ? goal : next;
+        if (next > depth) {
+            Optional<Crossing> bone = bone(next);
+            if (bone.isPresent()) {
+                next = Math.max(depth, bone.get().fromMm());
+                event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next, timeS);
+                arrives = true;
+            }
+        }
+        if (arrives) {
+            speed = 0;
+        }
+        log.travelled(Math.abs(next - depth));
+        depth = next;
+        tip = tip.map(held -> tissue.thatIsNowAt(tipNow()));
+    }
+
+    /** The bone that stands in the way between here and there. */
+    private Optional<Crossing> bone(double next) {
+        double[] from = Vectors.along(entry, depth, direction);
+        double[] to = Vectors.along(entry, next, direction);
+        return scene.hazards().stream()
+                .filter(s -> s.noGo().orElseThrow() == NoGo.BONE && s.gap(from, to) <= 0)
+                .flatMap(s -> reader.within(s, entry, to).stream())
+                .filter(c -> c.fromMm() >= depth - STOPPED_MM)
+                .min(Comparator.comparingDouble(Crossing::fromMm));
+    }
+
+    /** Notes what the tip has come into, and takes hold of the tissue or lets it go. */
+    private void meet(double before, double passed) {
+        if (before == 0 && depth > 0) {
+            event(AttemptEvent.Kind.SKIN_PUNCTURE, "", 0, timeS - passed);
+            log.punctured(timeS - passed);
+        }
+        if (before > 0 && depth == 0) {
+            event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS);
+            log.left(timeS);
+            skin = Optional.empty();
+            tip = Optional.empty();
+            return;
+        }
+        if (depth == 0) {
+            return;
+        }
+        PathReading shaft = reader.read(entry, tipNow());
+        log.in(shaft, passed);
+        Optional<Crossing> liver = Optional.empty();
+        for (Crossing c : shaft.crossings()) {
+            boolean isLiver = c.kind() == StructureKind.LIVER;
+            if (log.isNew(c.name())) {
+                double share = depth > before ? (c.fromMm() - before) / (depth - before) : 1;
+                double when = timeS - passed * (1 - Math.max(0, Math.min(1, share)));
+                event(
+                        isLiver ? AttemptEvent.Kind.CAPSULE_PUNCTURE : AttemptEvent.Kind.ENTERS,
+                        c.label(),
+                        c.fromMm(),
+                        when);
+            }
+            if (isLiver && c.toMm() >= depth - STOPPED_MM) {
+                liver = Optional.of(c);
+            }
+        }
+        if (liver.isPresent() && tip.isEmpty()) {
+            tip = Optional.of(tissue.thatIsNowAt(tipNow()));
+            capsule = tissue.thatIsNowAt(Vectors.along(entry, liver.get().fromMm(), direction));
+            directionAtCapsule = direction.clone();
+        } else if (liver.isEmpty()) {
+            tip = Optional.empty();
+        }
+    }
+
+    private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
+        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its
+        // beginning.
+        double before = passedS > 0 ? (timeS - when) / passedS : 0;
+        double at = phase - before * (phase - phaseBefore);
+        log.add(new AttemptEvent(kind, structure, when, breath, at, label, atDepth));
+    }
+
+    /**
+     * Sets the tip on the skin, pointing at a place within. A needle that is in the body is taken out first.
+     *
+     * @param at within {@value SkinPoint#NEAR_MM} mm of the skin
+     * @param aim where it points to
+     * @throws BadInputException with one sentence, if the entry is not on the skin or the needle is too short; nothing has changed then
+     */
+    public void place(double[] at, double[] aim) {
+        place(SkinPoint.now(scene.skin(), at), aim);
+    }
+
+    /** As {@link #place}, at a place of the skin that is given as it is at end-expiration. */
+    public void placeAtRest(double[] at, double[] aim) {
+        place(SkinPoint.atRest(scene.skin(), at), aim);
+    }
+
+    private void place(SkinPoint point, double[] aim) {
+        double[] from = point.now();
+        needle.requireReach(from, aim);
+        if (depth > 0) {
+            withdrawAtOnce();
+        }
+        skin = Optional.of(point);
+        entry = from;
+        direction = Vectors.unit(Vectors.minus(aim, from));
+        depth = 0;
+        speed = 0;
+        tip = Optional.empty();
+        log.newAttempt();
+        event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS);
+    }
+
+    private void withdrawAtOnce() {
+        log.travelled(depth);
+        event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS);
+        log.left(timeS);
+    }
+
+    /**
+     * Points the needle elsewhere; it turns about its point in the skin.
+     *
+     * @throws BadInputException with one sentence, if it is not placed, its tip is in the liver, or it is too short
+     */
+    public void redirect(double[] aim) {
+        requirePlaced();
+        if (tip.isPresent()) {
+            throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
+        }
+        needle.requireReach(entry, aim);
+        direction = Vectors.unit(Vectors.minus(aim, entry));
+        event(AttemptEvent.Kind.REDIRECTION, "", depth, timeS);
+    }
+
+    /**
+     * From now on the tip goes to a depth below the skin and stops there, forth or back.
+     *
+     * @param toDepthMm 0 takes the needle out
+     * @param speedMmPerS more than 0
+     * @throws BadInputException with one sentence, if it is not placed, too short, or the numbers cannot be
+     */
+    public void advance(double toDepthMm, double speedMmPerS) {
+        requirePlaced();
+        if (!(speedMmPerS > 0) || Double.isInfinite(speedMmPerS)) {
+            throw new BadInputException("speed: found " + speedMmPerS + " mm/s, expected more than 0");
+        }
+        if (!(toDepthMm >= 0) || toDepthMm > needle.lengthMm()) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "depth: found %.1f mm, expected 0 to the needle's %.0f mm",
+                    toDepthMm,
+                    needle.lengthMm()));
+        }
+        goal = toDepthMm;
+        speed = goal == depth ? 0 : speedMmPerS;
+    }
+
+    /** The needle stays as deep as it is. */
+    public void stop() {
+        speed = 0;
+    }
+
+    /**
+     * Takes a sample where the tip is now.
+     *
+     * @throws BadInputException with one sentence, if the needle is not in the body
+     */
+    public Miss sample() {
+        requirePlaced();
+        if (depth == 0) {
+            throw new BadInputException("sample: found the needle outside of the body, expected it advanced first");
+        }
+        event(AttemptEvent.Kind.SAMPLE, tip.isPresent() ? "liver" : "", depth, timeS);
+        Miss miss = miss();
+        log.sampled(miss, timeS);
+        return miss;
+    }
+
+    private void requirePlaced() {
+        if (skin.isEmpty()) {
+            throw new BadInputException("needle: found it in no body, expected it placed on the skin first");
+        }
+    }
+
+    /** Whether it is on or in the body. */
+    public boolean isPlaced() {
+        return skin.isPresent();
+    }
+
+    /** Whether it is being advanced or withdrawn. */
+    public boolean isMoving() {
+        return speed != 0;
+    }
+
+    /** Whether the tip is in the liver. */
+    public boolean isInLiver() {
+        return tip.isPresent();
+    }
+
+    /** Where the needle goes through the skin, LPS, mm; a copy. */
+    public double[] entryNow() {
+        return entry.clone();
+    }
+
+    /** Unit direction from skin to tip; a copy. */
+    public double[] directionNow() {
+        return direction.clone();
+    }
+
+    /** Where the tip is, LPS, mm. */
+    public double[] tipNow() {
+        return Vectors.along(entry, depth, direction);
+    }
+
+    /** Where the hub is, LPS, mm. */
+    public double[] hubNow() {
+        return Vectors.along(entry, depth - needle.lengthMm(), direction);
+    }
+
+    /** Depth of the tip below the skin, along the needle, mm. */
+    public double depthMm() {
+        return depth;
+    }
+
+    /** Where the middle of the target is, LPS, mm. */
+    public double[] targetNow() {
+        return tissue.now(middle);
+    }
+
+    /** How the tip lies to the target. */
+    public Miss miss() {
+        return Miss.of(tipNow(), direction, targetNow(), target);
+    }
+
+    /** What the path from the skin to a place meets as the body stands; for advice before and while the needle goes in. */
+    public PathReading readTo(double[] at) {
+        return reader.read(entry, at);
+    }
+
+    /** What a path from a place on the skin to another meets as the body stands. */
+    public PathReading read(double[] from, double[] to) {
+        return reader.read(from, to);
+    }
+
+    /** Distance between the needle and where it went through the capsule, which has moved with the liver, mm; 0 while it is not in the liver. */
+    public double capsulePullMm() {
+        return tip.isEmpty() ? 0 : Vectors.toLine(tissue.now(capsule), entry, direction);
+    }
+
+    /** How far the liver has turned the needle since it went through the capsule, degrees; 0 while it is not in the liver. */
+    public double swingDeg() {
+        return tip.isEmpty() ? 0 : Vectors.angleDeg(direction, directionAtCapsule);
+    }
+
+    /** What is wrong at this moment, a few words each: in no-go structures, capsule pulled aside. */
+    public List<String> warnings() {
+        return log.warnings(depth > 0 ? Optional.of(reader.read(entry, tipNow())) : Optional.empty(), capsulePullMm());
+    }
+
+    /** Time of the last frame, s. */
+    public double timeS() {
+        return timeS;
+    }
+
+    /** The scene as it stands. */
+    public MovingScene scene() {
+        return scene;
+    }
+
+    /** The target. */
+    public Target target() {
+        return target;
+    }
+
+    /** The needle. */
+    public Needle needle() {
+        return needle;
+    }
+
+    /** The record so far. */
+    public AttemptRecord record() {
+        return log.record(target, needle, timeS);
+    }
+}

@@ -1,0 +1,70 @@
+package org.phrenic.rehearsal;
+
+import java.util.Collection;
+import java.util.EnumSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.phrenic.anatomy.StructureKind;
+
+/** What a needle should keep out of. */
+public enum NoGo {
+    LUNG("lung"),
+    /** Rib, costal cartilage, sternum, vertebra, disc. */
+    BONE("bone"),
+    /** The zone below a rib's lower border, where intercostal vessels and nerve run ({@link RibBorder}). */
+    VESSELS("vessels below a rib"),
+    /** The pleural recess ({@link PleuralLimit}). */
+    PLEURA("pleural recess"),
+    /** What the body has besides: trachea, bowel. */
+    ORGAN("other organ");
+
+    private final String label;
+
+    NoGo(String label) {
+        this.label = label;
+    }
+
+    /** What a path may not touch unless it is said otherwise. The recess is not among it: in the 7th to 9th space it can hardly be avoided; that it is crossed is reported. */
+    public static Set<NoGo> usual() {
+        return EnumSet.of(LUNG, BONE, VESSELS, ORGAN);
+    }
+
+    /** What a structure of this kind is; empty for what a needle passes on its way. */
+    static Optional<NoGo> of(StructureKind kind) {
+        return switch (kind) {
+            case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> Optional.of(BONE);
+            case LUNG -> Optional.of(LUNG);
+            case OTHER -> Optional.of(ORGAN);
+            case DIAPHRAGM, LIVER, SKIN -> Optional.empty();
+        };
+    }
+
+    /** Name for people. */
+    public String label() {
+        return label;
+    }
+
+    /** Name in a file. */
+    public String key() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    int bit() {
+        return 1 << ordinal();
+    }
+
+    static int bits(Collection<NoGo> all) {
+        return all.stream().mapToInt(NoGo::bit).reduce(0, (a, b) -> a | b);
+    }
+
+    static Set<NoGo> of(int bits) {
+        Set<NoGo> all = EnumSet.noneOf(NoGo.class);
+        for (NoGo one : values()) {
+            if ((bits & one.bit()) != 0) {
+                all.add(one);
+            }
+        }
+        return all;
+    }
+}

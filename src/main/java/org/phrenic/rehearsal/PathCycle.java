@@ -1,0 +1,125 @@
+package org.phrenic.rehearsal;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+
+/**
+ * One path over a whole breath: at each moment from the same point of the skin to where the target is then.
+ *
+ * @param cycle the moments
+ * @param readings what the path meets at each
+ * @param marginsMm distance from what is to be avoided at each; 0 where it is touched
+ * @param targets where the target's middle is at each
+ * @param avoided what is to be avoided
+ */
+public record PathCycle(
+        List<BreathMoment> cycle,
+        List<PathReading> readings,
+        double[] marginsMm,
+        List<double[]> targets,
+        Set<NoGo> avoided) {
+    /**
+     * Looks at each moment; afterwards the scene shows the last.
+     *
+     * @param entryRest on the skin at end-expiration
+     * @throws org.phrenic.format.BadInputException with one sentence, if it is not on the skin
+     */
+    public static PathCycle of(
+            MovingScene scene,
+            List<BreathMoment> cycle,
+            double[] entryRest,
+            Target target,
+            Needle needle,
+            Set<NoGo> avoided) {
+        SkinPoint entry = SkinPoint.atRest(scene.skin(), entryRest);
+        LiverTissue tissue = new LiverTissue(scene);
+        LiverTissue.Point middle = tissue.at(target.restMm());
+        PathReader reader = new PathReader(scene, needle);
+        List<PathReading> readings = new ArrayList<>();
+        List<double[]> targets = new ArrayList<>();
+        double[] margins = new double[cycle.size()];
+        for (int m = 0; m < margins.length; m++) {
+            scene.take(cycle.get(m).frame());
+            double[] end = tissue.now(middle);
+            targets.add(end);
+            readings.add(reader.read(entry.now(), end));
+            margins[m] = reader.margin(entry.now(), end, avoided);
+        }
+        return new PathCycle(cycle, readings, margins, targets, avoided);
+    }
+
+    /** Whether the path may be taken at a moment. */
+    public boolean isFree(int moment) {
+        return readings.get(moment).reasons(avoided).isEmpty();
+    }
+
+    /** At how many moments it may be taken. */
+    public int freeMoments() {
+        int count = 0;
+        for (int m = 0; m < readings.size(); m++) {
+            count += isFree(m) ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Greatest distance between two places of the target over the breath, mm: "the target moves X mm". */
+    public double targetMovesMm() {
+        double most = 0;
+        for (double[] a : targets) {
+            for (double[] b : targets) {
+                most = Math.max(most, Vectors.distance(a, b));
+            }
+        }
+        return most;
+    }
+
+    /** Range of the target over the breath in x, y, z (to the left, backwards, upwards), mm. */
+    public double[] targetRangeMm() {
+        double[] range = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            int k = axis;
+            range[axis] = targets.stream().mapToDouble(t -> t[k]).max().orElse(0)
+                    - targets.stream().mapToDouble(t -> t[k]).min().orElse(0);
+        }
+        return range;
+    }
+
+    /** Closest approach to each structure over the breath, by name. */
+    public Map<String, Approach> closest() {
+        Map<String, Approach> closest = new TreeMap<>();
+        readings.forEach(r -> r.approaches()
+                .forEach(a -> closest.merge(a.name(), a, (x, y) -> y.distanceMm() < x.distanceMm() ? y : x)));
+        return closest;
+    }
+
+    /** Plain values for a report. */
+    public Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("moments", readings.size());
+        map.put("free_moments", freeMoments());
+        map.put("target_moves_mm", targetMovesMm());
+        map.put("target_range_lr_ap_si_mm", targetRangeMm());
+        map.put("at_end_expiration", readings.get(0).toMap());
+        List<Map<String, Object>> rows = new ArrayList<>();
+        for (int m = 0; m < readings.size(); m++) {
+            Map<String, Object> row = new LinkedHashMap<>();
+            row.put("time_s", cycle.get(m).timeS());
+            row.put("breathing", cycle.get(m).label().name().toLowerCase(Locale.ROOT));
+            row.put("free", isFree(m));
+            row.put("margin_mm", marginsMm[m]);
+            row.put("length_mm", readings.get(m).lengthMm());
+            row.put("reasons", readings.get(m).reasons(avoided));
+            row.put(
+                    "crosses",
+                    readings.get(m).crossings().stream().map(Crossing::name).toList());
+            rows.add(row);
+        }
+        map.put("over_the_breath", rows);
+        return map;
+    }
+}

@@ -1,0 +1,176 @@
+package org.phrenic.rehearsal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.BreathLabel;
+import org.phrenic.engine.Workers;
+import org.phrenic.format.BadInputException;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Observation;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.Surface;
+
+/**
+ * A plan from beginning to end without a screen: a breath is recorded, the access map worked out, the body breathes anew and the plan is played.
+ *
+ * @param plan what was played
+ * @param surfaces of the body
+ * @param target it was about
+ * @param map from where the target can be reached
+ * @param spaces the map by intercostal space
+ * @param path the planned path over the breath; empty where nothing was placed
+ * @param record of the attempt
+ * @param views what to make pictures of, in order
+ * @param stateHash of the body at the end
+ */
+public record Rehearsal(
+        RehearsalPlan plan,
+        List<Surface> surfaces,
+        Target target,
+        AccessMap map,
+        List<SpaceTable.Row> spaces,
+        Optional<PathCycle> path,
+        AttemptRecord record,
+        List<NeedleView> views,
+        String stateHash) {
+    /** Between two looks of the needle, s of simulated time. A window that wants the same record gives the session frames at the same times. */
+    public static final double LOOK_EVERY_S = 0.02;
+
+    /** What counts as room enough about a path, mm; see {@link AccessMap#best}. */
+    public static final double ROOM_MM = 3;
+
+    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
+
+    /**
+     * Plays a plan.
+     *
+     * @throws BadInputException with one sentence, if it cannot be played as it stands
+     */
+    public static Rehearsal play(RehearsalPlan plan, SimulationRun.Progress progress) {
+        Thorax thorax = SimulationRun.thorax(plan.scenario());
+        thorax.notes().forEach(progress::note);
+        try (Simulation simulation = Simulation.of(plan.scenario(), thorax);
+                Workers workers = Workers.of(plan.scenario().threads())) {
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            Frame frame = surfaces.newFrame();
+            MovingScene scene = new MovingScene(surfaces.surfaces());
+            scene.take(frame);
+            Target target = plan.target(scene);
+            requireEntries(plan, scene, target);
+            List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.phases());
+            long begun = System.nanoTime();
+            AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
+            progress.note(String.format(
+                    Locale.ROOT,
+                    "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
+                    map.size(),
+                    map.counts().get("in_reach"),
+                    cycle.size(),
+                    1e-9 * (System.nanoTime() - begun)));
+            List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
+            Optional<PathCycle> path = firstEntry(plan, map)
+                    .map(entry -> PathCycle.of(scene, cycle, entry, target, plan.needle(), plan.avoided()));
+            if (simulation.restart()) {
+                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, progress);
+            }
+        }
+        throw new BadInputException(
+                plan.file()
+                        + ": found a scenario with changes of its own, expected one without: a plan holds the breath by its steps");
+    }
+
+    private static Rehearsal attempt(
+            RehearsalPlan plan,
+            Simulation simulation,
+            SceneSurfaces surfaces,
+            Frame frame,
+            MovingScene scene,
+            Target target,
+            AccessMap map,
+            List<SpaceTable.Row> spaces,
+            Optional<PathCycle> path,
+            SimulationRun.Progress progress) {
+        NeedleSession needle = new NeedleSession(scene, target, plan.needle(), plan.avoided());
+        PlanPlayer player = new PlanPlayer(
+                plan,
+                needle,
+                map,
+                (held, origin) -> simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
+        List<NeedleView> views = new ArrayList<>();
+        int samples = 0;
+        boolean done = false;
+        boolean wasPlaced = false;
+        long begun = System.nanoTime();
+        while (!done) {
+            surfaces.capture(frame);
+            BreathLabel label = simulation.breathLabel();
+            needle.take(frame, label);
+            done = player.look(label, 1 + (int) frame.values()[BREATH]);
+            if (needle.isPlaced() && !wasPlaced) {
+                views.add(NeedleView.of("placed", needle, frame, label));
+            }
+            wasPlaced = needle.isPlaced();
+            int taken = needle.record().samples().size();
+            if (taken > samples) {
+                views.add(NeedleView.of(taken == 1 ? "sample" : "sample_" + taken, needle, frame, label));
+            }
+            samples = taken;
+            step(simulation, done);
+            double perS = simulation.steps() / (1e-9 * (System.nanoTime() - begun));
+            progress.at(simulation.time(), Math.max(simulation.time(), simulation.durationS()), perS);
+        }
+        return new Rehearsal(
+                plan,
+                surfaces.surfaces(),
+                target,
+                map,
+                spaces,
+                path,
+                needle.record(),
+                List.copyOf(views),
+                simulation.stateHash());
+    }
+
+    private static void step(Simulation simulation, boolean done) {
+        long steps = done
+                ? 0
+                : Math.max(1, Math.round(LOOK_EVERY_S / simulation.stepper().dt()));
+        for (long i = 0; i < steps; i++) {
+            simulation.step();
+        }
+    }
+
+    /** Finds an entry that is not on the skin, or too far from the target, before a breath is simulated. */
+    private static void requireEntries(RehearsalPlan plan, MovingScene scene, Target target) {
+        for (PlanStep step : plan.steps()) {
+            if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
+                try {
+                    SkinPoint.atRest(scene.skin(), place.entryRest().get());
+                    plan.needle()
+                            .requireReach(
+                                    place.entryRest().get(), place.aim().point().orElse(target.restMm()));
+                } catch (BadInputException bad) {
+                    throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
+                }
+            }
+        }
+    }
+
+    private static Optional<double[]> firstEntry(RehearsalPlan plan, AccessMap map) {
+        return plan.steps().stream()
+                .filter(PlanStep.Place.class::isInstance)
+                .map(step -> PlanPlayer.entry((PlanStep.Place) step, map))
+                .findFirst();
+    }
+
+    /** Whether what counts as done was reached; true where the plan asks for nothing. */
+    public boolean isDone() {
+        return plan.goals().reached(record);
+    }
+}

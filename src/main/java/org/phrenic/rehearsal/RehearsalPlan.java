@@ -1,0 +1,160 @@
+package org.phrenic.rehearsal;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.YamlDocument;
+import org.phrenic.format.YamlMap;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Scenario;
+
+/**
+ * A planned attempt: body and breathing, target, needle, and what is done in which order. Read from YAML; unknown keys are errors.
+ *
+ * @param title what it is
+ * @param description for whom and why, in a sentence or two; may be empty
+ * @param scenario body and breathing
+ * @param targetRestMm middle of the target at end-expiration; empty for one at random
+ * @param seed of a target at random
+ * @param diameterMm of the target; NaN, with a seed, for one drawn as lesions are
+ * @param avoided what counts as no-go
+ * @param phases moments of the breath for access map and path
+ * @param giveUpAfterS simulated time after which what is waited for counts as never reached
+ * @param goals what counts as done
+ * @param steps what is done
+ * @param file that it was read from, for messages
+ */
+public record RehearsalPlan(
+        String title,
+        String description,
+        Scenario scenario,
+        Optional<double[]> targetRestMm,
+        OptionalLong seed,
+        double diameterMm,
+        Needle needle,
+        Set<NoGo> avoided,
+        int phases,
+        double giveUpAfterS,
+        Goals goals,
+        List<PlanStep> steps,
+        String file) {
+    private static final List<String> KEYS = List.of(
+            "title",
+            "description",
+            "scenario",
+            "set",
+            "target",
+            "needle",
+            "avoid",
+            "phases",
+            "give_up_after_s",
+            "done_when",
+            "steps");
+    private static final List<String> TARGET_KEYS = List.of("rest_mm", "seed", "diameter_mm");
+    private static final List<String> NEEDLE_KEYS = List.of("gauge", "length_mm");
+    private static final int MOST_PHASES = 100;
+    private static final double GIVE_UP_S = 60;
+
+    /**
+     * Reads a plan. Paths in it are taken from its folder.
+     *
+     * @throws BadInputException with one sentence that names file, line and key
+     */
+    public static RehearsalPlan read(Path file) {
+        YamlMap yaml = YamlDocument.read(file);
+        yaml.requireOnly(KEYS);
+        YamlMap target = yaml.map("target");
+        target.requireOnly(TARGET_KEYS);
+        if (target.has("rest_mm") == target.has("seed")) {
+            throw yaml.bad(
+                    "target",
+                    "found " + (target.has("seed") ? "both" : "neither")
+                            + " of rest_mm and seed, expected one of them");
+        }
+        if (target.has("rest_mm") && !target.has("diameter_mm")) {
+            throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
+        }
+        return new RehearsalPlan(
+                yaml.text("title", file.getFileName().toString().replaceFirst("\\.[^.]*$", "")),
+                yaml.text("description", ""),
+                scenario(yaml, file),
+                target.has("rest_mm") ? Optional.of(PlanSteps.point(target, "rest_mm")) : Optional.empty(),
+                target.has("seed") ? OptionalLong.of(target.integer("seed")) : OptionalLong.empty(),
+                target.number("diameter_mm", Double.NaN),
+                needle(yaml),
+                avoided(yaml),
+                (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
+                within(yaml, "give_up_after_s", yaml.number("give_up_after_s", GIVE_UP_S), 1, 3600),
+                Goals.read(yaml.mapOrEmpty("done_when")),
+                yaml.has("steps") ? PlanSteps.read(yaml.maps("steps"), file.toString()) : List.of(),
+                file.toString());
+    }
+
+    private static double within(YamlMap yaml, String key, double value, double low, double high) {
+        if (!(value >= low && value <= high)) {
+            throw yaml.bad(key, "found " + value + ", expected " + low + " to " + high);
+        }
+        return value;
+    }
+
+    private static Scenario scenario(YamlMap yaml, Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        Scenario base =
+                yaml.has("scenario") ? Scenario.read(folder.resolve(yaml.text("scenario"))) : Scenario.defaults();
+        YamlMap set = yaml.mapOrEmpty("set");
+        List<Assignment> assignments = new ArrayList<>();
+        for (String key : set.keys()) {
+            assignments.add(new Assignment(file + ": set " + key, key, set.text(key)));
+        }
+        return base.with(assignments);
+    }
+
+    private static Needle needle(YamlMap yaml) {
+        YamlMap needle = yaml.mapOrEmpty("needle");
+        needle.requireOnly(NEEDLE_KEYS);
+        Needle usual = Needle.usual();
+        try {
+            return new Needle(
+                    (int) needle.integer("gauge", usual.gauge()), needle.number("length_mm", usual.lengthMm()));
+        } catch (IllegalArgumentException none) {
+            throw yaml.bad("needle", none.getMessage());
+        }
+    }
+
+    private static Set<NoGo> avoided(YamlMap yaml) {
+        if (!yaml.has("avoid")) {
+            return NoGo.usual();
+        }
+        Set<NoGo> avoided = EnumSet.noneOf(NoGo.class);
+        for (String name : yaml.texts("avoid")) {
+            avoided.add(Arrays.stream(NoGo.values())
+                    .filter(one -> one.key().equals(name))
+                    .findFirst()
+                    .orElseThrow(() -> yaml.bad(
+                            "avoid",
+                            "found '" + name + "', expected "
+                                    + Arrays.stream(NoGo.values())
+                                            .map(NoGo::key)
+                                            .collect(Collectors.joining(", ")))));
+        }
+        return avoided;
+    }
+
+    /** The target in a body. */
+    Target target(MovingScene scene) {
+        try {
+            return targetRestMm.isPresent()
+                    ? Target.at(scene, targetRestMm.get(), diameterMm)
+                    : Target.random(scene, seed.getAsLong(), diameterMm);
+        } catch (BadInputException bad) {
+            throw new BadInputException(file + ": " + bad.getMessage(), bad);
+        }
+    }
+}

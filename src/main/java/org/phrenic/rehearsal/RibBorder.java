@@ -1,0 +1,60 @@
+package org.phrenic.rehearsal;
+
+import org.phrenic.geometry.SegmentProbe;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+
+/**
+ * The lower border of a rib: those of its faces that look down. Intercostal vein, artery and nerve run in the groove there, so a needle goes over the upper border of the rib below; within
+ * {@value #ZONE_MM} mm of the border counts as the zone of the vessels (a chosen width, not a measured one).
+ */
+final class RibBorder {
+    /** Width of the zone, mm. */
+    static final double ZONE_MM = 5;
+
+    /** A face looks down where the upward part of its unit normal is less than this. */
+    private static final double DOWN = -0.5;
+
+    private final MovingStructure rib;
+    private final TriangleTree faces;
+
+    RibBorder(MovingStructure rib) {
+        this.rib = rib;
+        faces = new TriangleTree(lowerFaces(rib.surface().rest()));
+    }
+
+    private static TriangleMesh lowerFaces(TriangleMesh mesh) {
+        int[] t = mesh.triangles();
+        int[] kept = new int[t.length];
+        int count = 0;
+        for (int k = 0; k < t.length; k += 3) {
+            double ux = mesh.x(t[k + 1]) - mesh.x(t[k]);
+            double uy = mesh.y(t[k + 1]) - mesh.y(t[k]);
+            double uz = mesh.z(t[k + 1]) - mesh.z(t[k]);
+            double vx = mesh.x(t[k + 2]) - mesh.x(t[k]);
+            double vy = mesh.y(t[k + 2]) - mesh.y(t[k]);
+            double vz = mesh.z(t[k + 2]) - mesh.z(t[k]);
+            double nx = uy * vz - uz * vy;
+            double ny = uz * vx - ux * vz;
+            double nz = ux * vy - uy * vx;
+            if (nz < DOWN * Math.sqrt(nx * nx + ny * ny + nz * nz)) {
+                System.arraycopy(t, k, kept, count, 3);
+                count += 3;
+            }
+        }
+        return new TriangleMesh(mesh.positions(), java.util.Arrays.copyOf(kept, count));
+    }
+
+    MovingStructure rib() {
+        return rib;
+    }
+
+    /** Distance of a path from the border, mm, no more than {@code limit}. */
+    double distance(double[] from, double[] to, SegmentProbe probe, double limit) {
+        if (rib.gap(from, to) >= limit) {
+            return limit;
+        }
+        rib.lay(from, to, probe);
+        return probe.distance(faces, limit);
+    }
+}
