@@ -32,11 +32,6 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
 final class SceneAssembly {
-    /** Anchors and wall planes are taken anew this often, and not more often than every few steps; in between they go on at their velocity (an error of some hundredths of a millimetre). */
-    private static final double REFRESH_S = 0.02;
-
-    private static final double REFRESH_STEPS = 4;
-
     /** Step of the physical preset that is to need no substeps; the same whatever step is chosen, so that the body does not depend on it. */
     private static final double SCALED_STEP_S = 1e-3;
 
@@ -53,7 +48,7 @@ final class SceneAssembly {
         this.scenario = scenario;
         this.thorax = thorax;
         this.workers = workers;
-        this.refresh = Math.max(REFRESH_S, REFRESH_STEPS * scenario.timeStepS());
+        this.refresh = scenario.refreshS();
     }
 
     static Scene assemble(Scenario scenario, Thorax thorax, BreathDrive drive, RibCage cage, Workers workers) {
@@ -101,6 +96,7 @@ final class SceneAssembly {
         } else {
             system.setViscosity(value(Parameter.DAMPING));
         }
+        system.setProjectionSweeps(scenario.projectionSweeps());
         system.add(drive);
         Holding holding = new Holding(scenario, thorax, parts, system, diaphragm, bones, pose, positions, refresh);
         Optional<SlidingContact> contact = Optional.empty();
