@@ -14,7 +14,15 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param periodS of what drives it, s; 0 where it does not repeat itself
  * @param trustedS how much of it the trusted run covers at most, s
  */
-record HardCase(String key, String title, Bounds bounds, Maker maker, double durationS, double quickS, double periodS) {
+record HardCase(
+        String key,
+        String title,
+        Bounds bounds,
+        Maker maker,
+        double durationS,
+        double quickS,
+        double periodS,
+        double trustedS) {
 
     /** Puts a scene together for an integrator. */
     interface Maker {
