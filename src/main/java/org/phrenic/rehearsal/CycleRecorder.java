@@ -33,12 +33,14 @@ public final class CycleRecorder {
      */
     public Optional<List<BreathMoment>> take(Frame frame, BreathLabel label) {
         double now = frame.values()[BREATH];
-        double last = kept.isEmpty() ? Double.NEGATIVE_INFINITY : kept.get(kept.size() - 1).timeS();
+        double last = kept.isEmpty()
+                ? Double.NEGATIVE_INFINITY
+                : kept.get(kept.size() - 1).timeS();
         if (frame.timeS() < last) {
             restart();
         }
-        boolean ends = !kept.isEmpty()
-                && (now != breath || frame.timeS() - kept.get(0).timeS() > LONGEST_S);
+        boolean ends =
+                !kept.isEmpty() && (now != breath || frame.timeS() - kept.get(0).timeS() > LONGEST_S);
         Optional<List<BreathMoment>> cycle = Optional.empty();
         if (ends) {
             cycle = whole ? Optional.of(spread(frame.timeS())) : Optional.empty();
@@ -67,7 +69,8 @@ public final class CycleRecorder {
         for (int i = 0; i < phases; i++) {
             double time = start + (endS - start) * i / phases;
             while (at + 1 < kept.size()
-                    && Math.abs(kept.get(at + 1).timeS() - time) <= Math.abs(kept.get(at).timeS() - time)) {
+                    && Math.abs(kept.get(at + 1).timeS() - time)
+                            <= Math.abs(kept.get(at).timeS() - time)) {
                 at++;
             }
             out.add(kept.get(at));
