@@ -1,9 +1,13 @@
 package org.phrenic.cli;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.phrenic.format.BadInputException;
 import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.study.ErrorTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,6 +23,7 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  phrenic run",
             "  phrenic run scenario.yaml --out result --meshes every=0.1",
+            "  phrenic run --max-error 0.02",
             "  phrenic run --preset deep --resolution low --set depth=0.8 --json",
             "",
             "DIR gets summary.json, observables.csv, scenario.yaml and, with --meshes, scene.pvd for ParaView.",
@@ -27,6 +32,9 @@ import picocli.CommandLine.Spec;
             Notice.TEXT
         })
 final class RunCommand implements Callable<Integer> {
+    private static final double LEAST_MM = 1e-9;
+    private static final double MOST_MM = 1000;
+
     @Spec
     private CommandSpec spec;
 
@@ -42,10 +50,26 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--meshes", paramLabel = "every=S", description = "Write the moving surfaces every S seconds.")
     private String meshes;
 
+    @Option(
+            names = "--max-error",
+            paramLabel = "MM",
+            description =
+                    "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms error.")
+    private String maxError;
+
     @Override
     public Integer call() {
+        Scenario scenario = options.resolved(meshes());
+        Map<String, String> remarks = new LinkedHashMap<>();
+        if (maxError != null) {
+            double most = OptionNumbers.number("--max-error", maxError, LEAST_MM, MOST_MM);
+            ErrorTable.Chosen chosen = ErrorTable.shipped().cheapest(scenario, most);
+            scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));
+            remarks.put("chosen", chosen.sentence());
+        }
         RunReport.run(
-                options.resolved(meshes()),
+                scenario,
+                remarks,
                 out,
                 json,
                 spec.commandLine().getOut(),

@@ -29,13 +29,25 @@ final class RunReport {
      * @param json whether to print the summary as JSON
      */
     static void run(Scenario scenario, Path out, boolean json, PrintWriter stdout, PrintWriter stderr) {
+        run(scenario, Map.of(), out, json, stdout, stderr);
+    }
+
+    /** As the other; the summary says these remarks too, and they are printed as the run begins. */
+    static void run(
+            Scenario scenario,
+            Map<String, String> remarks,
+            Path out,
+            boolean json,
+            PrintWriter stdout,
+            PrintWriter stderr) {
         if (out != null) {
             OutputFolder.require(out);
         }
         ProgressPrinter progress = new ProgressPrinter(stderr, ProgressPrinter.isTerminal());
+        remarks.values().forEach(progress::note);
         Map<String, Object> summary;
         try {
-            summary = SimulationRun.execute(scenario, out, progress);
+            summary = SimulationRun.execute(scenario, out, progress, remarks);
         } finally {
             progress.end();
         }
@@ -57,7 +69,8 @@ final class RunReport {
                 row(table, key, value);
             }
         });
-        return table.text() + "\n" + Notice.TEXT + "\n";
+        Object chosen = summary.get("chosen");
+        return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + Notice.TEXT + "\n";
     }
 
     private static void row(Table table, String key, Object value) {

@@ -96,7 +96,7 @@ final class ValidateCommand implements Callable<Integer> {
         PhysiologyTable table = tableFile == null ? PhysiologyTable.shipped() : PhysiologyTable.read(tableFile);
         Scenario scenario = scenario();
         int atATime = threads == null ? scenario.threads() : OptionNumbers.whole("--threads", threads, 1, MOST_THREADS);
-        StudyProgress progress = progress(spec.commandLine().getErr());
+        StudyProgress progress = new LineProgress(spec.commandLine().getErr());
         Validation validation = Validation.of(table, scenario, bodies(), only(), atATime, progress);
         ValidationReport report = new ValidationReport(validation);
         SensitivityReport effects = sensitivity
@@ -148,22 +148,6 @@ final class ValidateCommand implements Callable<Integer> {
             }
         }
         return only;
-    }
-
-    private static StudyProgress progress(PrintWriter err) {
-        return new StudyProgress() {
-            @Override
-            public void done(int count, int total, String what) {
-                err.println(count + " of " + total + " runs done: " + what);
-                err.flush();
-            }
-
-            @Override
-            public void note(String sentence) {
-                err.println(sentence);
-                err.flush();
-            }
-        };
     }
 
     private void print(Validation validation, ValidationReport report, SensitivityReport effects) {

@@ -30,6 +30,13 @@ public interface Constraint {
         return null;
     }
 
+    /**
+     * Sets how much simulated time may go by before what moves by a given motion is asked for anew; in between it goes on at its velocity. Nothing where nothing is kept.
+     *
+     * @param seconds not negative
+     */
+    default void setRefreshInterval(double seconds) {}
+
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}
 

@@ -29,6 +29,7 @@ public final class ParticleSystem {
     private ForceField[] fields = {};
     private Constraint[] constraints = {};
     private boolean velocityDependent;
+    private int projectionSweeps = 1;
 
     private int[] prescribedNode = {};
     private PrescribedMotion prescribed = PrescribedMotion.still(new double[0]);
@@ -347,11 +348,33 @@ public final class ParticleSystem {
         }
     }
 
+    /**
+     * Sets how many times all constraints are gone through after each step: what one puts right another may break, and each sweep leaves about half of what the last one left.
+     *
+     * @throws IllegalArgumentException if it is not positive
+     */
+    public void setProjectionSweeps(int sweeps) {
+        if (sweeps < 1) {
+            throw new IllegalArgumentException("projection sweeps: found " + sweeps + ", expected at least 1");
+        }
+        projectionSweeps = sweeps;
+    }
+
+    /** Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s. */
+    public void setRefreshInterval(double seconds) {
+        allFields.forEach(field -> field.setRefreshInterval(seconds));
+        allConstraints.forEach(constraint -> constraint.setRefreshInterval(seconds));
+    }
+
     /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
     public void project(double time, double h) {
         for (Constraint constraint : constraints) {
             constraint.prepare(time);
-            constraint.project(this, h);
+        }
+        for (int sweep = 0; sweep < projectionSweeps; sweep++) {
+            for (Constraint constraint : constraints) {
+                constraint.project(this, h);
+            }
         }
     }
 

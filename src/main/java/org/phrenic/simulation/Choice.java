@@ -36,6 +36,20 @@ public enum Choice {
             "Integrator",
             labels(IntegratorKind.values(), IntegratorKind::label),
             "Scheme that carries positions and velocities over a step."),
+    PROJECTION_SWEEPS(
+            "projection_sweeps",
+            "Projection sweeps",
+            "1",
+            1,
+            ScenarioReader.MOST_SWEEPS,
+            "How many times a step goes through links, faces in order and contact, each of which breaks a little of what the others put right."),
+    REFRESH(
+            "refresh_s",
+            "Refresh",
+            "s",
+            1e-5,
+            ScenarioReader.LONGEST_REFRESH_S,
+            "Anchors on bone and the planes of the chest wall are taken anew after so much simulated time; in between they go on at their velocity."),
     THREADS(
             "threads",
             "Threads",

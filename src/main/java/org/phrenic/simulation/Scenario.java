@@ -33,6 +33,8 @@ import org.phrenic.format.YamlMap;
  * @param givenTimeStepS step, s; NaN for that of the material
  * @param integrator scheme
  * @param stepPolicy what to do with a step beyond the stability limit
+ * @param givenProjectionSweeps sweeps over all constraints a step; 0 for those of the material
+ * @param givenRefreshS time after which anchors and wall planes are taken anew, s; NaN for that of material and step
  * @param threads threads to compute on; results do not depend on it
  * @param recordEveryS time between samples of the observables, s
  * @param meshesEveryS time between meshes that are written, s; 0 for none
@@ -62,6 +64,8 @@ public record Scenario(
         double givenTimeStepS,
         IntegratorKind integrator,
         StepPolicy stepPolicy,
+        int givenProjectionSweeps,
+        double givenRefreshS,
         int threads,
         double recordEveryS,
         double meshesEveryS,
@@ -85,6 +89,8 @@ public record Scenario(
 
     private static final int MOST_DEFAULT_THREADS = 2;
     private static final double RECORD_EVERY_S = 0.02;
+    private static final double REFRESH_S = 0.02;
+    private static final double REFRESH_STEPS = 4;
 
     public Scenario {
         Map<Parameter, Double> copy = new EnumMap<>(Parameter.class);
@@ -106,6 +112,8 @@ public record Scenario(
                 Double.NaN,
                 IntegratorKind.VERLET,
                 StepPolicy.SUBSTEP,
+                0,
+                Double.NaN,
                 Math.min(MOST_DEFAULT_THREADS, Runtime.getRuntime().availableProcessors()),
                 RECORD_EVERY_S,
                 0,
@@ -194,6 +202,8 @@ public record Scenario(
                 givenTimeStepS,
                 integrator,
                 stepPolicy,
+                givenProjectionSweeps,
+                givenRefreshS,
                 threads,
                 recordEveryS,
                 meshesEveryS,
@@ -246,6 +256,16 @@ public record Scenario(
             return givenTimeStepS;
         }
         return material == Material.PHYSICAL ? 0.001 : 0.01;
+    }
+
+    /** Sweeps over all constraints a step: those of the file or of the material. */
+    public int projectionSweeps() {
+        return givenProjectionSweeps > 0 ? givenProjectionSweeps : 1;
+    }
+
+    /** Time after which anchors and wall planes are taken anew, s: that of the file, else 0.02 s and at least four steps. */
+    public double refreshS() {
+        return Double.isNaN(givenRefreshS) ? Math.max(REFRESH_S, REFRESH_STEPS * timeStepS()) : givenRefreshS;
     }
 
     /** Simulated time, s; NaN where none is given. */
@@ -305,6 +325,8 @@ public record Scenario(
         map.put("time_step_s", timeStepS());
         map.put("integrator", integrator.label());
         map.put("step_policy", ScenarioReader.label(stepPolicy));
+        map.put("projection_sweeps", projectionSweeps());
+        map.put("refresh_s", refreshS());
         map.put("threads", threads);
         map.put("record_every_s", recordEveryS);
         map.put("meshes_every_s", meshesEveryS);

@@ -28,6 +28,8 @@ final class ScenarioReader {
     private static final double LONGEST_S = 86_400;
     static final double LONGEST_STEP_S = 0.1;
     static final int MOST_THREADS = 256;
+    static final int MOST_SWEEPS = 100;
+    static final double LONGEST_REFRESH_S = 1;
     private static final String NO_TRACE = "none";
     private static final int MOST_LINKS = 3;
     private static final long MOST_STEPS = 1_000_000_000_000L;
@@ -57,6 +59,8 @@ final class ScenarioReader {
                 "time_step_s",
                 "integrator",
                 "step_policy",
+                "projection_sweeps",
+                "refresh_s",
                 "threads",
                 "record_every_s",
                 "meshes_every_s",
@@ -90,6 +94,10 @@ final class ScenarioReader {
                 time("time_step_s", base.givenTimeStepS(), LONGEST_STEP_S),
                 choice("integrator", IntegratorKind.values(), IntegratorKind::label, base.integrator()),
                 choice("step_policy", StepPolicy.values(), ScenarioReader::label, base.stepPolicy()),
+                yaml.has("projection_sweeps")
+                        ? whole("projection_sweeps", 1, MOST_SWEEPS)
+                        : base.givenProjectionSweeps(),
+                time("refresh_s", base.givenRefreshS(), LONGEST_REFRESH_S),
                 whole("threads", base.threads(), MOST_THREADS),
                 time("record_every_s", base.recordEveryS(), LONGEST_S),
                 meshesEveryS(base.meshesEveryS()),

@@ -21,6 +21,7 @@ import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
+import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
@@ -32,11 +33,6 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
 final class SceneAssembly {
-    /** Anchors and wall planes are taken anew this often, and not more often than every few steps; in between they go on at their velocity (an error of some hundredths of a millimetre). */
-    private static final double REFRESH_S = 0.02;
-
-    private static final double REFRESH_STEPS = 4;
-
     /** Step of the physical preset that is to need no substeps; the same whatever step is chosen, so that the body does not depend on it. */
     private static final double SCALED_STEP_S = 1e-3;
 
@@ -53,7 +49,7 @@ final class SceneAssembly {
         this.scenario = scenario;
         this.thorax = thorax;
         this.workers = workers;
-        this.refresh = Math.max(REFRESH_S, REFRESH_STEPS * scenario.timeStepS());
+        this.refresh = scenario.refreshS();
     }
 
     static Scene assemble(Scenario scenario, Thorax thorax, BreathDrive drive, RibCage cage, Workers workers) {
@@ -94,13 +90,14 @@ final class SceneAssembly {
         double[] positions = parts.positions();
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
-        double massAdded = physical ? scaleMasses(positions, masses) : 0;
+        double massAdded = physical ? scaleMasses(positions, masses, lungs) : 0;
         ParticleSystem system = new ParticleSystem(layout, positions, masses, workers);
         if (physical) {
             system.setViscosityPerMass(value(Parameter.DAMPING_RATE));
         } else {
             system.setViscosity(value(Parameter.DAMPING));
         }
+        system.setProjectionSweeps(scenario.projectionSweeps());
         system.add(drive);
         Holding holding = new Holding(scenario, thorax, parts, system, diaphragm, bones, pose, positions, refresh);
         Optional<SlidingContact> contact = Optional.empty();
@@ -138,7 +135,9 @@ final class SceneAssembly {
             system.add(contact.get());
             system.setEnabled(contact.get(), scenario.contact());
         }
+        Optional<Attachments> base = Optional.empty();
         if (wall != null && lungs.isPresent()) {
+            base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions));
             int[] pleural = lungs.get().pleural();
             system.add(SlidingContact.adhering(
                     layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
@@ -157,7 +156,7 @@ final class SceneAssembly {
                 lungs,
                 scenario.lungs() == LungModel.EMBEDDED ? lungStructures : List.of(),
                 liver,
-                new SceneForces(sheet, passive, holding.bone, holding.home, rest, lines, links, contact),
+                new SceneForces(sheet, passive, holding.bone, holding.home, base, rest, lines, links, contact),
                 parts.diaphragm.count() + parts.passive.count(),
                 holding.nodes,
                 rest.map(RestPressure::residual).orElse(0.0),
@@ -165,11 +164,12 @@ final class SceneAssembly {
     }
 
     /** Makes nodes that alone would shorten the step heavier; returns the mass added, per cent. */
-    private double scaleMasses(double[] positions, double[] masses) {
+    private double scaleMasses(double[] positions, double[] masses, Optional<LungPart> lungs) {
         MassScaling scaling = new MassScaling(positions, masses);
         scaling.springs(parts.diaphragm);
         scaling.springs(parts.passive);
         scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
+        lungs.ifPresent(l -> scaling.attachments(l.base.node(), l.base.stiffnesses(), 1));
         scaling.scaleFor(SCALED_STEP_S / Stepper.SAFETY);
         return scaling.addedPercent();
     }
@@ -250,6 +250,21 @@ final class SceneAssembly {
         springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         return Optional.of(springs);
+    }
+
+    /** The lungs' base, held to the diaphragm as it slides there. */
+    private Attachments onDiaphragm(
+            ParticleSystem system, LungPart lungs, DiaphragmPart diaphragm, ChestWall wall, double[] positions) {
+        int[] nodes = lungs.base.node();
+        Attachments base = new Attachments(
+                system.layout(),
+                nodes,
+                lungs.base.stiffnesses(),
+                0,
+                new LungBase(system, diaphragm, wall, SceneParts.points(positions, 0, nodes)));
+        base.setRefreshInterval(refresh);
+        system.add(base);
+        return base;
     }
 
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */

@@ -41,6 +41,17 @@ public final class SimulationRun {
      * @return the summary, in the order in which it is written
      */
     public static Map<String, Object> execute(Scenario scenario, Path out, Progress progress) {
+        return execute(scenario, out, progress, Map.of());
+    }
+
+    /**
+     * Runs a scenario.
+     *
+     * @param out as for the other
+     * @param remarks what else the summary is to say, such as why a setting was chosen
+     */
+    public static Map<String, Object> execute(
+            Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
         long begun = System.nanoTime();
         Thorax thorax = thorax(scenario);
         for (String note : thorax.notes()) {
@@ -56,6 +67,7 @@ public final class SimulationRun {
             List<Observation> samples = new ArrayList<>();
             double stepping = advance(scenario, simulation, samples, recorder, progress);
             Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
+            summary.putAll(remarks);
             recorder.finish(summary, samples);
             return summary;
         }

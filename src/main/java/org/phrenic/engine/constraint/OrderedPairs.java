@@ -19,7 +19,7 @@ public final class OrderedPairs implements Constraint {
     private final int[] inner;
     private final int[] triangle;
     private final double[] least;
-    private final double refreshInterval;
+    private double refreshInterval;
     private final double[] normal;
     private double refreshed = Double.NaN;
     private double now = Double.NaN;
@@ -57,6 +57,11 @@ public final class OrderedPairs implements Constraint {
         this.least = least.clone();
         this.refreshInterval = refreshInterval;
         this.normal = new double[3 * n];
+    }
+
+    @Override
+    public void setRefreshInterval(double seconds) {
+        refreshInterval = seconds;
     }
 
     @Override

@@ -22,7 +22,7 @@ public final class SlidingContact implements Constraint {
 
     private final int[] node;
     private final ContactSurface surface;
-    private final double refreshInterval;
+    private double refreshInterval;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
@@ -66,6 +66,11 @@ public final class SlidingContact implements Constraint {
     /** How fast a node beyond the wall may be put back, mm/s; less than {@link #RETURN_SPEED} while a wall that was not there comes in. */
     public void setReturnSpeed(double speed) {
         returnSpeed = speed;
+    }
+
+    @Override
+    public void setRefreshInterval(double seconds) {
+        refreshInterval = seconds;
     }
 
     @Override

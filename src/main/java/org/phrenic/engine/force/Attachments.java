@@ -61,6 +61,7 @@ public final class Attachments implements ForceField {
      *
      * @param seconds not negative
      */
+    @Override
     public void setRefreshInterval(double seconds) {
         refreshInterval = seconds;
     }

@@ -1,0 +1,262 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.format.AtomicFile;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.Json;
+import org.phrenic.format.MarkdownPage;
+import org.phrenic.scene.Annotations;
+import org.phrenic.scene.ErrorPicture;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.study.ErrorReport;
+import org.phrenic.study.ErrorStudy;
+import org.phrenic.study.ErrorTable;
+import org.phrenic.study.MeshError;
+import org.phrenic.study.StepGrid;
+import org.phrenic.study.StudyProgress;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic bench error}: what settings cost and how far from a reference they are. */
+@Command(
+        name = "error",
+        description = "Measure speed against error: one breath under many settings, held against a reference.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic bench error --quick",
+            "  phrenic bench error --resolution high --out result",
+            "  phrenic bench error --material physical --integrator verlet,rk4 --sweeps 1,2,4 --max-error 0.02",
+            "",
+            "DIR gets error.csv, error.md, error.json and error.png. Without --quick it takes minutes (docs/error.md).",
+            Notice.TEXT
+        })
+final class BenchErrorCommand implements Callable<Integer> {
+    private static final int MOST_THREADS = 256;
+    /** What the command itself decides on. */
+    private static final Set<String> RESERVED = Set.of(
+            "material",
+            "resolution",
+            "integrator",
+            "time_step_s",
+            "projection_sweeps",
+            "refresh_s",
+            "threads",
+            "duration_s",
+            "steps",
+            "changes",
+            "hold",
+            "meshes_every_s");
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--material",
+            paramLabel = "NAME,...",
+            description = "physical, paper or both (default ${DEFAULT-VALUE}).")
+    private String materials = "physical,paper";
+
+    @Option(
+            names = "--resolution",
+            paramLabel = "NAME,...",
+            description = "low, medium, high (default ${DEFAULT-VALUE}).")
+    private String resolutions = "medium";
+
+    @Option(names = "--integrator", paramLabel = "NAME,...", description = "Only these schemes.")
+    private String integrators;
+
+    @Option(names = "--time-step", paramLabel = "S,...", description = "These steps; each divides 0.1 s.")
+    private String timeSteps;
+
+    @Option(names = "--sweeps", paramLabel = "N,...", description = "These sweeps over all constraints a step.")
+    private String sweeps;
+
+    @Option(names = "--refresh", paramLabel = "S,...", description = "These times between wall planes taken anew.")
+    private String refreshes;
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any other key of a scenario; may be repeated.")
+    private List<String> settings = new ArrayList<>();
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads of each run (default ${DEFAULT-VALUE}).")
+    private String threads = "1";
+
+    @Option(
+            names = "--quick",
+            description = "The sheet alone, low resolution, few settings, a part of a breath: seconds.")
+    private boolean quick;
+
+    @Option(names = "--meshes", description = "Also what low and medium resolution change against high.")
+    private boolean meshes;
+
+    @Option(
+            names = "--max-error",
+            paramLabel = "MM",
+            description = "Also say which setting is the cheapest that keeps this rms error.")
+    private String maxError;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Folder for the reports.")
+    private Path out;
+
+    @Option(
+            names = "--write",
+            paramLabel = "FILE",
+            description =
+                    "Table to put the rows into, such as data/error/settings.csv, from which run --max-error chooses.")
+    private Path table;
+
+    @Option(names = "--json", description = "Print JSON instead of tables.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        if (out != null) {
+            OutputFolder.require(out);
+        }
+        double most = maxError == null ? Double.NaN : OptionNumbers.number("--max-error", maxError, 1e-9, 1e3);
+        ErrorTable earlier = table != null && Files.exists(table) ? ErrorTable.read(table) : null;
+        List<Scenario> scenarios = scenarios();
+        scenarios.forEach(this::grid);
+        StudyProgress progress = new LineProgress(spec.commandLine().getErr());
+        List<ErrorStudy> studies = new ArrayList<>();
+        for (Scenario scenario : scenarios) {
+            studies.add(ErrorStudy.of(scenario, grid(scenario), quick, progress));
+        }
+        ErrorTable measured = ErrorTable.of(studies);
+        ErrorReport report = new ErrorReport(studies, meshes ? meshErrors(scenarios, progress) : Map.of());
+        if (out != null) {
+            write(measured, report);
+        }
+        if (table != null) {
+            (earlier == null ? measured : earlier.with(measured)).write(table);
+        }
+        print(studies, measured, report, scenarios, most);
+        return ExitCode.DONE;
+    }
+
+    private static Map<String, List<MeshError>> meshErrors(List<Scenario> scenarios, StudyProgress progress) {
+        Map<String, List<MeshError>> errors = new LinkedHashMap<>();
+        for (Scenario scenario : scenarios) {
+            errors.computeIfAbsent(scenario.material().label(), m -> ErrorStudy.meshes(scenario, progress));
+        }
+        return errors;
+    }
+
+    private List<Scenario> scenarios() {
+        List<Assignment> more = new ArrayList<>();
+        for (String text : settings) {
+            Assignment assignment = Assignment.parse(text);
+            if (RESERVED.contains(assignment.key())) {
+                throw new BadInputException(
+                        assignment.origin() + ": found a key that the measurement sets itself, expected any other key");
+            }
+            more.add(assignment);
+        }
+        List<Scenario> scenarios = new ArrayList<>();
+        for (String material : OptionNumbers.parts(materials)) {
+            for (String resolution : quick ? List.of("low") : OptionNumbers.parts(resolutions)) {
+                List<Assignment> list = new ArrayList<>(List.of(
+                        new Assignment("--material " + material, "material", material),
+                        new Assignment("--resolution " + resolution, "resolution", resolution),
+                        new Assignment(
+                                "--threads",
+                                "threads",
+                                Integer.toString(OptionNumbers.whole("--threads", threads, 1, MOST_THREADS)))));
+                if (quick) {
+                    list.add(new Assignment("--quick", "lungs", "embedded"));
+                    list.add(new Assignment("--quick", "sternum", "kinematic"));
+                }
+                list.addAll(more);
+                scenarios.add(Scenario.defaults().with(list));
+            }
+        }
+        return scenarios;
+    }
+
+    /** The settings to measure: those of the material, but for the lists that are given. */
+    private StepGrid grid(Scenario scenario) {
+        StepGrid usual = quick ? StepGrid.quick(scenario.material()) : StepGrid.of(scenario.material());
+        return new StepGrid(
+                integrators == null
+                        ? usual.integrators()
+                        : OptionNumbers.parts(integrators).stream()
+                                .map(IntegratorKind::of)
+                                .toList(),
+                timeSteps == null ? usual.timeStepsS() : numbers("--time-step", timeSteps, 0.1),
+                sweeps == null
+                        ? usual.sweeps()
+                        : OptionNumbers.parts(sweeps).stream()
+                                .map(n -> OptionNumbers.whole("--sweeps", n, 1, 100))
+                                .toList(),
+                refreshes == null ? usual.refreshesS() : numbers("--refresh", refreshes, 1));
+    }
+
+    private static List<Double> numbers(String option, String text, double most) {
+        return OptionNumbers.parts(text).stream()
+                .map(n -> OptionNumbers.number(option, n, 1e-5, most))
+                .toList();
+    }
+
+    private void write(ErrorTable measured, ErrorReport report) {
+        Path csv = out.resolve("error.csv");
+        measured.write(csv);
+        AtomicFile.write(out.resolve("error.md"), MarkdownPage.of(report.document()));
+        Json.write(out.resolve("error.json"), report.values());
+        System.setProperty("java.awt.headless", "true");
+        if (Annotations.canWrite()) {
+            ErrorPicture.write(csv, "Speed against error", out.resolve("error.png"));
+        } else {
+            spec.commandLine().getErr().println("This Java has no fonts: no chart is drawn.");
+        }
+    }
+
+    private void print(
+            List<ErrorStudy> studies, ErrorTable measured, ErrorReport report, List<Scenario> scenarios, double most) {
+        PrintWriter stdout = spec.commandLine().getOut();
+        if (json) {
+            stdout.print(Json.format(report.values()));
+        } else {
+            for (ErrorStudy study : studies) {
+                stdout.println(ErrorReport.heading(study));
+                stdout.println();
+                stdout.print(text(study));
+                study.equilibrium().forEach(q -> stdout.println(ErrorReport.sentence(study, q)));
+                study.leftOut().forEach(line -> stdout.println("not run: " + line));
+                stdout.println();
+            }
+            report.meshSentences().forEach(stdout::println);
+        }
+        PrintWriter told = json ? spec.commandLine().getErr() : stdout;
+        if (!Double.isNaN(most)) {
+            scenarios.forEach(s -> told.println(measured.cheapest(s, most).sentence()));
+        }
+        if (!json) {
+            stdout.println(Notice.TEXT);
+        }
+        stdout.flush();
+        told.flush();
+    }
+
+    private static String text(ErrorStudy study) {
+        boolean[] right = new boolean[ErrorReport.COLUMNS.size()];
+        for (int i = 0; i < right.length; i++) {
+            right[i] = ErrorReport.COLUMNS.get(i).number();
+        }
+        Table lines = new Table(right);
+        lines.row(ErrorReport.COLUMNS.stream().map(c -> c.heading()).toArray(String[]::new));
+        ErrorReport.cells(study).forEach(line -> lines.row(line.toArray(String[]::new)));
+        return lines.text();
+    }
+}

@@ -1,0 +1,30 @@
+package org.phrenic.study;
+
+/**
+ * What a setting costs and how far it is from the reference, over one breath.
+ *
+ * @param settings what was run
+ * @param substeps into which the stability limit split a step
+ * @param rmsMm root mean square distance of all nodes from the reference, over all samples, mm
+ * @param maxMm greatest of these distances, mm
+ * @param cpuS time that processors spent, s
+ * @param wallS time it took, s
+ * @param realTime simulated time over {@code wallS}
+ * @param front whether no other setting of the scene is both cheaper and nearer
+ * @param usual whether it is what the scenario has by itself
+ */
+public record ErrorPoint(
+        StepSettings settings,
+        int substeps,
+        double rmsMm,
+        double maxMm,
+        double cpuS,
+        double wallS,
+        double realTime,
+        boolean front,
+        boolean usual) {
+
+    ErrorPoint onFront(boolean on) {
+        return new ErrorPoint(settings, substeps, rmsMm, maxMm, cpuS, wallS, realTime, on, usual);
+    }
+}

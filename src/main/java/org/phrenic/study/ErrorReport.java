@@ -1,0 +1,214 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.phrenic.format.Notice;
+import org.phrenic.format.ReportDocument;
+
+/** Speed against error of several scenes as tables, as a document and as values for JSON. */
+public final class ErrorReport {
+    /** Columns of {@link #cells}. */
+    public static final List<ReportDocument.Column> COLUMNS = List.of(
+            ReportDocument.Column.text("integrator"),
+            ReportDocument.Column.number("step, s"),
+            ReportDocument.Column.number("sweeps"),
+            ReportDocument.Column.number("refresh, s"),
+            ReportDocument.Column.number("rms, mm"),
+            ReportDocument.Column.number("rms, %"),
+            ReportDocument.Column.number("max, mm"),
+            ReportDocument.Column.number("max, %"),
+            ReportDocument.Column.number("CPU, s"),
+            ReportDocument.Column.number("wall, s"),
+            ReportDocument.Column.number("x real time"),
+            ReportDocument.Column.text(""));
+
+    private final List<ErrorStudy> studies;
+    private final Map<String, List<MeshError>> meshes;
+
+    /**
+     * @param studies one a scene
+     * @param meshes what coarser meshes change, by material; empty where that was not measured
+     */
+    public ErrorReport(List<ErrorStudy> studies, Map<String, List<MeshError>> meshes) {
+        this.studies = List.copyOf(studies);
+        this.meshes = new LinkedHashMap<>(meshes);
+    }
+
+    /** A line a setting, cheapest first. */
+    public static List<List<String>> cells(ErrorStudy study) {
+        List<List<String>> lines = new ArrayList<>();
+        study.points().stream()
+                .sorted(Comparator.comparingDouble(ErrorPoint::cpuS))
+                .forEach(p -> lines.add(List.of(
+                        p.settings().integrator().label(),
+                        StepSettings.number(p.settings().timeStepS()) + (p.substeps() > 1 ? " / " + p.substeps() : ""),
+                        Integer.toString(p.settings().sweeps()),
+                        StepSettings.number(p.settings().refreshS()),
+                        number(p.rmsMm()),
+                        number(study.percent(p.rmsMm())),
+                        number(p.maxMm()),
+                        number(study.percent(p.maxMm())),
+                        number(p.cpuS()),
+                        number(p.wallS()),
+                        number(p.realTime()),
+                        (p.front() ? "front" : "") + (p.usual() ? (p.front() ? ", " : "") + "default" : ""))));
+        return lines;
+    }
+
+    /** What was measured and against what, in a sentence or two. */
+    public static String heading(ErrorStudy study) {
+        return String.format(
+                Locale.ROOT,
+                "%s, %s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
+                        + " as long it is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere.",
+                study.scenario().material().label(),
+                study.scenario().resolution().name().toLowerCase(Locale.ROOT),
+                study.nodes(),
+                study.scenario().preset(),
+                StepSettings.number(study.breathS()),
+                study.excursionMm(),
+                study.scenario().threads(),
+                study.scenario().threads() == 1 ? "" : "s",
+                study.reference().label(),
+                study.proof()[0],
+                study.percent(study.proof()[0]),
+                study.proof()[1]);
+    }
+
+    /** All of it, to be written as a page. */
+    public ReportDocument document() {
+        ReportDocument page = new ReportDocument(
+                "Speed against error",
+                "Distance of all nodes from a reference, ten times a second over a breath, against the time that the breath takes to compute.");
+        for (ErrorStudy study : studies) {
+            page.section(study.scenario().material().label() + ", "
+                    + study.scenario().resolution().name().toLowerCase(Locale.ROOT));
+            page.paragraph(heading(study));
+            page.table("", COLUMNS, cells(study));
+            study.equilibrium().forEach(q -> page.paragraph(sentence(study, q)));
+            if (!study.leftOut().isEmpty()) {
+                page.paragraph("Not run:");
+                page.points(study.leftOut().toArray(String[]::new));
+            }
+        }
+        if (!meshes.isEmpty()) {
+            page.section("Meshes");
+            meshSentences().forEach(page::paragraph);
+        }
+        return page;
+    }
+
+    /** How far from equilibrium a phase is, in a sentence. */
+    public static String sentence(ErrorStudy study, QuasiStatic q) {
+        return String.format(
+                Locale.ROOT,
+                "At %.1f s the reference is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs, muscle"
+                        + " and pressure at that time, which was still moving by %.1g mm rms.",
+                q.timeS(),
+                q.rmsMm(),
+                study.percent(q.rmsMm()),
+                q.maxMm(),
+                q.driftMm());
+    }
+
+    /** What coarser meshes change, a sentence each. */
+    public List<String> meshSentences() {
+        List<String> lines = new ArrayList<>();
+        meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(String.format(
+                Locale.ROOT,
+                "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of resolution"
+                        + " %s; its domes go down %+.2f mm more.",
+                material,
+                e.vertices(),
+                e.resolution(),
+                e.rmsMm(),
+                e.maxMm(),
+                e.against(),
+                e.domeMm()))));
+        return lines;
+    }
+
+    /** All of it as values, for JSON. */
+    public Map<String, Object> values() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("notice", Notice.TEXT);
+        List<Object> scenes = new ArrayList<>();
+        for (ErrorStudy study : studies) {
+            Map<String, Object> scene = new LinkedHashMap<>();
+            scene.put("scenario", study.scenario().toMap());
+            scene.put("nodes", study.nodes());
+            scene.put("breath_s", study.breathS());
+            scene.put("excursion_mm", study.excursionMm());
+            scene.put("reference", study.reference().label());
+            scene.put("reference_halving_rms_mm", study.proof()[0]);
+            scene.put("reference_halving_max_mm", study.proof()[1]);
+            scene.put(
+                    "settings",
+                    study.points().stream().map(p -> values(study, p)).toList());
+            scene.put(
+                    "equilibrium",
+                    study.equilibrium().stream().map(ErrorReport::values).toList());
+            scene.put("left_out", study.leftOut());
+            scenes.add(scene);
+        }
+        map.put("scenes", scenes);
+        Map<String, Object> coarser = new LinkedHashMap<>();
+        meshes.forEach((material, errors) ->
+                coarser.put(material, errors.stream().map(ErrorReport::values).toList()));
+        map.put("meshes", coarser);
+        return map;
+    }
+
+    private static Map<String, Object> values(QuasiStatic q) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("time_s", q.timeS());
+        map.put("rms_mm", q.rmsMm());
+        map.put("max_mm", q.maxMm());
+        map.put("drift_mm", q.driftMm());
+        return map;
+    }
+
+    private static Map<String, Object> values(MeshError e) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("resolution", e.resolution());
+        map.put("against", e.against());
+        map.put("vertices", e.vertices());
+        map.put("rms_mm", e.rmsMm());
+        map.put("max_mm", e.maxMm());
+        map.put("dome_excursion_mm", e.domeMm());
+        return map;
+    }
+
+    private static Map<String, Object> values(ErrorStudy study, ErrorPoint p) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("integrator", p.settings().integrator().label());
+        map.put("time_step_s", p.settings().timeStepS());
+        map.put("projection_sweeps", p.settings().sweeps());
+        map.put("refresh_s", p.settings().refreshS());
+        map.put("substeps", p.substeps());
+        map.put("rms_mm", p.rmsMm());
+        map.put("max_mm", p.maxMm());
+        map.put("rms_percent", study.percent(p.rmsMm()));
+        map.put("max_percent", study.percent(p.maxMm()));
+        map.put("cpu_s", p.cpuS());
+        map.put("wall_s", p.wallS());
+        map.put("real_time", p.realTime());
+        map.put("front", p.front());
+        map.put("usual", p.usual());
+        return map;
+    }
+
+    private static String number(double value) {
+        double size = Math.abs(value);
+        if (size == 0 || size >= 100) {
+            return String.format(Locale.ROOT, "%.0f", value);
+        }
+        return size < 1e-3
+                ? String.format(Locale.ROOT, "%.1e", value)
+                : String.format(Locale.ROOT, size < 0.1 ? "%.4f" : size < 10 ? "%.2f" : "%.1f", value);
+    }
+}

@@ -1,0 +1,183 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.integrator.DivergenceException;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.simulation.Material;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SimulationRun;
+
+/**
+ * Speed against error of one scene: each setting carries the same breath from the same start, and the places of all nodes, ten times a second, are held against a reference.
+ *
+ * @param scenario what breathed
+ * @param nodes how many springs move
+ * @param breathS simulated time, s
+ * @param excursionMm how far the domes went down, mean of both, mm
+ * @param reference setting of the reference
+ * @param proof distance, rms and greatest, mm, of the reference from itself with steps twice as long
+ * @param points one a setting
+ * @param equilibrium how far the reference is from equilibrium at a few phases; empty for the paper's material and a quick study
+ * @param leftOut settings that were not run, each with the reason
+ */
+public record ErrorStudy(
+        Scenario scenario,
+        int nodes,
+        double breathS,
+        double excursionMm,
+        StepSettings reference,
+        double[] proof,
+        List<ErrorPoint> points,
+        List<QuasiStatic> equilibrium,
+        List<String> leftOut) {
+    /** Of a quick study, s: enough for the sheet to move. */
+    private static final double QUICK_S = 0.2;
+
+    /** Steps of a scheme's force evaluations that one simulated second may cost: beyond, a setting is no choice. */
+    private static final double MOST_EVALUATIONS_PER_S = 20_000;
+
+    /** Simulated time that one solve of backward Euler is worth, in force evaluations: what it takes at the steps it is there for. */
+    private static final double EVALUATIONS_A_SOLVE = 150;
+
+    public ErrorStudy {
+        points = List.copyOf(points);
+        equilibrium = List.copyOf(equilibrium);
+        leftOut = List.copyOf(leftOut);
+    }
+
+    /**
+     * Measures.
+     *
+     * @param scenario material, body, resolution, breathing and threads
+     * @param grid settings to measure besides the scenario's own
+     * @param quick whether a part of a breath will do
+     */
+    public static ErrorStudy of(Scenario scenario, StepGrid grid, boolean quick, StudyProgress progress) {
+        Thorax thorax = SimulationRun.thorax(scenario);
+        double periodS = scenario.breathing().pattern().periodS();
+        double breathS = quick
+                ? QUICK_S
+                : Double.isInfinite(periodS) ? scenario.breathing().pattern().wholeS() : periodS;
+        try (BreathRuns runs = new BreathRuns(scenario, thorax, breathS)) {
+            List<StepSettings> wanted = new ArrayList<>();
+            List<String> leftOut = new ArrayList<>();
+            for (StepSettings settings : grid.settings(scenario)) {
+                String reason = reasonAgainst(runs, settings, grid);
+                if (reason == null) {
+                    wanted.add(settings);
+                } else {
+                    leftOut.add(settings.label() + ": " + reason);
+                }
+            }
+            int total = wanted.size() + 2;
+            StepSettings reference = StepGrid.reference(StepGrid.referenceStepS(scenario.material()));
+            Trajectory coarse = runs.run(StepGrid.reference(2 * reference.timeStepS()));
+            progress.done(
+                    1,
+                    total,
+                    "reference, "
+                            + StepGrid.reference(2 * reference.timeStepS()).label());
+            Trajectory exact = runs.run(reference);
+            progress.done(2, total, "reference, " + reference.label());
+            double[] proof = coarse.distanceFrom(exact);
+            List<ErrorPoint> points = new ArrayList<>();
+            for (StepSettings settings : wanted) {
+                try {
+                    points.add(point(runs.run(settings), exact, settings, runs.untilS(), scenario));
+                } catch (DivergenceException | IllegalArgumentException gone) {
+                    leftOut.add(settings.label() + ": " + gone.getMessage());
+                }
+                progress.done(points.size() + 2, total, settings.label());
+            }
+            List<QuasiStatic> equilibrium = scenario.material() == Material.PHYSICAL && !quick
+                    ? QuasiStatic.of(runs, exact, StepSettings.of(scenario))
+                    : List.of();
+            return new ErrorStudy(
+                    scenario,
+                    runs.nodes(),
+                    runs.untilS(),
+                    runs.excursionMm(exact),
+                    reference,
+                    proof,
+                    withFront(points),
+                    equilibrium,
+                    leftOut);
+        }
+    }
+
+    private static ErrorPoint point(
+            Trajectory run, Trajectory exact, StepSettings settings, double untilS, Scenario scenario) {
+        double[] distance = run.distanceFrom(exact);
+        return new ErrorPoint(
+                settings,
+                run.substeps(),
+                distance[0],
+                distance[1],
+                run.cpuS(),
+                run.wallS(),
+                untilS / run.wallS(),
+                false,
+                settings.equals(StepSettings.of(scenario)));
+    }
+
+    /** Why a setting is not run; null if it is. */
+    private static String reasonAgainst(BreathRuns runs, StepSettings settings, StepGrid grid) {
+        int substeps = runs.substeps(settings);
+        if (substeps == Integer.MAX_VALUE) {
+            return "grows at every step";
+        }
+        boolean implicit = settings.integrator() == IntegratorKind.BACKWARD_EULER;
+        double cost = substeps
+                / settings.timeStepS()
+                * (implicit ? EVALUATIONS_A_SOLVE : settings.integrator().forceEvaluations());
+        if (cost > MOST_EVALUATIONS_PER_S) {
+            return String.format(
+                    Locale.ROOT, "some %.0f force evaluations a simulated second, more than any use is worth", cost);
+        }
+        boolean shorterThere = grid.timeStepsS().stream().anyMatch(step -> step < settings.timeStepS());
+        return substeps > 1 && shorterThere && !isShortestAffordable(runs, settings, grid)
+                ? "is split into " + substeps + " substeps, which a shorter step is"
+                : null;
+    }
+
+    /** Whether a split step is the only one of its scheme that can be afforded, so that the scheme is seen at all. */
+    private static boolean isShortestAffordable(BreathRuns runs, StepSettings settings, StepGrid grid) {
+        return grid.timeStepsS().stream()
+                .filter(step -> step < settings.timeStepS())
+                .noneMatch(step -> {
+                    StepSettings shorter =
+                            new StepSettings(settings.integrator(), step, settings.sweeps(), settings.refreshS());
+                    double substeps = runs.substeps(shorter);
+                    return substeps / step * settings.integrator().forceEvaluations() <= MOST_EVALUATIONS_PER_S;
+                });
+    }
+
+    private static List<ErrorPoint> withFront(List<ErrorPoint> points) {
+        boolean[] front = ParetoFront.of(
+                points.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
+                points.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
+        List<ErrorPoint> marked = new ArrayList<>();
+        for (int i = 0; i < front.length; i++) {
+            marked.add(points.get(i).onFront(front[i]));
+        }
+        return marked;
+    }
+
+    /** What coarser meshes change, with each resolution's own settings. */
+    public static List<MeshError> meshes(Scenario scenario, StudyProgress progress) {
+        List<Scenario> all = Arrays.stream(Resolution.values())
+                .map(r -> scenario.with("resolution=" + r.name().toLowerCase(Locale.ROOT)))
+                .toList();
+        return MeshError.of(all, scenario.breathing().pattern().periodS(), progress);
+    }
+
+    /** Per cent of the excursion. */
+    public double percent(double mm) {
+        return 100 * mm / excursionMm;
+    }
+}
