@@ -73,8 +73,9 @@ public final class ErrorPicture {
         double[] cpu = csv.numbers("cpu_s");
         // What lies left of the front is free of settings: there its points are named.
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(new DecadeAxis(
-                "processor time of a breath, s", Arrays.stream(cpu).min().orElse(1) / ROOM_FOR_NAMES, 1.3
-                        * Arrays.stream(cpu).max().orElse(1)));
+                "processor time of a breath, s",
+                Arrays.stream(cpu).min().orElse(1) / ROOM_FOR_NAMES,
+                1.3 * Arrays.stream(cpu).max().orElse(1)));
         all.setGap(22);
         for (String material : materials) {
             all.add(panel(csv, material, integrators));
@@ -118,7 +119,7 @@ public final class ErrorPicture {
         double low = points.stream().mapToDouble(Point::percent).min().orElse(aim);
         double high = points.stream().mapToDouble(Point::percent).max().orElse(aim);
         plot.setRangeAxis(new DecadeAxis(
-                material + " preset, " + resolution + " resolution: rms error, % of excursion",
+                material + " preset, " + resolution + " resolution: rms error of the diaphragm, % of excursion",
                 Math.min(low, aim) / 2,
                 Math.max(high, aim) * 2));
         front(plot, points);

@@ -2,11 +2,9 @@ package org.phrenic.study;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
 import org.phrenic.simulation.Scenario;
-import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.SimulationRun;
 
 /**
@@ -19,8 +17,7 @@ import org.phrenic.simulation.SimulationRun;
  * @param maxMm greatest difference, mm
  * @param domeMm difference of the domes' excursion, mean of both, mm
  */
-public record MeshError(
-        String resolution, String against, int vertices, double rmsMm, double maxMm, double domeMm) {
+public record MeshError(String resolution, String against, int vertices, double rmsMm, double maxMm, double domeMm) {
 
     /** The sheet of a scene at rest, where it went, and how far its domes go down. */
     private record Sheet(TriangleMesh rest, double[][] moved, double excursionMm) {}
@@ -40,8 +37,8 @@ public record MeshError(
         Sheet finest = sheets.get(sheets.size() - 1);
         List<MeshError> errors = new ArrayList<>();
         for (int i = 0; i < sheets.size() - 1; i++) {
-            errors.add(between(
-                    sheets.get(i), finest, name(scenarios.get(i)), name(scenarios.get(scenarios.size() - 1))));
+            errors.add(
+                    between(sheets.get(i), finest, name(scenarios.get(i)), name(scenarios.get(scenarios.size() - 1))));
         }
         return errors;
     }
@@ -54,12 +51,7 @@ public record MeshError(
         try (BreathRuns runs = new BreathRuns(scenario, SimulationRun.thorax(scenario), breathS)) {
             Trajectory run = runs.run(StepSettings.of(scenario));
             // The diaphragm's nodes come first, in the order of its vertices.
-            TriangleMesh mesh = new SceneSurfaces(runs.simulation())
-                    .surfaces().stream()
-                            .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
-                            .findFirst()
-                            .orElseThrow()
-                            .rest();
+            TriangleMesh mesh = runs.sheet();
             double[] start = runs.inCallersOrder(runs.start());
             double[][] moved = new double[run.positions().length][];
             for (int s = 0; s < moved.length; s++) {
@@ -89,8 +81,7 @@ public record MeshError(
                 double[] m = fine.moved[s];
                 double squared = 0;
                 for (int axis = 0; axis < 3; axis++) {
-                    double there =
-                            hit.weightA * m[a + axis] + hit.weightB * m[b + axis] + hit.weightC * m[c + axis];
+                    double there = hit.weightA * m[a + axis] + hit.weightB * m[b + axis] + hit.weightC * m[c + axis];
                     double d = coarse.moved[s][3 * v + axis] - there;
                     squared += d * d;
                 }

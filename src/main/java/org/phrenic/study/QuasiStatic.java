@@ -29,7 +29,8 @@ public record QuasiStatic(double timeS, double rmsMm, double maxMm, double drift
         ParticleSystem system = runs.simulation().system();
         system.setProjectionSweeps(settings.sweeps());
         for (double phase : PHASES) {
-            int sample = (int) Math.min(run.positions().length, Math.max(1, Math.round(phase * run.positions().length)));
+            int sample =
+                    (int) Math.min(run.positions().length, Math.max(1, Math.round(phase * run.positions().length)));
             double timeS = sample * BreathRuns.SAMPLE_S;
             double[] seen = run.positions()[sample - 1];
             System.arraycopy(seen, 0, system.positions(), 0, seen.length);

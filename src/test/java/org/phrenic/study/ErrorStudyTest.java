@@ -64,12 +64,14 @@ class ErrorStudyTest {
     void aStepThatIsSplitIntoThoseOfAShorterOneIsLeftOutWithTheReason() {
         assertThat(study.leftOut())
                 .isNotEmpty()
-                .allMatch(line -> line.startsWith("lagged") && line.matches(".* is split into \\d+ substeps.*"));
+                .allMatch(line ->
+                        line.startsWith("lagged") && line.matches(".* 2 sweeps.* is split into \\d+ substeps.*"));
     }
 
     @Test
     void theReportHasALineASettingAndTheJsonTheSame() {
         assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
-        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString()).contains("reference_halving_rms_mm");
+        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
+                .contains("reference_halving_rms_mm");
     }
 }
