@@ -36,8 +36,9 @@ class ArchitectureTest {
         MAY_USE.put("breathing", List.of("geometry", "engine", "format"));
         MAY_USE.put("simulation", List.of("geometry", "engine", "format", "anatomy", "breathing"));
         MAY_USE.put("rehearsal", List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation"));
+        MAY_USE.put("patient", List.of("geometry", "engine", "format", "anatomy"));
         List<String> upToRehearsal =
-                List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "rehearsal");
+                List.of("geometry", "engine", "format", "anatomy", "breathing", "simulation", "rehearsal", "patient");
         MAY_USE.put("study", upToRehearsal);
         MAY_USE.put("scene", upToRehearsal);
         MAY_USE.put("ui", and(upToRehearsal, "study", "scene"));

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
@@ -23,7 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
-        subcommands = {BenchErrorCommand.class, BenchStabilityCommand.class},
+        subcommands = {BenchSpeedCommand.class, BenchErrorCommand.class, BenchStabilityCommand.class},
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {
             "",
@@ -69,6 +70,13 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--threads", paramLabel = "N", description = "Threads (default ${DEFAULT-VALUE}).")
     private int threads = BareSettings.DEFAULT.threads();
 
+    @Option(
+            names = "--kernel",
+            paramLabel = "NAME",
+            description = "loops, vector (needs java --add-modules jdk.incubator.vector) or reference;"
+                    + " without it, the fastest here by a short measurement.")
+    private String kernel;
+
     @Option(names = "--json", description = "Print JSON instead of a table.")
     private boolean json;
 
@@ -85,6 +93,9 @@ final class BenchCommand implements Callable<Integer> {
                 .withIntegrator(IntegratorKind.of(integrator))
                 .withThreads(threads)
                 .withSteps(steps);
+        if (kernel != null) {
+            settings = settings.withKernel(kernel(kernel));
+        }
         BareScene scene = BareScene.read(files.mesh, files.fixed, files.loaded, files.links);
         if (scene.loaded().length == 0) {
             throw new BadInputException(files.loaded + ": found no vertex index, expected at least one");
@@ -101,6 +112,16 @@ final class BenchCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
+    private static SpringKernel kernel(String name) {
+        SpringKernel kernel = SpringKernel.of(name);
+        if (!kernel.isAvailable()) {
+            throw new BadInputException("--kernel: found '" + name
+                    + "', which Java has only if started with --add-modules jdk.incubator.vector, expected that or"
+                    + " another kernel");
+        }
+        return kernel;
+    }
+
     private void print(BareResult result) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("steps_per_s", result.stepsPerSecond());
@@ -113,6 +134,10 @@ final class BenchCommand implements Callable<Integer> {
         values.put("integrator", result.integrator());
         values.put("kernel", result.kernel());
         values.put("mean_dz_200", result.meanDz200());
+        values.put("roots_per_s", result.floor().rootsPerSecond());
+        values.put("bytes_per_s", result.floor().bytesPerSecond());
+        values.put("floor_steps_per_s", result.floor().stepsPerSecond());
+        values.put("fraction_of_floor", result.fractionOfFloor());
         values.put("state_sha256", result.stateSha256());
         PrintWriter out = spec.commandLine().getOut();
         if (json) {

@@ -10,8 +10,13 @@ import java.util.Arrays;
  * consecutive nodes; the cut depends on the number of nodes alone, never on the number of threads.
  */
 public final class NodeLayout {
-    /** Nodes a block: 36 kB of positions, velocities and forces, which stays in a core's own cache. */
-    private static final int BLOCK_NODES = 512;
+    /** Nodes a block of small systems: 36 kB of positions, velocities and forces, which stays in a core's first cache, and enough blocks to share. */
+    private static final int SMALL_BLOCK_NODES = 512;
+
+    /** Nodes a block of large systems: fewer edges lead from block to block, whose forces are computed twice. */
+    private static final int LARGE_BLOCK_NODES = 1024;
+
+    private static final int LARGE_FROM_NODES = 1 << 14;
 
     private static final int MORTON_BITS = 21;
 
@@ -27,7 +32,8 @@ public final class NodeLayout {
         for (int i = 0; i < n; i++) {
             internalOfCaller[callerOfInternal[i]] = i;
         }
-        int blocks = Math.max(1, (n + BLOCK_NODES / 2) / BLOCK_NODES);
+        int blockNodes = n < LARGE_FROM_NODES ? SMALL_BLOCK_NODES : LARGE_BLOCK_NODES;
+        int blocks = Math.max(1, (n + blockNodes / 2) / blockNodes);
         this.blockStart = new int[blocks + 1];
         this.blockOfNode = new int[n];
         for (int b = 0; b <= blocks; b++) {

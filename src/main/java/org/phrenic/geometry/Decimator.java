@@ -26,6 +26,7 @@ public final class Decimator {
     private long[] heap = new long[1024];
     private int size;
     private int[] ring = new int[64];
+    private int ringSize;
 
     private Decimator(TriangleMesh given, double boundMm) {
         mesh = new HalfEdgeMesh(given);
@@ -134,7 +135,9 @@ public final class Decimator {
         double x = quadrics.x;
         double y = quadrics.y;
         double z = quadrics.z;
-        if (!isNear(x, y, z) || !fits(a, b, x, y, z) || !fits(b, a, x, y, z)) {
+        boolean fits = keepsSides(a, b, x, y, z) && keepsSides(b, a, x, y, z);
+        // The search for the original costs most and comes last.
+        if (!fits || !isNear(x, y, z) || !staysNear(a, b, x, y, z) || !staysNear(b, a, x, y, z)) {
             return;
         }
         quadrics.merge(a, b);
@@ -156,19 +159,24 @@ public final class Decimator {
         return bound == Double.POSITIVE_INFINITY || original.closest(x, y, z, bound, hit);
     }
 
-    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side and shape, and stay near, when v moves. */
-    private boolean fits(int v, int gone, double x, double y, double z) {
+    /** Fills {@link #ring} about {@code v}; returns how many triangles it has. */
+    private int gather(int v) {
         mesh.gatherRing(v);
-        int count = mesh.ringSize;
-        if (ring.length < count) {
-            ring = new int[2 * count];
+        ringSize = mesh.ringSize;
+        if (ring.length < ringSize) {
+            ring = new int[2 * ringSize];
         }
-        System.arraycopy(mesh.ring, 0, ring, 0, count);
-        int triangles = mesh.isBoundaryVertex(v) ? count - 1 : count;
+        System.arraycopy(mesh.ring, 0, ring, 0, ringSize);
+        return mesh.isBoundaryVertex(v) ? ringSize - 1 : ringSize;
+    }
+
+    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side and shape when v moves. */
+    private boolean keepsSides(int v, int gone, double x, double y, double z) {
+        int triangles = gather(v);
         double[] p = mesh.position;
         for (int i = 0; i < triangles; i++) {
             int b = ring[i];
-            int c = ring[i + 1 == count ? 0 : i + 1];
+            int c = ring[i + 1 == ringSize ? 0 : i + 1];
             if (b == gone || c == gone) {
                 continue;
             }
@@ -181,6 +189,20 @@ public final class Decimator {
             boolean turned = dot(before, after) < LEAST_COSINE * Math.sqrt(squareBefore * squareAfter);
             if (turned || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
                 return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether the middles of the same triangles and of their edges at v are within the bound when v moves. */
+    private boolean staysNear(int v, int gone, double x, double y, double z) {
+        int triangles = gather(v);
+        double[] p = mesh.position;
+        for (int i = 0; i < triangles; i++) {
+            int b = ring[i];
+            int c = ring[i + 1 == ringSize ? 0 : i + 1];
+            if (b == gone || c == gone) {
+                continue;
             }
             boolean near = isNear((x + p[3 * b]) / 2, (y + p[3 * b + 1]) / 2, (z + p[3 * b + 2]) / 2)
                     && isNear(

@@ -1,5 +1,7 @@
 package org.phrenic.geometry;
 
+import java.util.Arrays;
+
 /**
  * A box of voxels, each with a label from 0 to 65535; 0 is background. Voxel (i, j, k) is number {@code i + columns (j + rows k)}, and its centre lies at
  *
@@ -53,6 +55,11 @@ public final class LabelGrid {
     /** A grid of labels up to 65535, read without sign. */
     public static LabelGrid of(int columns, int rows, int slices, short[] labels, double[] toMm) {
         return new LabelGrid(columns, rows, slices, new byte[0], labels, toMm);
+    }
+
+    /** The same voxels in another place. */
+    public LabelGrid placed(double[] otherToMm) {
+        return new LabelGrid(columns, rows, slices, bytes, shorts, otherToMm);
     }
 
     public int columns() {
@@ -127,7 +134,7 @@ public final class LabelGrid {
         while (length > 1 && counts[length - 1] == 0) {
             length--;
         }
-        return java.util.Arrays.copyOf(counts, length);
+        return Arrays.copyOf(counts, length);
     }
 
     @Override

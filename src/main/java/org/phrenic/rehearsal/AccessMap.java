@@ -2,11 +2,15 @@ package org.phrenic.rehearsal;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Workers;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
@@ -38,7 +42,10 @@ public final class AccessMap {
     private final int avoidedBits;
     /** What the path touches, a row a moment, a number a vertex. */
     private final int[][] touched;
-    /** Smallest margin over the free moments, mm; 0 where there is none. */
+    /** Margin of a free path, mm; 0 where it is not free; a row a moment. */
+    private final float[][] margins;
+
+    /** Smallest margin over the free moments, mm; infinite where there is none. */
     private final float[] margin;
 
     private final float[] lengthMm;
@@ -54,6 +61,7 @@ public final class AccessMap {
         int n = skin.vertexCount();
         avoidedBits = NoGo.bits(avoided) | OUT_OF_REACH;
         touched = new int[cycle.size()][n];
+        margins = new float[cycle.size()][n];
         margin = new float[n];
         lengthMm = new float[n];
         angleDeg = new float[n];
@@ -119,6 +127,7 @@ public final class AccessMap {
         touched[moment][v] = reader.touched(entry, target);
         if ((touched[moment][v] & avoidedBits) == 0) {
             float m = (float) reader.margin(entry, target, avoided);
+            margins[moment][v] = m;
             if (m < margin[v]) {
                 margin[v] = m;
                 nearest[v] = reader.nearest();
@@ -130,6 +139,11 @@ public final class AccessMap {
     /** How many points of the skin: the vertices of its mesh. */
     public int size() {
         return margin.length;
+    }
+
+    /** A vertex of the skin at end-expiration, LPS, mm. */
+    public double[] pointAtRest(int vertex) {
+        return Arrays.copyOfRange(skin.positions(), 3 * vertex, 3 * vertex + 3);
     }
 
     /** The moments of the breath. */
@@ -201,6 +215,11 @@ public final class AccessMap {
         return Float.isInfinite(margin[vertex]) ? 0 : margin[vertex];
     }
 
+    /** Distance from what is to be avoided at a moment, mm; 0 where the path is not free then. */
+    public double marginMm(int moment, int vertex) {
+        return margins[moment][vertex];
+    }
+
     /** The structure that the margin is taken from; empty for none. */
     public String nearest(int vertex) {
         return nearest[vertex];
@@ -231,28 +250,26 @@ public final class AccessMap {
      * @return empty if no vertex is ever free
      */
     public Optional<Integer> best(double roomMm) {
-        int longest = 0;
-        for (int v = 0; v < size(); v++) {
-            longest = Math.max(longest, freeMoments(v));
-        }
-        if (longest == 0) {
-            return Optional.empty();
-        }
-        double room = 0;
-        for (int v = 0; v < size(); v++) {
-            if (freeMoments(v) == longest) {
-                room = Math.max(room, marginMm(v));
-            }
-        }
-        int best = -1;
-        for (int v = 0; v < size(); v++) {
-            if (freeMoments(v) == longest
-                    && marginMm(v) >= Math.min(room, roomMm)
-                    && (best < 0 || lengthMm(v) < lengthMm(best))) {
-                best = v;
-            }
-        }
-        return Optional.of(best);
+        int longest = Math.max(
+                1, IntStream.range(0, size()).map(this::freeMoments).max().orElse(0));
+        return shortest(v -> freeMoments(v) == longest, this::marginMm, roomMm);
+    }
+
+    /** As {@link #best}, of the vertices that are free at a moment, however short. */
+    public Optional<Integer> bestAt(int moment, double roomMm) {
+        return shortest(v -> isFree(moment, v), v -> marginMm(moment, v), roomMm);
+    }
+
+    private Optional<Integer> shortest(IntPredicate allowed, IntToDoubleFunction room, double roomMm) {
+        double most = IntStream.range(0, size())
+                .filter(allowed)
+                .mapToDouble(room)
+                .max()
+                .orElse(0);
+        return IntStream.range(0, size())
+                .filter(v -> allowed.test(v) && room.applyAsDouble(v) >= Math.min(most, roomMm))
+                .boxed()
+                .min(Comparator.comparingDouble(this::lengthMm));
     }
 
     /** How many vertices give access, in part or never; of those in reach of the needle, and of all. */

@@ -1,7 +1,9 @@
 package org.phrenic.rehearsal;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import org.phrenic.format.BadInputException;
 
 /**
  * A straight, rigid needle.
@@ -38,5 +40,24 @@ public record Needle(int gauge, double lengthMm) {
     /** Outer radius, mm. */
     public double radiusMm() {
         return 0.5 * DIAMETER_MM.get(gauge);
+    }
+
+    /**
+     * Makes sure that it is long enough.
+     *
+     * @throws BadInputException with one sentence, if it is not, or there is no way between the points
+     */
+    void requireReach(double[] from, double[] aim) {
+        double path = Vectors.distance(from, aim);
+        if (path > lengthMm) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
+                    lengthMm,
+                    path));
+        }
+        if (path < 1) {
+            throw new BadInputException("aim: found the entry itself, expected a place within the body");
+        }
     }
 }

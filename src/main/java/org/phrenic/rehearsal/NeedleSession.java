@@ -37,6 +37,8 @@ public final class NeedleSession {
     private double timeS = Double.NaN;
     private int breath = 1;
     private double phase;
+    private double phaseBefore;
+    private double passedS;
     private BreathLabel label = BreathLabel.PAUSE;
     private Optional<SkinPoint> skin = Optional.empty();
     private double[] entry = new double[3];
@@ -75,7 +77,10 @@ public final class NeedleSession {
         }
         scene.take(frame);
         timeS = frame.timeS();
-        breath = 1 + (int) frame.values()[BREATH];
+        int breathNow = 1 + (int) frame.values()[BREATH];
+        phaseBefore = breathNow == breath ? phase : 0;
+        passedS = passed;
+        breath = breathNow;
         phase = frame.values()[PHASE];
         label = doing;
         log.targetAt(targetNow());
@@ -176,7 +181,11 @@ public final class NeedleSession {
     }
 
     private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
-        log.add(new AttemptEvent(kind, structure, when, breath, phase, label, atDepth));
+        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its
+        // beginning.
+        double before = passedS > 0 ? (timeS - when) / passedS : 0;
+        double at = phase - before * (phase - phaseBefore);
+        log.add(new AttemptEvent(kind, structure, when, breath, at, label, atDepth));
     }
 
     /**
@@ -197,7 +206,7 @@ public final class NeedleSession {
 
     private void place(SkinPoint point, double[] aim) {
         double[] from = point.now();
-        requireReach(from, aim);
+        needle.requireReach(from, aim);
         if (depth > 0) {
             withdrawAtOnce();
         }
@@ -209,20 +218,6 @@ public final class NeedleSession {
         tip = Optional.empty();
         log.newAttempt();
         event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS);
-    }
-
-    private void requireReach(double[] from, double[] aim) {
-        double length = Vectors.distance(from, aim);
-        if (length > needle.lengthMm()) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
-                    needle.lengthMm(),
-                    length));
-        }
-        if (length < 1) {
-            throw new BadInputException("aim: found the entry itself, expected a place within the body");
-        }
     }
 
     private void withdrawAtOnce() {
@@ -241,7 +236,7 @@ public final class NeedleSession {
         if (tip.isPresent()) {
             throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
         }
-        requireReach(entry, aim);
+        needle.requireReach(entry, aim);
         direction = Vectors.unit(Vectors.minus(aim, entry));
         event(AttemptEvent.Kind.REDIRECTION, "", depth, timeS);
     }

@@ -2,7 +2,6 @@ package org.phrenic.rehearsal;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.format.BadInputException;
 
@@ -15,7 +14,7 @@ public final class PlanPlayer {
 
     private final RehearsalPlan plan;
     private final NeedleSession needle;
-    private final Optional<double[]> best;
+    private final AccessMap map;
     private final Breathing breathing;
     private int next;
     private boolean begun;
@@ -25,12 +24,12 @@ public final class PlanPlayer {
     private int breathBefore = 1;
 
     /**
-     * @param best the point of the skin at end-expiration that a plan's {@code entry: best} means; empty if no path is free
+     * @param map of the target, whose best points a plan may ask for
      */
-    public PlanPlayer(RehearsalPlan plan, NeedleSession needle, Optional<double[]> best, Breathing breathing) {
+    public PlanPlayer(RehearsalPlan plan, NeedleSession needle, AccessMap map, Breathing breathing) {
         this.plan = plan;
         this.needle = needle;
-        this.best = best;
+        this.map = map;
         this.breathing = breathing;
     }
 
@@ -113,13 +112,23 @@ public final class PlanPlayer {
     }
 
     private void place(PlanStep.Place place) {
-        double[] entry = place.entryRest()
-                .or(() -> best)
-                .orElseThrow(() -> new BadInputException(
-                        "found no free path to the target from anywhere on the skin, expected one"));
+        double[] entry = entry(place, map);
         double[] aim = point(place.aim());
         needle.placeAtRest(entry, aim);
         aimedMm = Vectors.distance(needle.entryNow(), aim);
+    }
+
+    /**
+     * The point of the skin at end-expiration that a step means.
+     *
+     * @throws BadInputException with one sentence, if no path is free
+     */
+    static double[] entry(PlanStep.Place place, AccessMap map) {
+        return place.entryRest()
+                .or(() -> (place.atEndExpiration() ? map.bestAt(0, Rehearsal.ROOM_MM) : map.best(Rehearsal.ROOM_MM))
+                        .map(map::pointAtRest))
+                .orElseThrow(() -> new BadInputException(
+                        place.place() + ": found no free path to the target from anywhere on the skin, expected one"));
     }
 
     private double[] point(PlanStep.Aim aim) {

@@ -20,8 +20,9 @@ public sealed interface PlanStep {
      * Sets the needle on the skin.
      *
      * @param entryRest on the skin at end-expiration, LPS, mm; empty for the best point of the access map
+     * @param atEndExpiration whether the best is that at end-expiration, not that over the whole breath
      */
-    record Place(String place, Optional<double[]> entryRest, Aim aim) implements PlanStep {}
+    record Place(String place, Optional<double[]> entryRest, boolean atEndExpiration, Aim aim) implements PlanStep {}
 
     /** Points the needle elsewhere. */
     record Redirect(String place, Aim aim) implements PlanStep {}

@@ -11,6 +11,8 @@ final class PlanSteps {
     private static final List<String> KINDS =
             List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw");
     private static final double SPEED_MM_PER_S = 50;
+    private static final String BEST = "best";
+    private static final String BEST_AT_REST = "best-at-end-expiration";
 
     private PlanSteps() {}
 
@@ -36,7 +38,9 @@ final class PlanSteps {
             case "place" -> {
                 YamlMap map = step.map(kind);
                 map.requireOnly(List.of("entry", "aim"));
-                yield new PlanStep.Place(place, entry(map), aim(map));
+                Optional<double[]> entry = entry(map);
+                boolean atRest = entry.isEmpty() && map.text("entry", BEST).equals(BEST_AT_REST);
+                yield new PlanStep.Place(place, entry, atRest, aim(map));
             }
             case "redirect" -> {
                 YamlMap map = step.map(kind);
@@ -79,11 +83,13 @@ final class PlanSteps {
     }
 
     private static Optional<double[]> entry(YamlMap map) {
-        boolean best = map.has("entry") && isText(map, "entry");
-        if (best && !map.text("entry").equals("best")) {
-            throw map.bad("entry", "found '" + map.text("entry") + "', expected 'best' or three numbers in mm");
+        if (isText(map, "entry") && !List.of(BEST, BEST_AT_REST).contains(map.text("entry"))) {
+            throw map.bad(
+                    "entry",
+                    "found '" + map.text("entry") + "', expected '" + BEST + "', '" + BEST_AT_REST
+                            + "' or three numbers in mm");
         }
-        return best ? Optional.empty() : Optional.of(point(map, "entry"));
+        return isText(map, "entry") ? Optional.empty() : Optional.of(point(map, "entry"));
     }
 
     private static PlanStep.Aim aim(YamlMap map) {

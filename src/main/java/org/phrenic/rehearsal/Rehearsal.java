@@ -1,8 +1,8 @@
 package org.phrenic.rehearsal;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.BreathLabel;
@@ -43,7 +43,7 @@ public record Rehearsal(
     public static final double LOOK_EVERY_S = 0.02;
 
     /** What counts as room enough about a path, mm; see {@link AccessMap#best}. */
-    public static final double ROOM_MM = 5;
+    public static final double ROOM_MM = 3;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
@@ -62,16 +62,22 @@ public record Rehearsal(
             MovingScene scene = new MovingScene(surfaces.surfaces());
             scene.take(frame);
             Target target = plan.target(scene);
-            requireEntries(plan, scene);
+            requireEntries(plan, scene, target);
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.phases());
+            long begun = System.nanoTime();
             AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
+            progress.note(String.format(
+                    Locale.ROOT,
+                    "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
+                    map.size(),
+                    map.counts().get("in_reach"),
+                    cycle.size(),
+                    1e-9 * (System.nanoTime() - begun)));
             List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
-            Optional<double[]> best = map.best(ROOM_MM)
-                    .map(v -> Arrays.copyOfRange(scene.skin().surface().rest().positions(), 3 * v, 3 * v + 3));
-            Optional<PathCycle> path = firstEntry(plan, best)
+            Optional<PathCycle> path = firstEntry(plan, map)
                     .map(entry -> PathCycle.of(scene, cycle, entry, target, plan.needle(), plan.avoided()));
             if (simulation.restart()) {
-                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, best, progress);
+                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, progress);
             }
         }
         throw new BadInputException(
@@ -89,13 +95,12 @@ public record Rehearsal(
             AccessMap map,
             List<SpaceTable.Row> spaces,
             Optional<PathCycle> path,
-            Optional<double[]> best,
             SimulationRun.Progress progress) {
         NeedleSession needle = new NeedleSession(scene, target, plan.needle(), plan.avoided());
         PlanPlayer player = new PlanPlayer(
                 plan,
                 needle,
-                best,
+                map,
                 (held, origin) -> simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
         List<NeedleView> views = new ArrayList<>();
         int samples = 0;
@@ -141,12 +146,15 @@ public record Rehearsal(
         }
     }
 
-    /** Finds an entry that is not on the skin before a breath is simulated. */
-    private static void requireEntries(RehearsalPlan plan, MovingScene scene) {
+    /** Finds an entry that is not on the skin, or too far from the target, before a breath is simulated. */
+    private static void requireEntries(RehearsalPlan plan, MovingScene scene, Target target) {
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 try {
                     SkinPoint.atRest(scene.skin(), place.entryRest().get());
+                    plan.needle()
+                            .requireReach(
+                                    place.entryRest().get(), place.aim().point().orElse(target.restMm()));
                 } catch (BadInputException bad) {
                     throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
                 }
@@ -154,13 +162,11 @@ public record Rehearsal(
         }
     }
 
-    private static Optional<double[]> firstEntry(RehearsalPlan plan, Optional<double[]> best) {
+    private static Optional<double[]> firstEntry(RehearsalPlan plan, AccessMap map) {
         return plan.steps().stream()
                 .filter(PlanStep.Place.class::isInstance)
-                .map(PlanStep.Place.class::cast)
-                .findFirst()
-                .map(PlanStep.Place::entryRest)
-                .flatMap(entry -> entry.or(() -> best));
+                .map(step -> PlanPlayer.entry((PlanStep.Place) step, map))
+                .findFirst();
     }
 
     /** Whether what counts as done was reached; true where the plan asks for nothing. */

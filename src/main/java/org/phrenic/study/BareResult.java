@@ -13,6 +13,7 @@ package org.phrenic.study;
  * @param integrator label of the scheme
  * @param kernel how spring forces are computed
  * @param meanDz200 mean z displacement of the loaded nodes after exactly 200 steps from rest, mm
+ * @param floor what the machine could do at most
  * @param stateSha256 SHA-256 over the bits of all positions, then all velocities, after these 200 steps, in the order of the mesh's vertices
  */
 public record BareResult(
@@ -26,4 +27,11 @@ public record BareResult(
         String integrator,
         String kernel,
         double meanDz200,
-        String stateSha256) {}
+        MachineFloor floor,
+        String stateSha256) {
+
+    /** Steps per second as a share of what the machine could do at most. */
+    public double fractionOfFloor() {
+        return stepsPerSecond / floor.stepsPerSecond();
+    }
+}

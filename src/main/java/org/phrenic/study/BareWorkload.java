@@ -6,6 +6,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.format.Hashes;
@@ -20,7 +21,6 @@ public final class BareWorkload implements AutoCloseable {
     /** Steps from rest after which displacement and hash are taken. */
     public static final int CHECKED_STEPS = 200;
 
-    private static final String KERNEL = "edge batches, double";
     private static final int RUNS = 7;
     /** Steps by which the just-in-time compiler has settled. */
     private static final int WARM_UP_STEPS = 1000;
@@ -30,6 +30,7 @@ public final class BareWorkload implements AutoCloseable {
     private final Workers workers;
     private final ParticleSystem system;
     private final Integrator integrator;
+    private final Springs springs;
     private final int edges;
     private long done;
 
@@ -46,7 +47,7 @@ public final class BareWorkload implements AutoCloseable {
         system = new ParticleSystem(layout, rest, mass, workers);
         long[] pairs = edges(mesh.triangles());
         edges = pairs.length;
-        Springs springs = Springs.between(
+        springs = Springs.between(
                         layout,
                         Arrays.stream(pairs).mapToInt(e -> (int) (e >>> 32)).toArray(),
                         Arrays.stream(pairs).mapToInt(e -> (int) e).toArray())
@@ -64,6 +65,7 @@ public final class BareWorkload implements AutoCloseable {
         if (scene.links().length > 0) {
             system.add(RigidLinks.onceAsPublished(layout, half(scene.links(), 0), half(scene.links(), 1), rest));
         }
+        settings.kernel().ifPresent(springs::setKernel);
         integrator = settings.integrator().on(system);
     }
 
@@ -82,6 +84,26 @@ public final class BareWorkload implements AutoCloseable {
         int[] out = new int[pairs.length / 2];
         Arrays.setAll(out, i -> pairs[2 * i + which]);
         return out;
+    }
+
+    /** Computes the forces of the springs in another way from now on, with the same bits. */
+    public void setKernel(SpringKernel kernel) {
+        springs.setKernel(kernel);
+    }
+
+    /** Computes them in the way that is fastest here from now on, by a short measurement; the bits do not depend on it. */
+    public SpringKernel useFastestKernel() {
+        return springs.useFastestKernel(system.positions(), system.velocities());
+    }
+
+    /** Particles. */
+    public int nodeCount() {
+        return system.nodeCount();
+    }
+
+    /** Springs. */
+    public int edgeCount() {
+        return edges;
     }
 
     /** Does so many more steps. */
@@ -114,7 +136,7 @@ public final class BareWorkload implements AutoCloseable {
     }
 
     /**
-     * The whole of it: 200 steps that are checked, a warm-up, and seven timed runs.
+     * The whole of it: 200 steps that are checked, the machine measured, the kernel chosen, a warm-up, and seven timed runs.
      *
      * @param scene mesh, fixed and loaded vertices, links
      * @param settings numbers
@@ -124,6 +146,8 @@ public final class BareWorkload implements AutoCloseable {
             work.advance(CHECKED_STEPS);
             double dz = work.meanDz();
             String hash = work.stateSha256();
+            MachineFloor floor = MachineFloor.measure(work.system.nodeCount(), work.edges, settings.threads());
+            SpringKernel kernel = settings.kernel().orElseGet(work::useFastestKernel);
             work.advance(WARM_UP_STEPS);
             double[] rate = new double[RUNS];
             for (int run = 0; run < RUNS; run++) {
@@ -141,8 +165,9 @@ public final class BareWorkload implements AutoCloseable {
                     scene.links().length / 2,
                     settings.threads(),
                     settings.integrator().label(),
-                    KERNEL,
+                    kernel.label(),
                     dz,
+                    floor,
                     hash);
         }
     }

@@ -85,8 +85,11 @@ final class TissueMeasure implements SceneMeasure {
 
     @Override
     public void at(SceneView view, Frame frame, Map<String, Double> values) {
-        Surface s = view.surface(sheet);
-        double[] now = view.now(sheet);
+        of(view.surface(sheet), view.now(sheet), values);
+    }
+
+    /** The same of the sheet at rest and where its points are now, mm. */
+    void of(Surface s, double[] now, Map<String, Double> values) {
         double[] sum = new double[2];
         int[] count = new int[2];
         for (int e = 0; e < restLength.length; e++) {

@@ -37,8 +37,8 @@ final class Choosers {
     }
 
     /** Asks which file to read; empty if it was called off. */
-    static Optional<Path> open(Component parent, String title, String suffix) {
-        JFileChooser chooser = chooser(title, suffix);
+    static Optional<Path> open(Component parent, String title, String... suffixes) {
+        JFileChooser chooser = chooser(title, suffixes);
         if (chooser.showOpenDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
@@ -46,11 +46,12 @@ final class Choosers {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    private static JFileChooser chooser(String title, String suffix) {
+    private static JFileChooser chooser(String title, String... suffixes) {
         JFileChooser chooser =
                 new JFileChooser(WindowPreferences.ofUser().folder().toFile());
         chooser.setDialogTitle(title);
-        chooser.setFileFilter(new FileNameExtensionFilter(suffix.toUpperCase(Locale.ROOT) + " files", suffix));
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(String.join(", ", suffixes).toUpperCase(Locale.ROOT) + " files", suffixes));
         return chooser;
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.Look;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.simulation.Surface;
@@ -58,6 +59,7 @@ final class Looks {
     private final List<Runnable> listeners = new ArrayList<>();
     private List<Surface> surfaces = List.of();
     private SceneStyle style = SceneStyle.atlas(List.of());
+    private Optional<DistanceField> reference = Optional.empty();
 
     /** Told after every change. */
     void onChange(Runnable listener) {
@@ -66,6 +68,17 @@ final class Looks {
 
     SceneStyle style() {
         return style;
+    }
+
+    /** What distances are measured from; empty for nothing. */
+    Optional<DistanceField> reference() {
+        return reference;
+    }
+
+    /** Measures distances from a surface from now on. */
+    void measureFrom(DistanceField surface) {
+        reference = Optional.of(surface);
+        changed();
     }
 
     /** Groups that the scene has. */

@@ -4,36 +4,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.ExecutionException;
-import java.util.function.Consumer;
-import javax.swing.SwingWorker;
 import org.phrenic.format.BadInputException;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Scenario;
 
-/** Reads what was dropped or opened, off the event dispatch thread: a scenario, a thorax folder or a recorded trace. */
-final class Opening extends SwingWorker<Scenario, Void> {
-    private final Path file;
-    private final Scenario present;
-    private final Consumer<Scenario> whenRead;
-    private final Consumer<String> whenRefused;
-
-    /**
-     * @param present scenario into which a folder or a trace goes
-     * @param whenRead told the scenario that results, on the event dispatch thread
-     * @param whenRefused told in one sentence what is wrong with the file, on the event dispatch thread
-     */
-    Opening(Path file, Scenario present, Consumer<Scenario> whenRead, Consumer<String> whenRefused) {
-        this.file = file;
-        this.present = present;
-        this.whenRead = whenRead;
-        this.whenRefused = whenRefused;
-    }
-
-    @Override
-    protected Scenario doInBackground() {
-        return read(file, present);
-    }
+/** What was dropped or opened: a scenario, a thorax folder or a recorded trace. */
+final class Opening {
+    private Opening() {}
 
     /**
      * The scenario that a file makes of the present one.
@@ -58,17 +35,5 @@ final class Opening extends SwingWorker<Scenario, Void> {
         }
         throw new BadInputException(file
                 + ": found a file of another kind, expected a scenario (.yaml), a thorax folder or a trace (.csv)");
-    }
-
-    @Override
-    protected void done() {
-        try {
-            whenRead.accept(get());
-        } catch (ExecutionException e) {
-            Throwable cause = e.getCause();
-            whenRefused.accept(cause.getMessage() == null ? file + ": could not be read" : cause.getMessage());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
     }
 }

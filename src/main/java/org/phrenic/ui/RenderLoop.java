@@ -9,6 +9,8 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Camera;
+import org.phrenic.scene.ColourField;
+import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.GraphicsInfo;
 import org.phrenic.scene.NoGraphicsException;
 import org.phrenic.scene.OffscreenGl;
@@ -37,6 +39,9 @@ final class RenderLoop implements AutoCloseable {
         void impossible(String sentence);
     }
 
+    /** Of what the distances are that the renderer holds. */
+    private record Measured(long scene, long step, DistanceField from, String structure) {}
+
     private static final int MOST_PER_S = 60;
     private static final long LEAST_NS = 1_000_000_000L / MOST_PER_S;
     private static final long NEWS_NS = 5_000_000;
@@ -59,6 +64,7 @@ final class RenderLoop implements AutoCloseable {
     private Renderer renderer;
     private Picker picker;
     private Frame frame;
+    private Measured measured;
     private int scrubbed = -1;
     private long drawn;
     private long leastNs = LEAST_NS;
@@ -198,12 +204,24 @@ final class RenderLoop implements AutoCloseable {
             canvases.giveBack(canvas);
             return false;
         }
+        if (wanted.style().field() == ColourField.DISTANCE) {
+            wanted.distances().ifPresent(field -> measure(field, wanted.style().fieldOn()));
+        }
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
             renderer.read(context, canvas);
         });
         viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), renderer.cost()));
         return true;
+    }
+
+    /** Colours a structure by its distances, unless they are those of the last picture. */
+    private void measure(DistanceField field, String structure) {
+        Measured now = new Measured(scene.id(), frame.step(), field, structure);
+        if (!now.equals(measured)) {
+            field.colour(renderer, frame, structure);
+            measured = now;
+        }
     }
 
     private String moment(Wanted wanted) {

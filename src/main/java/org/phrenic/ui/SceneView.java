@@ -120,6 +120,7 @@ final class SceneView extends JPanel {
                 scene,
                 camera,
                 looks.style(),
+                looks.reference(),
                 (int) Math.round(getWidth() * scale),
                 (int) Math.round(getHeight() * scale),
                 session.scrubbed().orElse(-1));

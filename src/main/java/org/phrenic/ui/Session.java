@@ -154,7 +154,13 @@ public final class Session implements AutoCloseable {
 
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
     public void load(Path file) {
-        new Opening(file, scenario(), scenario -> open("Open " + file.getFileName(), scenario), this::refuse).execute();
+        Scenario present = scenario();
+        new Reading<>(
+                        file,
+                        () -> Opening.read(file, present),
+                        scenario -> open("Open " + file.getFileName(), scenario),
+                        this::refuse)
+                .execute();
     }
 
     /** Shows frame {@code index} of the history and stands still meanwhile. */

@@ -1,8 +1,11 @@
 package org.phrenic.ui;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -11,9 +14,11 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.format.MeshFiles;
 import org.phrenic.scene.ClipPlane;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.ColourScale;
+import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.SceneBounds;
 import org.phrenic.scene.StructureNames;
 import org.phrenic.scene.Transparency;
@@ -36,9 +41,16 @@ final class ShowDock extends DockBody {
         }
     }
 
+    private static final int STRAIN = 2;
+    private static final int DISTANCE = 3;
+
+    private final transient Session session;
     private final transient Looks looks;
-    private final JComboBox<String> field =
-            new JComboBox<>(new String[] {"No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label()});
+    private final transient Supplier<Optional<Path>> chooser;
+    private final JComboBox<String> field = new JComboBox<>(new String[] {
+        "No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label(), "Distance to a surface"
+    });
+    private final JButton reference = new JButton("Surface...");
     private final JComboBox<Coloured> structure = new JComboBox<>();
     private final JTextField least = new JTextField("0", 4);
     private final JTextField most = new JTextField("20", 4);
@@ -48,8 +60,17 @@ final class ShowDock extends DockBody {
     private transient double[] box = new double[6];
 
     ShowDock(Session session, Looks looks) {
+        this(session, looks, null);
+    }
+
+    /** @param chooser asks for the surface from which distances are measured; null for the usual dialogue */
+    ShowDock(Session session, Looks looks, Supplier<Optional<Path>> chooser) {
         super(new MigLayout("insets 6 8 8 8, gap 6 3, wrap 1, novisualpadding", "[grow, fill]", ""));
+        this.session = session;
         this.looks = looks;
+        this.chooser = chooser == null
+                ? () -> Choosers.open(this, "Surface to measure from", MeshFiles.READABLE.toArray(new String[0]))
+                : chooser;
         setName("show");
         heading("Over the surfaces");
         overlay(Overlay.Kind.SPRINGS, "Springs", "Springs between nodes");
@@ -67,6 +88,10 @@ final class ShowDock extends DockBody {
         add(named(structure, "Coloured structure"), "wmin 0");
         field.setToolTipText("What the colours show");
         add(named(field, "Colours show"), "wmin 0");
+        reference.setToolTipText(
+                "Surface from which distances are measured, such as the same organ in a scan (LPS, mm)");
+        reference.setVisible(false);
+        add(named(reference, "Surface to measure from"), "wmin 0, hidemode 3");
         JPanel range = new JPanel(new MigLayout("insets 0, gap 4", "[][grow, fill, 30::]0[]4[grow, fill, 30::][]", ""));
         least.setToolTipText("Value of the first colour");
         most.setToolTipText("Value of the last colour");
@@ -93,13 +118,8 @@ final class ShowDock extends DockBody {
 
     private void listen(Session session) {
         structure.addActionListener(e -> colour());
-        field.addActionListener(e -> {
-            boolean strain = field.getSelectedIndex() == 2;
-            least.setText(strain ? "-30" : "0");
-            most.setText(strain ? "30" : "20");
-            unit.setText(strain ? "%" : "mm");
-            colour();
-        });
+        field.addActionListener(e -> quantity());
+        reference.addActionListener(e -> chooser.get().ifPresent(this::measureFrom));
         least.addActionListener(e -> colour());
         most.addActionListener(e -> colour());
         axis.addActionListener(e -> clip());
@@ -143,6 +163,41 @@ final class ShowDock extends DockBody {
         }
     }
 
+    private void quantity() {
+        boolean strain = field.getSelectedIndex() == STRAIN;
+        least.setText(strain ? "-30" : "0");
+        most.setText(strain ? "30" : "20");
+        unit.setText(strain ? "%" : "mm");
+        boolean distance = field.getSelectedIndex() == DISTANCE;
+        reference.setVisible(distance);
+        if (distance && looks.reference().isEmpty()) {
+            chooser.get().ifPresentOrElse(this::measureFrom, () -> field.setSelectedIndex(0));
+        } else {
+            colour();
+        }
+    }
+
+    private void measureFrom(Path file) {
+        String before = reference.getText();
+        reference.setText("Reading " + file.getFileName());
+        new Reading<>(
+                        file,
+                        () -> new DistanceField(MeshFiles.read(file)),
+                        surface -> {
+                            reference.setText(file.getFileName() + "...");
+                            looks.measureFrom(surface);
+                            colour();
+                        },
+                        sentence -> {
+                            reference.setText(before);
+                            if (looks.reference().isEmpty()) {
+                                field.setSelectedIndex(0);
+                            }
+                            session.say(Session.Message.Kind.REFUSED, sentence);
+                        })
+                .execute();
+    }
+
     private void colour() {
         Coloured chosen = (Coloured) structure.getSelectedItem();
         if (chosen == null) {
@@ -151,7 +206,8 @@ final class ShowDock extends DockBody {
         ColourField what =
                 switch (field.getSelectedIndex()) {
                     case 1 -> ColourField.DISPLACEMENT;
-                    case 2 -> ColourField.STRAIN;
+                    case STRAIN -> ColourField.STRAIN;
+                    case DISTANCE -> looks.reference().isPresent() ? ColourField.DISTANCE : ColourField.NONE;
                     default -> ColourField.NONE;
                 };
         Optional<ColourScale> scale = scale(what);

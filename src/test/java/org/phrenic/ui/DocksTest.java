@@ -5,18 +5,23 @@ import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
+import javax.swing.JComboBox;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.breathing.BreathingPreset;
+import org.phrenic.format.MeshFiles;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.scene.ColourField;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Choice;
 import org.phrenic.simulation.Material;
@@ -306,5 +311,57 @@ class DocksTest {
         assertThat(row.hintText())
                 .startsWith("Runs with ")
                 .contains("because the time step 0.02 s is beyond the stability limit");
+    }
+
+    private static ShowDock showDock(Looks looks, Path file) {
+        ShowDock dock = new ShowDock(session, looks, () -> Optional.ofNullable(file));
+        session.scene().ifPresent(scene -> looks.scene(scene.surfaces()));
+        return dock;
+    }
+
+    @SuppressWarnings("unchecked")
+    private static JComboBox<String> colours(ShowDock dock) {
+        return WindowHarness.find(dock, JComboBox.class, "Colours show").orElseThrow();
+    }
+
+    @Test
+    void distancesAreMeasuredFromTheSurfaceThatIsChosen(@TempDir Path folder) {
+        Path scan = folder.resolve("scan.stl");
+        MeshFiles.write(scan, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0}, new int[] {0, 1, 2}));
+        Looks looks = on(Looks::new);
+        ShowDock dock = on(() -> showDock(looks, scan));
+        Edt.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        Edt.until("the surface is read", () -> looks.style().field() == ColourField.DISTANCE);
+        assertThat(looks.reference()).isPresent();
+        assertThat(looks.style().scale().unit()).isEqualTo("mm");
+    }
+
+    @Test
+    void aSurfaceThatCannotBeReadIsRefusedInOneSentenceAndNothingIsColoured(@TempDir Path folder) throws Exception {
+        Path broken = Files.writeString(folder.resolve("scan.stl"), "solid nothing");
+        List<String> told = new ArrayList<>();
+        Session.Events listener = new Session.Events() {
+            @Override
+            public void onMessage(Session.Message message) {
+                told.add(message.text());
+            }
+        };
+        Looks looks = on(Looks::new);
+        ShowDock dock = on(() -> showDock(looks, broken));
+        Edt.run(() -> session.listen(listener));
+        Edt.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        Edt.until("it is refused", () -> !told.isEmpty());
+        assertThat(told).singleElement().asString().contains("scan.stl");
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
+        assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
+        Edt.run(() -> session.forget(listener));
+    }
+
+    @Test
+    void whoChoosesNoSurfaceSeesNoColours() {
+        Looks looks = on(Looks::new);
+        ShowDock dock = on(() -> showDock(looks, null));
+        Edt.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
     }
 }

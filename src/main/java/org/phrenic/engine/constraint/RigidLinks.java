@@ -22,7 +22,7 @@ import org.phrenic.engine.Workers;
  * </ul>
  */
 public final class RigidLinks implements Constraint {
-    private static final int LINKS_A_PIECE = 256;
+    private static final int LINKS_A_PIECE = DisjointLinks.SIZE;
     /** Cosine of the turn in one step beyond which the old line no longer serves as direction. */
     private static final double TURN = 0.9;
     /** Relative length error left after the last sweep that says that links contradict each other. */
@@ -49,8 +49,9 @@ public final class RigidLinks implements Constraint {
     private int colourFrom;
     private int colourTo;
     private double worstLast;
-    private final Workers.Task task = this::piece;
+    private final Workers.Task task;
     private final Workers.Task velocityTask = this::velocityPiece;
+    private final ThreadLocal<DisjointLinks> batches = ThreadLocal.withInitial(DisjointLinks::new);
 
     private RigidLinks(
             NodeLayout layout,
@@ -100,6 +101,7 @@ public final class RigidLinks implements Constraint {
         this.maxSweeps = maxSweeps;
         this.asPublished = asPublished;
         this.pieceError = new double[n / LINKS_A_PIECE + 1];
+        this.task = asPublished && !inOrder ? this::disjointPiece : this::piece;
     }
 
     /**
@@ -296,6 +298,12 @@ public final class RigidLinks implements Constraint {
                         "after %d sweeps a rigid link is still off its length by %.0f %%",
                         sweepsLast,
                         100 * worstLast);
+    }
+
+    /** Exact after one pass: its error is not asked for. */
+    private void disjointPiece(int piece) {
+        int from = piece * LINKS_A_PIECE;
+        batches.get().project(system, step, nodeA, nodeB, length, from, Math.min(colourTo, from + LINKS_A_PIECE));
     }
 
     private void piece(int piece) {

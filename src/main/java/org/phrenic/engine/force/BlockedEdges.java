@@ -11,6 +11,9 @@ import org.phrenic.engine.NodeLayout;
 final class BlockedEdges {
     private static final int SWEEPS = 8;
 
+    /** Doubles in the widest vector of any processor in sight. */
+    private static final int WIDEST_VECTOR = 32;
+
     /** Edges as the caller listed them, in internal nodes. */
     final int[] nodeA;
 
@@ -156,10 +159,10 @@ final class BlockedEdges {
         return nodeA.length;
     }
 
-    /** One value an edge into one value an entry. */
+    /** One value an edge into one value an entry, with room behind the last for a whole vector. */
     double[] spread(double[] perEdge) {
-        double[] out = new double[edge.length];
-        for (int i = 0; i < out.length; i++) {
+        double[] out = new double[edge.length + WIDEST_VECTOR];
+        for (int i = 0; i < edge.length; i++) {
             out[i] = perEdge[edge[i]];
         }
         return out;

@@ -1,8 +1,8 @@
 package org.phrenic.engine.force;
 
 /**
- * One thread's room for a few hundred edges, and the passes that are made over them: differences between the ends are gathered, what needs a root and a quotient is
- * done in plain loops over consecutive numbers (which the just-in-time compiler turns into vector instructions, eight edges at a time), and forces are given to the ends.
+ * One thread's room for a few hundred edges, and the passes that are made over them: differences between the ends are gathered, an {@link EdgeMath} turns them into forces,
+ * and forces are given to the ends.
  *
  * <p>A star is three consecutive entries with the same first node, which is then read and written once for the three.
  */
@@ -27,7 +27,7 @@ final class EdgeBatch {
     /** Component c of entry i is at {@code i + c * SIZE}. */
     final double[] difference = new double[3 * SIZE];
 
-    /** Likewise; its first component becomes the rate of stretching over the length. */
+    /** Likewise for velocities; its first component may become the rate of stretching over the length. */
     final double[] rate = new double[3 * SIZE];
     /** 1/length. */
     final double[] inverse = new double[SIZE];
@@ -85,71 +85,6 @@ final class EdgeBatch {
             out[i] = u[b] - u[a];
             out[i + SIZE] = u[b + 1] - u[a + 1];
             out[i + 2 * SIZE] = u[b + 2] - u[a + 2];
-        }
-    }
-
-    /** inverse = 1 / |d|. Two loops: the compiler turns only short ones into vector instructions. */
-    static void inverseLengths(double[] d, double[] inverse, int count) {
-        for (int i = 0; i < count; i++) {
-            inverse[i] = d[i] * d[i] + d[i + SIZE] * d[i + SIZE] + d[i + 2 * SIZE] * d[i + 2 * SIZE];
-        }
-        for (int i = 0; i < count; i++) {
-            inverse[i] = 1 / Math.sqrt(inverse[i]);
-        }
-    }
-
-    /** rest -= activation share. */
-    static void contract(double[] rest, double[] share, double activation, int count) {
-        for (int i = 0; i < count; i++) {
-            rest[i] -= activation * share[i];
-        }
-    }
-
-    /** tension = k (1 - rest / length) with one k for all. */
-    static void tensions(double[] tension, double k, double[] rest, double[] inverse, int count) {
-        for (int i = 0; i < count; i++) {
-            tension[i] = k * (1 - rest[i] * inverse[i]);
-        }
-    }
-
-    /** tension = k (1 - rest / length) with a k each. */
-    static void tensions(double[] tension, double[] k, double[] rest, double[] inverse, int count) {
-        for (int i = 0; i < count; i++) {
-            tension[i] = k[i] * (1 - rest[i] * inverse[i]);
-        }
-    }
-
-    /** The first component of u becomes (u·d) / |d|²: the rate of stretching over the length. */
-    static void stretchRates(double[] u, double[] d, double[] inverse, int count) {
-        for (int i = 0; i < count; i++) {
-            u[i] = u[i] * d[i] + u[i + SIZE] * d[i + SIZE] + u[i + 2 * SIZE] * d[i + 2 * SIZE];
-        }
-        for (int i = 0; i < count; i++) {
-            u[i] *= inverse[i] * inverse[i];
-        }
-    }
-
-    /** tension += c rate with one c for all. */
-    static void dampen(double[] tension, double c, double[] rate, int count) {
-        for (int i = 0; i < count; i++) {
-            tension[i] += c * rate[i];
-        }
-    }
-
-    /** tension += c rate with a c each. */
-    static void dampen(double[] tension, double[] c, double[] rate, int count) {
-        for (int i = 0; i < count; i++) {
-            tension[i] += c[i] * rate[i];
-        }
-    }
-
-    /** d becomes tension d, the force on the first end. */
-    static void forces(double[] d, double[] tension, int count) {
-        for (int i = 0; i < count; i++) {
-            double t = tension[i];
-            d[i] *= t;
-            d[i + SIZE] *= t;
-            d[i + 2 * SIZE] *= t;
         }
     }
 

@@ -16,42 +16,61 @@ public final class Springs implements ForceField {
     private final double[] stiffness;
     private final double[] rest;
     private final double[] share;
-    private final double[] damping;
-    private final double[] entryStiffness;
-    private final double[] entryRest;
-    private final double[] entryShareRest;
-    private final double[] entryDamping;
-    private final EdgeBatch.Pass[] starPasses;
-    private final EdgeBatch.Pass[] loosePasses;
-    private final EdgeBatch.Pass[] outerPasses;
+    private final EdgeConstants constants;
     private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
-    private double activation;
-    /** Whether all springs have one stiffness: then it is read once a batch. */
-    private boolean oneStiffness;
+    private EdgeBatch.Pass[] starPasses;
+    private EdgeBatch.Pass[] loosePasses;
+    private EdgeBatch.Pass[] outerPasses;
 
     private Springs(Builder b) {
         edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
         stiffness = b.stiffness;
         rest = b.rest;
         share = b.share;
-        damping = b.damping;
-        entryStiffness = edges.spread(stiffness);
-        entryRest = edges.spread(rest);
-        entryDamping = damping == null ? null : edges.spread(damping);
-        if (share == null) {
-            entryShareRest = null;
-        } else {
-            entryShareRest = edges.spread(share);
-            for (int i = 0; i < entryShareRest.length; i++) {
-                entryShareRest[i] *= entryRest[i];
+        double[] entryRest = edges.spread(rest);
+        double[] shortening = null;
+        if (share != null) {
+            shortening = edges.spread(share);
+            for (int i = 0; i < shortening.length; i++) {
+                shortening[i] *= entryRest[i];
             }
         }
-        oneStiffness = uniform(stiffness);
+        constants = new EdgeConstants(edges.spread(stiffness), entryRest, shortening, b.damping);
+        constants.oneStiffness = uniform(stiffness);
+        setKernel(SpringKernel.LOOPS);
+    }
+
+    /**
+     * Computes forces in another way from now on, with the same bits.
+     *
+     * @throws IllegalStateException if the kernel cannot run here
+     */
+    public void setKernel(SpringKernel kernel) {
+        EdgeMath math = kernel.math();
         int[] own = edges.own;
         int[] other = edges.other;
-        starPasses = passes(true, (t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
-        loosePasses = passes(false, (t, from, n) -> EdgeBatch.giveToBoth(own, other, t.difference, t.force, from, n));
-        outerPasses = passes(false, (t, from, n) -> EdgeBatch.giveToOwn(own, t.difference, t.force, from, n));
+        starPasses =
+                passes(math, true, (t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
+        loosePasses =
+                passes(math, false, (t, from, n) -> EdgeBatch.giveToBoth(own, other, t.difference, t.force, from, n));
+        outerPasses = passes(math, false, (t, from, n) -> EdgeBatch.giveToOwn(own, t.difference, t.force, from, n));
+    }
+
+    /**
+     * Uses the kernel that is fastest here from now on, by a measurement of about a quarter of a second on the caller's thread (none where there is only one); the bits do not depend on it.
+     *
+     * @param x positions, mm, internal order; not written to
+     * @param v velocities, mm/s, likewise
+     * @return the kernel
+     */
+    public SpringKernel useFastestKernel(double[] x, double[] v) {
+        double[] force = new double[x.length];
+        int blocks = edges.outerStart.length;
+        return KernelChoice.fastest(this, () -> {
+            for (int block = 0; block < blocks; block++) {
+                addForces(x, v, force, block);
+            }
+        });
     }
 
     /**
@@ -67,11 +86,11 @@ public final class Springs implements ForceField {
 
     /** Sets the activation a; 0 is passive. */
     public void setActivation(double value) {
-        activation = value;
+        constants.activation = value;
     }
 
     public double activation() {
-        return activation;
+        return constants.activation;
     }
 
     public int count() {
@@ -95,8 +114,8 @@ public final class Springs implements ForceField {
         for (int e = 0; e < stiffness.length; e++) {
             stiffness[e] *= factor;
         }
-        for (int i = 0; i < entryStiffness.length; i++) {
-            entryStiffness[i] *= factor;
+        for (int i = 0; i < constants.stiffness.length; i++) {
+            constants.stiffness[i] *= factor;
         }
     }
 
@@ -112,18 +131,18 @@ public final class Springs implements ForceField {
         System.arraycopy(length, 0, rest, 0, rest.length);
         int[] edge = edges.edge;
         for (int i = 0; i < edge.length; i++) {
-            entryStiffness[i] = k[edge[i]];
-            entryRest[i] = length[edge[i]];
+            constants.stiffness[i] = k[edge[i]];
+            constants.rest[i] = length[edge[i]];
         }
-        if (entryShareRest != null) {
+        if (constants.shortening != null) {
             for (int i = 0; i < edge.length; i++) {
-                entryShareRest[i] = shortening[edge[i]];
+                constants.shortening[i] = shortening[edge[i]];
             }
             for (int e = 0; e < share.length; e++) {
                 share[e] = length[e] == 0 ? 0 : shortening[e] / length[e];
             }
         }
-        oneStiffness = uniform(stiffness);
+        constants.oneStiffness = uniform(stiffness);
     }
 
     /** Ends of each spring in the caller's numbering: two a spring. */
@@ -161,7 +180,7 @@ public final class Springs implements ForceField {
         batch.run(outerPasses, edges.outerStart[block], edges.innerStart[block + 1]);
     }
 
-    private EdgeBatch.Pass[] passes(boolean stars, EdgeBatch.Pass give) {
+    private EdgeBatch.Pass[] passes(EdgeMath math, boolean stars, EdgeBatch.Pass give) {
         int[] own = edges.own;
         int[] other = edges.other;
         List<EdgeBatch.Pass> passes = new ArrayList<>();
@@ -169,48 +188,15 @@ public final class Springs implements ForceField {
                 stars
                         ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n)
                         : (t, from, n) -> EdgeBatch.differences(own, other, t.x, t.difference, from, n));
-        passes.add((t, from, n) -> EdgeBatch.inverseLengths(t.difference, t.inverse, n));
-        passes.add((t, from, n) -> System.arraycopy(entryRest, from, t.rest, 0, n));
-        if (entryShareRest != null) {
-            passes.add(this::contract);
-        }
-        passes.add(this::tension);
-        if (entryDamping != null) {
+        if (dependsOnVelocity()) {
             passes.add(
                     stars
                             ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.v, t.rate, from, n)
                             : (t, from, n) -> EdgeBatch.differences(own, other, t.v, t.rate, from, n));
-            passes.add((t, from, n) -> EdgeBatch.stretchRates(t.rate, t.difference, t.inverse, n));
-            passes.add(uniform(damping) ? this::uniformDamping : this::damping);
         }
-        passes.add((t, from, n) -> EdgeBatch.forces(t.difference, t.tension, n));
+        passes.addAll(math.passes(constants));
         passes.add(give);
         return passes.toArray(EdgeBatch.Pass[]::new);
-    }
-
-    private void contract(EdgeBatch t, int from, int count) {
-        if (activation != 0) {
-            System.arraycopy(entryShareRest, from, t.constant, 0, count);
-            EdgeBatch.contract(t.rest, t.constant, activation, count);
-        }
-    }
-
-    private void tension(EdgeBatch t, int from, int count) {
-        if (oneStiffness) {
-            EdgeBatch.tensions(t.tension, entryStiffness[from], t.rest, t.inverse, count);
-            return;
-        }
-        System.arraycopy(entryStiffness, from, t.constant, 0, count);
-        EdgeBatch.tensions(t.tension, t.constant, t.rest, t.inverse, count);
-    }
-
-    private void uniformDamping(EdgeBatch t, int from, int count) {
-        EdgeBatch.dampen(t.tension, entryDamping[from], t.rate, count);
-    }
-
-    private void damping(EdgeBatch t, int from, int count) {
-        System.arraycopy(entryDamping, from, t.constant, 0, count);
-        EdgeBatch.dampen(t.tension, t.constant, t.rate, count);
     }
 
     private static boolean uniform(double[] values) {
@@ -226,7 +212,7 @@ public final class Springs implements ForceField {
     public double potentialEnergy(double[] x) {
         double sum = 0;
         for (int e = 0; e < edges.count(); e++) {
-            double stretch = length(x, e) - rest[e] * (1 - (share == null ? 0 : activation * share[e]));
+            double stretch = length(x, e) - rest[e] * (1 - (share == null ? 0 : constants.activation * share[e]));
             sum += 0.5 * stiffness[e] * stretch * stretch;
         }
         return sum;
@@ -244,6 +230,10 @@ public final class Springs implements ForceField {
     /** Exact along the edge; across it the tension's share is kept only where it pulls, so that K stays positive semidefinite. */
     @Override
     public void addStiffness(double[] x, double[] u, double[] out, int block) {
+        double[] restLengths = constants.rest;
+        double[] shortening = constants.shortening;
+        double[] k = constants.stiffness;
+        double activation = constants.activation;
         int outer = edges.outerStart[block];
         int end = edges.innerStart[block + 1];
         for (int i = edges.innerStart[block]; i < end; i++) {
@@ -256,9 +246,9 @@ public final class Springs implements ForceField {
             double ux = u[b] - u[a];
             double uy = u[b + 1] - u[a + 1];
             double uz = u[b + 2] - u[a + 2];
-            double l = entryRest[i] - (entryShareRest == null ? 0 : activation * entryShareRest[i]);
-            double across = Math.max(0, entryStiffness[i] * (1 - l / Math.sqrt(squared)));
-            double along = (entryStiffness[i] - across) * (ux * dx + uy * dy + uz * dz) / squared;
+            double l = restLengths[i] - (shortening == null ? 0 : activation * shortening[i]);
+            double across = Math.max(0, k[i] * (1 - l / Math.sqrt(squared)));
+            double along = (k[i] - across) * (ux * dx + uy * dy + uz * dz) / squared;
             double fx = along * dx + across * ux;
             double fy = along * dy + across * uy;
             double fz = along * dz + across * uz;
@@ -278,16 +268,14 @@ public final class Springs implements ForceField {
         for (int e = 0; e < edges.count(); e++) {
             stiffnessSum[edges.nodeA[e]] += 2 * stiffness[e];
             stiffnessSum[edges.nodeB[e]] += 2 * stiffness[e];
-            if (damping != null) {
-                dampingSum[edges.nodeA[e]] += 2 * damping[e];
-                dampingSum[edges.nodeB[e]] += 2 * damping[e];
-            }
+            dampingSum[edges.nodeA[e]] += 2 * constants.damping;
+            dampingSum[edges.nodeB[e]] += 2 * constants.damping;
         }
     }
 
     @Override
     public boolean dependsOnVelocity() {
-        return damping != null;
+        return constants.damping != 0;
     }
 
     /** What springs are made of. */
@@ -298,7 +286,7 @@ public final class Springs implements ForceField {
         private double[] stiffness;
         private double[] rest;
         private double[] share;
-        private double[] damping;
+        private double damping;
 
         private Builder(NodeLayout layout, int[] nodeA, int[] nodeB) {
             this.layout = layout;
@@ -321,11 +309,7 @@ public final class Springs implements ForceField {
 
         /** One dashpot for all, N s/m; 0 for none. */
         public Builder damping(double c) {
-            damping = null;
-            if (c != 0) {
-                damping = new double[nodeA.length];
-                Arrays.fill(damping, c);
-            }
+            damping = c;
             return this;
         }
 
@@ -369,8 +353,9 @@ public final class Springs implements ForceField {
         public Springs build() {
             check("stiffness", stiffness, "N/m");
             check("rest length", rest, "mm");
-            if (damping != null) {
-                check("damping", damping, "N s/m");
+            if (!(damping >= 0) || Double.isInfinite(damping)) {
+                throw new IllegalArgumentException(
+                        "damping of springs: found " + damping + " N s/m, expected 0 or more");
             }
             if (share != null) {
                 check("contractile share", share, "");

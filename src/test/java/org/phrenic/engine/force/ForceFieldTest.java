@@ -285,7 +285,7 @@ class ForceFieldTest {
                             .restAt(x)
                             .damping(bad)
                             .build(),
-                    "damping of spring 0",
+                    "damping of springs",
                     found);
             refused(
                     () -> Springs.between(LAYOUT, a, b)

@@ -1,0 +1,7 @@
+package org.phrenic.patient;
+
+/** Told how far an import is; by any thread, one at a time. */
+public interface ImportProgress {
+    /** So many of all structures are meshed, the last of them this. */
+    void done(int count, int total, String structure);
+}

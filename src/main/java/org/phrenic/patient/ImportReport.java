@@ -1,0 +1,62 @@
+package org.phrenic.patient;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.phrenic.geometry.DistanceSummary;
+import org.phrenic.geometry.LabelGrid;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshQuality;
+
+/** What was built from a volume, from what and how well, as keys and values. */
+public final class ImportReport {
+    private ImportReport() {}
+
+    /** @param file the volume as the user named it */
+    public static Map<String, Object> of(String file, LabelGrid grid, FittedBody body) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("volume", file);
+        values.put("voxels", List.of(grid.columns(), grid.rows(), grid.slices()));
+        values.put("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)));
+        List<Map<String, Object>> rows = new ArrayList<>();
+        body.organs().forEach(organ -> rows.add(row(organ)));
+        values.put("structures", rows);
+        values.put("missing", body.missing());
+        values.put("can_breathe", body.canBreathe());
+        values.put("notes", body.notes());
+        return values;
+    }
+
+    private static Map<String, Object> row(Organ organ) {
+        Map<String, Object> row = new LinkedHashMap<>();
+        row.put("structure", organ.structure().name());
+        row.put("source", organ.source().name().toLowerCase(Locale.ROOT));
+        row.put("mesh_volume_ml", MeshMeasure.signedVolume(organ.structure().mesh()) / 1000);
+        organ.scan().ifPresent(scan -> {
+            row.put("labels", scan.labels());
+            row.put("voxels", scan.voxels());
+            row.put("label_volume_ml", scan.volumeMl());
+            row.put("cut_at", scan.cutAt());
+            row.put("label_surface_vertices", scan.meshed().labelNodes());
+            row.put("decimated_vertices", scan.meshed().decimatedNodes());
+            row.put("last_pass_band", scan.meshed().lastPassBand());
+            DistanceSummary off = scan.meshed().offLabel();
+            row.put("off_label_mean_mm", off.mean());
+            row.put("off_label_percentile_95_mm", off.percentile95());
+            row.put("off_label_maximum_mm", off.maximum());
+        });
+        organ.offScan().ifPresent(off -> {
+            row.put("fit_off_scan_mean_mm", off.mean());
+            row.put("fit_off_scan_percentile_95_mm", off.percentile95());
+        });
+        MeshQuality quality = MeshQuality.of(organ.structure().mesh());
+        row.put("vertices", quality.vertices());
+        row.put("triangles", quality.triangles());
+        row.put("smallest_angle_deg", quality.smallestAngleDeg());
+        row.put("mean_edge_mm", quality.meanEdgeMm());
+        row.put("edge_ratio", Double.isFinite(quality.edgeRatio()) ? quality.edgeRatio() : null);
+        return row;
+    }
+}

@@ -1,0 +1,128 @@
+package org.phrenic.patient;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.CsvTable;
+import org.phrenic.format.LabelVolume;
+
+/**
+ * Which structure each label of a volume is. Several labels may be one structure, as the lobes are a lung.
+ *
+ * @param structures name of a structure by label: one that a thorax folder knows, {@link #LUNGS} or {@link #COSTAL_CARTILAGES}
+ */
+public record LabelMap(Map<Integer, String> structures) {
+    /** Both lungs under one label; they are told apart. */
+    public static final String LUNGS = "lungs";
+    /** All costal cartilages under one label; they are told apart by the ribs they begin at. */
+    public static final String COSTAL_CARTILAGES = "costal_cartilages";
+    /** The built-in table: label numbers and names of TotalSegmentator's task {@code total} (Wasserthal et al. 2023, doi 10.1148/ryai.230024). */
+    public static final String TOTALSEGMENTATOR = "totalsegmentator";
+
+    private static final String SHIPPED = "/org/phrenic/data/labels/totalsegmentator.csv";
+
+    public LabelMap {
+        structures = Collections.unmodifiableMap(new TreeMap<>(structures));
+    }
+
+    /**
+     * The table of a file with the columns {@code label} or {@code name} (as the volume names it) and {@code structure}; with both, names count where the volume has any.
+     *
+     * @throws BadInputException if it cannot be read, or a structure is none that can be built
+     */
+    public static LabelMap read(Path file, LabelVolume volume) {
+        return of(file.toString(), CsvTable.read(file), volume);
+    }
+
+    /** TotalSegmentator's labels. */
+    public static LabelMap totalSegmentator(LabelVolume volume) {
+        return of("totalsegmentator.csv", shipped(), volume);
+    }
+
+    /**
+     * The volume's own names: those that a thorax folder knows, and TotalSegmentator's.
+     *
+     * @throws BadInputException if it has none of them
+     */
+    public static LabelMap named(String file, LabelVolume volume) {
+        CsvTable table = shipped();
+        Map<String, String> known = new TreeMap<>();
+        List<String> names = table.texts("name");
+        for (int row = 0; row < names.size(); row++) {
+            known.put(names.get(row), table.texts("structure").get(row));
+        }
+        Map<Integer, String> structures = new TreeMap<>();
+        volume.names().forEach((label, name) -> {
+            if (isStructure(name)) {
+                structures.put(label, name);
+            } else if (known.containsKey(name)) {
+                structures.put(label, known.get(name));
+            }
+        });
+        if (structures.isEmpty()) {
+            throw new BadInputException(file + ": found "
+                    + (volume.names().isEmpty() ? "no names of labels" : "no name of a structure among its labels")
+                    + ", expected --labels with a table, or --labels " + TOTALSEGMENTATOR);
+        }
+        return new LabelMap(structures);
+    }
+
+    private static CsvTable shipped() {
+        try (InputStream in = LabelMap.class.getResourceAsStream(SHIPPED)) {
+            if (in == null) {
+                throw new IllegalStateException("the table of labels is missing from the program");
+            }
+            return CsvTable.parse("totalsegmentator.csv", new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static LabelMap of(String file, CsvTable table, LabelVolume volume) {
+        List<String> structures = table.texts("structure");
+        boolean byName = table.has("name") && !(volume.names().isEmpty() && table.has("label"));
+        Map<Integer, String> map = new TreeMap<>();
+        for (int row = 0; row < structures.size(); row++) {
+            String structure = structures.get(row);
+            if (!isStructure(structure)) {
+                throw table.bad(
+                        row,
+                        "structure",
+                        "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, " + LUNGS
+                                + " or " + COSTAL_CARTILAGES);
+            }
+            if (byName) {
+                String name = table.texts("name").get(row);
+                volume.names().forEach((label, given) -> {
+                    if (given.equals(name)) {
+                        map.put(label, structure);
+                    }
+                });
+            } else {
+                double label = table.numbers("label")[row];
+                if (label != (int) label || label < 1) {
+                    throw table.bad(row, "label", "found " + label + ", expected a whole number from 1");
+                }
+                map.put((int) label, structure);
+            }
+        }
+        if (map.isEmpty()) {
+            throw new BadInputException(file + ": found no row for a label of the volume, expected some");
+        }
+        return new LabelMap(map);
+    }
+
+    private static boolean isStructure(String name) {
+        return name.equals(LUNGS)
+                || name.equals(COSTAL_CARTILAGES)
+                || StructureName.parse(name).isPresent();
+    }
+}

@@ -1,0 +1,77 @@
+package org.phrenic.patient;
+
+import java.util.Optional;
+
+/**
+ * Tells two lungs under one label apart. Where they touch, the label is worn away from its surface, step by step, until two large pieces are left; these grow back together, each voxel going to the nearer
+ * one. The piece farther to the patient's right is the right lung.
+ */
+final class LungSplitter {
+    /** The smaller lung has at least this share of the larger: a left lung has 0.85 of a right one. */
+    private static final double LEAST_SHARE = 0.3;
+
+    private static final int MOST_STEPS = 60;
+
+    private LungSplitter() {}
+
+    /** Replaces the part of both lungs by one each; a sentence if they cannot be told apart. */
+    static Optional<String> split(Parts parts) {
+        int both = parts.find(LabelMap.LUNGS);
+        VoxelFlood flood = new VoxelFlood(parts, both);
+        int[] depth = flood.depth();
+        int[] piece = new int[depth.length];
+        for (int worn = 0; worn < MOST_STEPS; worn++) {
+            int[] sizes = flood.pieces(depth, worn, piece);
+            int first = largest(sizes, 0);
+            int second = largest(sizes, first);
+            if (second > 0 && sizes[second] > LEAST_SHARE * sizes[first]) {
+                divide(parts, flood, both, piece, first, second);
+                return Optional.empty();
+            }
+            if (first == 0) {
+                break;
+            }
+        }
+        return Optional.of(
+                LabelMap.LUNGS
+                        + ": found one body that does not part into two, expected both lungs (or label one as lung_R or lung_L)");
+    }
+
+    private static int largest(int[] sizes, int but) {
+        int largest = 0;
+        for (int p = 1; p < sizes.length; p++) {
+            if (p != but && sizes[p] > sizes[largest]) {
+                largest = p;
+            }
+        }
+        return largest;
+    }
+
+    private static void divide(Parts parts, VoxelFlood flood, int both, int[] piece, int first, int second) {
+        double[] x = new double[2];
+        double[] count = new double[2];
+        for (int v = 0; v < piece.length; v++) {
+            int which = piece[v] == first ? 0 : piece[v] == second ? 1 : -1;
+            if (which >= 0) {
+                x[which] += parts.place(v, 0);
+                count[which]++;
+            } else {
+                piece[v] = 0;
+            }
+        }
+        flood.spread(piece);
+        // x runs to the patient's left.
+        boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
+        byte right = (byte) parts.part("lung_R");
+        byte left = (byte) parts.part("lung_L");
+        for (int v = 0; v < piece.length; v++) {
+            if (parts.voxels[v] == both) {
+                boolean isFirst = piece[v] == first;
+                // Specks that no path joins to a lung are left out.
+                parts.voxels[v] = piece[v] == 0 ? 0 : isFirst == firstIsRight ? right : left;
+            }
+        }
+        parts.inherit("lung_R", LabelMap.LUNGS);
+        parts.inherit("lung_L", LabelMap.LUNGS);
+    }
+}

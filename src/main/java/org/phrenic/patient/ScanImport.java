@@ -1,0 +1,164 @@
+package org.phrenic.patient;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.LabelVolume;
+import org.phrenic.geometry.LabelGrid;
+
+/** Meshes every structure that a volume of labels holds. */
+public final class ScanImport {
+    /** Edge of the triangles of soft organs: their surfaces are large and smooth. */
+    private static final double ORGAN_EDGE_MM = 4;
+    /** Edge of those of bones, which are thin. */
+    private static final double BONE_EDGE_MM = 2.5;
+
+    private static final Map<StructureKind, Double> EDGES_MM = new EnumMap<>(Map.of(
+            StructureKind.LUNG, ORGAN_EDGE_MM,
+            StructureKind.LIVER, ORGAN_EDGE_MM,
+            StructureKind.DIAPHRAGM, ORGAN_EDGE_MM,
+            StructureKind.SKIN, 2 * ORGAN_EDGE_MM));
+    private static final double MM3_PER_ML = 1000;
+    /** Pieces of less than this share of a structure are not worth a sentence. */
+    private static final double LITTLE = 0.02;
+    /** The heart takes room from the left lung. */
+    private static final double LARGER_LEFT = 1.1;
+    /** A structure of fewer voxels has no shape. */
+    private static final int LEAST_VOXELS = 30;
+
+    private final LabelVolume volume;
+    private final String file;
+    private final MeshingSteps steps;
+    private final Optional<Double> edgeMm;
+    private final ImportProgress progress;
+    private final List<String> notes;
+
+    /**
+     * @param file to name in sentences
+     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft organs, 2.5 mm on bones and 8 mm on skin, or the voxel's size if that is larger
+     */
+    public ScanImport(
+            LabelVolume volume, String file, MeshingSteps steps, Optional<Double> edgeMm, ImportProgress progress) {
+        this.volume = volume;
+        this.file = file;
+        this.steps = steps;
+        this.edgeMm = edgeMm;
+        this.progress = progress;
+        notes = new ArrayList<>(volume.notes());
+    }
+
+    /**
+     * The structures of the map that the volume has.
+     *
+     * @param name what to call the body
+     * @throws BadInputException if it has none
+     */
+    public FittedBody run(LabelMap map, String name) {
+        Parts parts = Parts.of(volume, map, file);
+        if (parts.find(LabelMap.LUNGS) > 0) {
+            LungSplitter.split(parts).ifPresent(problem -> {
+                throw new BadInputException(file + ": " + problem);
+            });
+        }
+        if (parts.find(LabelMap.COSTAL_CARTILAGES) > 0) {
+            CartilageSplitter.split(parts).ifPresent(notes::add);
+        }
+        LabelGrid grid = parts.grid();
+        int[] counts = parts.counts();
+        List<String> built = new ArrayList<>();
+        int[] partNumbers = new int[counts.length];
+        for (int part = 1; part < counts.length; part++) {
+            String structure = parts.names().get(part - 1);
+            if (counts[part] >= LEAST_VOXELS) {
+                partNumbers[part] = part;
+                built.add(structure);
+            } else if (counts[part] > 0) {
+                notes.add(structure + ": left out, it has " + counts[part] + " voxels");
+            }
+        }
+        if (built.isEmpty()) {
+            throw new BadInputException(
+                    file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
+        }
+        PartMesher mesher = new PartMesher(grid, partNumbers, steps);
+        AtomicInteger done = new AtomicInteger();
+        List<Organ> organs = IntStream.range(0, built.size())
+                .parallel()
+                .mapToObj(i -> {
+                    Organ organ = organ(built.get(i), parts, counts, grid, mesher);
+                    synchronized (done) {
+                        progress.done(done.incrementAndGet(), built.size(), built.get(i));
+                    }
+                    return organ;
+                })
+                .sorted((a, b) -> a.structure().name().compareTo(b.structure().name()))
+                .toList();
+        note(organs);
+        return new FittedBody(name, organs, ThoraxList.missing(organs), notes);
+    }
+
+    private Organ organ(String structure, Parts parts, int[] counts, LabelGrid grid, PartMesher mesher) {
+        StructureName known = StructureName.parse(structure).orElseThrow();
+        int part = parts.find(structure);
+        double voxelMm = Math.cbrt(grid.voxelVolume());
+        double edge = edgeMm.orElse(Math.max(voxelMm, EDGES_MM.getOrDefault(known.kind(), BONE_EDGE_MM)));
+        MeshedPart meshed = mesher.mesh(part, edge);
+        return Organ.ofScan(
+                new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
+                new Organ.Scan(
+                        parts.labels(structure),
+                        counts[part],
+                        counts[part] * grid.voxelVolume() / MM3_PER_ML,
+                        parts.cutAt(structure),
+                        meshed));
+    }
+
+    /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */
+    private void note(List<Organ> organs) {
+        List<String> cut = new ArrayList<>();
+        for (Organ organ : organs) {
+            Organ.Scan scan = organ.scan().orElseThrow();
+            String name = organ.structure().name();
+            if (!scan.isWhole()) {
+                cut.add(name + " (" + scan.cutAt() + ")");
+            }
+            if (scan.meshed().leftOutMm3() > LITTLE * MM3_PER_ML * scan.volumeMl()) {
+                notes.add(String.format(
+                        Locale.ROOT,
+                        "%s: of %d pieces the largest was taken, %.1f ml left out",
+                        name,
+                        scan.meshed().shells(),
+                        scan.meshed().leftOutMm3() / MM3_PER_ML));
+            }
+        }
+        if (!cut.isEmpty()) {
+            notes.add("cut off by the end of the scan, at the side in brackets, and closed flat there: "
+                    + String.join(", ", cut));
+        }
+        double right = lungMl(organs, "lung_R");
+        double left = lungMl(organs, "lung_L");
+        if (right > 0 && left > LARGER_LEFT * right) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly, see --axes",
+                    left,
+                    right));
+        }
+    }
+
+    private static double lungMl(List<Organ> organs, String name) {
+        return organs.stream()
+                .filter(o -> o.structure().name().equals(name))
+                .mapToDouble(o -> o.scan().orElseThrow().volumeMl())
+                .sum();
+    }
+}

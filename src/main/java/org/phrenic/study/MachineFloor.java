@@ -1,0 +1,83 @@
+package org.phrenic.study;
+
+import java.util.Arrays;
+import org.phrenic.engine.Workers;
+
+/**
+ * What a machine could do at most of the bare workload, from two measurements of it: a step takes one root and one quotient a spring, and touches each node's position and velocity
+ * (read and written) and each spring's two ends and rest length (read) at least once. With both perfectly overlapped
+ *
+ * <pre>
+ * steps/s = 1 / max(edges / rootsPerSecond, bytes / bytesPerSecond)
+ * </pre>
+ *
+ * <p>What a real step needs besides (differences gathered from scattered nodes, forces given back to them) counts for nothing here, so no program reaches it.
+ *
+ * @param rootsPerSecond 1/sqrt(x) of doubles in the first-level cache, all threads together
+ * @param bytesPerSecond read and written, over arrays together as large as what a step touches, all threads together
+ * @param stepsPerSecond the bound
+ */
+public record MachineFloor(double rootsPerSecond, double bytesPerSecond, double stepsPerSecond) {
+    /** Position and velocity, read and written: 2 x 2 x 3 doubles. */
+    private static final int BYTES_A_NODE = 96;
+    /** Two indices and a rest length. */
+    private static final int BYTES_AN_EDGE = 16;
+
+    private static final int ROOTS = 1024;
+    private static final int REPEATS = 16;
+    private static final long ROUNDS_NANOS = 100_000_000;
+
+    /**
+     * Measures the machine: about a fifth of a second.
+     *
+     * @param nodes particles
+     * @param edges springs
+     * @param threads that share the work
+     */
+    public static MachineFloor measure(int nodes, int edges, int threads) {
+        double bytes = (double) BYTES_A_NODE * nodes + (double) BYTES_AN_EDGE * edges;
+        try (Workers workers = Workers.of(threads)) {
+            double[][] small = new double[2 * threads][ROOTS];
+            for (double[] values : small) {
+                Arrays.fill(values, 2);
+            }
+            double roots = threads
+                    * (double) ROOTS
+                    * REPEATS
+                    / best(workers, thread -> {
+                        for (int i = 0; i < REPEATS; i++) {
+                            roots(small[2 * thread], small[2 * thread + 1]);
+                        }
+                    });
+            double[][] large = new double[2 * threads][(int) (bytes / (2.0 * Double.BYTES * threads)) + 1];
+            double speed = bytes / best(workers, thread -> scale(large[2 * thread], large[2 * thread + 1]));
+            return new MachineFloor(roots, speed, 1 / Math.max(edges / roots, bytes / speed));
+        }
+    }
+
+    /** Least time of a round on all threads, s: what disturbs only makes it longer. */
+    private static double best(Workers workers, Workers.Task task) {
+        double least = Double.POSITIVE_INFINITY;
+        long end = System.nanoTime() + ROUNDS_NANOS;
+        long before = System.nanoTime();
+        do {
+            workers.run(workers.count(), task);
+            long now = System.nanoTime();
+            least = Math.min(least, (now - before) * 1e-9);
+            before = now;
+        } while (before < end);
+        return least;
+    }
+
+    private static void roots(double[] in, double[] out) {
+        for (int i = 0; i < ROOTS; i++) {
+            out[i] = 1 / Math.sqrt(in[i]);
+        }
+    }
+
+    private static void scale(double[] in, double[] out) {
+        for (int i = 0; i < in.length; i++) {
+            out[i] = 3 * in[i];
+        }
+    }
+}
