@@ -160,7 +160,7 @@ public final class ErrorPicture {
             if (p.percent * APART < named) {
                 XYTextAnnotation text = new XYTextAnnotation(p.label + "   ", p.cpuS, p.percent);
                 text.setFont(font(Font.PLAIN, 12));
-                text.setTextAnchor(TextAnchor.CENTER_RIGHT);
+                text.setTextAnchor(TextAnchor.TOP_RIGHT);
                 text.setPaint(new Color(0x30363c));
                 plot.addAnnotation(text);
                 named = p.percent;
