@@ -45,7 +45,7 @@ final class DecadeAxis extends LogAxis {
             for (int digit = 1; digit < 10; digit++) {
                 double value = digit * Math.pow(10, decade);
                 if (value >= low / SLACK && value <= high * SLACK) {
-                    boolean named = digit == 1 || !many && (digit == 2 || digit == 5);
+                    boolean named = digit == 1 || (!many && (digit == 2 || digit == 5));
                     ticks.add(new NumberTick(
                             named ? TickType.MAJOR : TickType.MINOR,
                             value,
