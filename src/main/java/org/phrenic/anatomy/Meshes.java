@@ -4,11 +4,11 @@ import java.util.List;
 import org.phrenic.geometry.TriangleMesh;
 
 /** Putting several surfaces into one. */
-final class Meshes {
+public final class Meshes {
     private Meshes() {}
 
     /** All triangles of all meshes, vertices one mesh after the other. */
-    static TriangleMesh merge(List<TriangleMesh> parts) {
+    public static TriangleMesh merge(List<TriangleMesh> parts) {
         double[] positions =
                 new double[parts.stream().mapToInt(m -> m.positions().length).sum()];
         int[] triangles =

@@ -9,10 +9,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.format.Json;
 import org.phrenic.format.LabelVolume;
 import org.phrenic.format.LabelVolumes;
 import org.phrenic.geometry.LabelGrid;
+import org.phrenic.patient.BodyCompletion;
 import org.phrenic.patient.BodyFolder;
 import org.phrenic.patient.FittedBody;
 import org.phrenic.patient.ImportProgress;
@@ -21,6 +23,9 @@ import org.phrenic.patient.LabelMap;
 import org.phrenic.patient.MeshingSteps;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.StatedAxes;
+import org.phrenic.simulation.Assignment;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -74,6 +79,13 @@ final class ImportCommand implements Callable<Integer> {
                     "Sides of the body to which columns, rows and slices run, such as LPS, where the file states them wrongly.")
     private String axes;
 
+    @Option(
+            names = "--complete",
+            paramLabel = "BODY",
+            description =
+                    "Where structures come from that the scan lacks: virtual/adult-male (default), virtual/adult-female, a thorax folder, or none.")
+    private String complete = "virtual/adult-male";
+
     @Option(names = "--json", description = "Print JSON instead of a table.")
     private boolean json;
 
@@ -86,8 +98,11 @@ final class ImportCommand implements Callable<Integer> {
         LabelVolume volume = axes == null ? read : StatedAxes.apply(read, axes);
         LabelMap map = map(volume);
         String name = out.toAbsolutePath().normalize().getFileName().toString();
-        FittedBody body =
+        Optional<Thorax> template = template();
+        FittedBody scanned =
                 new ScanImport(volume, file.toString(), MeshingSteps.PAPER, edgeMm, progress()).run(map, name);
+        FittedBody body =
+                template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned);
         Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
         report.put("notice", Notice.TEXT);
         BodyFolder.write(out, body, report);
@@ -95,6 +110,14 @@ final class ImportCommand implements Callable<Integer> {
         stdout.print(json ? Json.format(report) : text(volume.grid(), body));
         stdout.flush();
         return ExitCode.DONE;
+    }
+
+    private Optional<Thorax> template() {
+        if (complete.equals("none")) {
+            return Optional.empty();
+        }
+        Assignment anatomy = new Assignment("--complete " + complete, "anatomy", complete);
+        return Optional.of(SimulationRun.thorax(Scenario.defaults().with(List.of(anatomy))));
     }
 
     private LabelMap map(LabelVolume volume) {

@@ -1,0 +1,91 @@
+package org.phrenic.patient;
+
+import java.util.List;
+import org.phrenic.geometry.DistanceSummary;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.SurfaceDistance;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+
+/** A structure that scan and template both have: pairs of points on the two that lie nearest to each other. */
+final class SharedSurface {
+    /** Points taken of each surface. */
+    private static final int POINTS = 500;
+    /** What lies so near to the end of the scan is no surface of the body but the cut, mm. */
+    private static final double CUT_MM = 8;
+
+    private final TriangleMesh scan;
+    private final TriangleTree scanTree;
+    private final boolean whole;
+    private final boolean[] atCut;
+    private TriangleMesh template;
+    private final TriangleTree templateTree;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    SharedSurface(Organ organ, TriangleMesh template) {
+        scan = organ.structure().mesh();
+        scanTree = new TriangleTree(scan);
+        String cutAt = organ.scan().map(Organ.Scan::cutAt).orElse("");
+        whole = cutAt.isEmpty();
+        atCut = new boolean[scan.vertexCount()];
+        double[] box = scan.bounds();
+        for (int v = 0; v < atCut.length; v++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double x = scan.positions()[3 * v + axis];
+                boolean high = cutAt.indexOf("LPS".charAt(axis)) >= 0 && x > box[3 + axis] - CUT_MM;
+                boolean low = cutAt.indexOf("RAI".charAt(axis)) >= 0 && x < box[axis] + CUT_MM;
+                atCut[v] |= high || low;
+            }
+        }
+        this.template = template;
+        templateTree = new TriangleTree(template);
+    }
+
+    boolean isWhole() {
+        return whole;
+    }
+
+    TriangleMesh scan() {
+        return scan;
+    }
+
+    TriangleMesh template() {
+        return template;
+    }
+
+    void move(PointMap map) {
+        double[] p = template.positions().clone();
+        map.apply(p);
+        template = template.withPositions(p);
+        templateTree.refit(p);
+    }
+
+    /** Adds points of the template and where on the scan they belong, x y z in turn. Of a scan that is cut off, only its own points are asked: the template's may have nothing to belong to. */
+    void addPairs(List<double[]> from, List<double[]> to) {
+        double[] s = scan.positions();
+        int step = Math.max(1, scan.vertexCount() / POINTS);
+        for (int v = 0; v < scan.vertexCount(); v += step) {
+            if (!atCut[v] && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)) {
+                from.add(new double[] {hit.x, hit.y, hit.z});
+                to.add(new double[] {s[3 * v], s[3 * v + 1], s[3 * v + 2]});
+            }
+        }
+        double[] t = template.positions();
+        step = Math.max(1, template.vertexCount() / POINTS);
+        for (int v = 0; whole && v < template.vertexCount(); v += step) {
+            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit)) {
+                from.add(new double[] {t[3 * v], t[3 * v + 1], t[3 * v + 2]});
+                to.add(new double[] {hit.x, hit.y, hit.z});
+            }
+        }
+    }
+
+    /** How far the template lies from the scan's vertices, by area, without the cut. */
+    DistanceSummary off() {
+        double[] weights = MeshMeasure.vertexAreas(scan);
+        for (int v = 0; v < weights.length; v++) {
+            weights[v] = atCut[v] ? 0 : weights[v];
+        }
+        return DistanceSummary.of(new SurfaceDistance(template).of(scan.positions()), weights);
+    }
+}

@@ -1,0 +1,98 @@
+package org.phrenic.patient;
+
+/**
+ * A smooth displacement of space that carries points towards others: at x the mean of what the points about it lack, weighted by w = (1 - d^2 / r^2)^2 within a radius r and drawn to nothing where none is
+ * near,
+ *
+ * <pre>
+ * u(x) = sum w (to - from) / (sum w + pull)
+ * </pre>
+ *
+ * worked out on a grid of a third of the radius and interpolated between.
+ */
+final class WarpField implements PointMap {
+    private static final double PULL = 0.3;
+    private static final double CELLS_A_RADIUS = 3;
+
+    private final double[] origin = new double[3];
+    private final int[] size = new int[3];
+    private final double spacing;
+    private final double[] shift;
+
+    /**
+     * @param from points, x y z in turn, mm
+     * @param to where each should go
+     * @param bounds of what will be moved: {@code {minX, minY, minZ, maxX, maxY, maxZ}}
+     */
+    WarpField(double[] from, double[] to, double radius, double[] bounds) {
+        spacing = radius / CELLS_A_RADIUS;
+        int nodes = 1;
+        for (int k = 0; k < 3; k++) {
+            origin[k] = bounds[k] - spacing;
+            size[k] = (int) Math.ceil((bounds[3 + k] - bounds[k]) / spacing) + 3;
+            nodes *= size[k];
+        }
+        shift = new double[3 * nodes];
+        double[] weights = new double[nodes];
+        for (int i = 0; i < from.length; i += 3) {
+            add(from, to, i, radius, weights);
+        }
+        for (int n = 0; n < nodes; n++) {
+            for (int k = 0; k < 3; k++) {
+                shift[3 * n + k] /= weights[n] + PULL;
+            }
+        }
+    }
+
+    private void add(double[] from, double[] to, int i, double radius, double[] weights) {
+        int[] low = new int[3];
+        int[] high = new int[3];
+        for (int k = 0; k < 3; k++) {
+            low[k] = Math.max(0, (int) Math.ceil((from[i + k] - radius - origin[k]) / spacing));
+            high[k] = Math.min(size[k] - 1, (int) Math.floor((from[i + k] + radius - origin[k]) / spacing));
+        }
+        for (int c = low[2]; c <= high[2]; c++) {
+            double dz = origin[2] + c * spacing - from[i + 2];
+            for (int b = low[1]; b <= high[1]; b++) {
+                double dy = origin[1] + b * spacing - from[i + 1];
+                for (int a = low[0]; a <= high[0]; a++) {
+                    double dx = origin[0] + a * spacing - from[i];
+                    double rest = 1 - (dx * dx + dy * dy + dz * dz) / (radius * radius);
+                    if (rest > 0) {
+                        int n = a + size[0] * (b + size[1] * c);
+                        weights[n] += rest * rest;
+                        for (int k = 0; k < 3; k++) {
+                            shift[3 * n + k] += rest * rest * (to[i + k] - from[i + k]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Override
+    public void apply(double[] points) {
+        int[] cell = new int[3];
+        double[] part = new double[3];
+        for (int i = 0; i < points.length; i += 3) {
+            for (int k = 0; k < 3; k++) {
+                double at = (points[i + k] - origin[k]) / spacing;
+                cell[k] = Math.max(0, Math.min(size[k] - 2, (int) Math.floor(at)));
+                part[k] = Math.max(0, Math.min(1, at - cell[k]));
+            }
+            for (int corner = 0; corner < 8; corner++) {
+                double weight = 1;
+                int[] node = new int[3];
+                for (int k = 0; k < 3; k++) {
+                    int bit = corner >> k & 1;
+                    node[k] = cell[k] + bit;
+                    weight *= bit == 1 ? part[k] : 1 - part[k];
+                }
+                int n = 3 * (node[0] + size[0] * (node[1] + size[1] * node[2]));
+                points[i] += weight * shift[n];
+                points[i + 1] += weight * shift[n + 1];
+                points[i + 2] += weight * shift[n + 2];
+            }
+        }
+    }
+}
