@@ -15,8 +15,8 @@ import org.phrenic.rehearsal.RehearsalPlan;
 /** A planned attempt from the command line: its report, the same every time, and what is said of a plan that cannot be. */
 class RehearseCommandTest {
     /** Fast breaths of the coarse body without what an attempt does not need. */
-    private static final String BODY = "set: {preset: rapid-shallow, resolution: low, lungs: embedded, sternum: kinematic}\n"
-            + "phases: 4\n";
+    private static final String BODY =
+            "set: {preset: rapid-shallow, resolution: low, lungs: embedded, sternum: kinematic}\n" + "phases: 4\n";
 
     private static final String TARGET = "target: {rest_mm: [-90, 0, 50], diameter_mm: 30}\n";
     private static final String STEPS = "steps:\n"
@@ -31,7 +31,11 @@ class RehearseCommandTest {
     private CommandLineRun rehearse(String out, String plan) throws IOException {
         Path file = Files.writeString(folder.resolve("plan.yaml"), plan);
         return CommandLineRun.of(
-                "rehearse", file.toString(), "--no-pictures", "--out", folder.resolve(out).toString());
+                "rehearse",
+                file.toString(),
+                "--no-pictures",
+                "--out",
+                folder.resolve(out).toString());
     }
 
     @Test

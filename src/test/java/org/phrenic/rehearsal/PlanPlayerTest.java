@@ -33,7 +33,8 @@ class PlanPlayerTest {
     private NeedleSession play(String steps) throws IOException {
         Path file = Files.writeString(
                 folder.resolve("plan.yaml"),
-                "target: {rest_mm: [90, 0, 0], diameter_mm: 20}\ngive_up_after_s: 20\nneedle: {length_mm: 100}\n" + steps);
+                "target: {rest_mm: [90, 0, 0], diameter_mm: 20}\ngive_up_after_s: 20\nneedle: {length_mm: 100}\n"
+                        + steps);
         RehearsalPlan plan = RehearsalPlan.read(file);
         MovingScene scene = new MovingScene(body.surfaces);
         scene.take(body.still(0));
