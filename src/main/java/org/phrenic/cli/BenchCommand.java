@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
-        subcommands = {BenchErrorCommand.class, BenchStabilityCommand.class},
+        subcommands = {BenchSpeedCommand.class, BenchErrorCommand.class, BenchStabilityCommand.class},
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {
             "",

@@ -4,7 +4,9 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -19,6 +21,7 @@ import org.phrenic.simulation.Scenario;
 import org.phrenic.study.ErrorReport;
 import org.phrenic.study.ErrorStudy;
 import org.phrenic.study.ErrorTable;
+import org.phrenic.study.MeshError;
 import org.phrenic.study.StepGrid;
 import org.phrenic.study.StudyProgress;
 import picocli.CommandLine.Command;
@@ -95,6 +98,9 @@ final class BenchErrorCommand implements Callable<Integer> {
             description = "The sheet alone, low resolution, few settings, a part of a breath: seconds.")
     private boolean quick;
 
+    @Option(names = "--meshes", description = "Also what low and medium resolution change against high.")
+    private boolean meshes;
+
     @Option(
             names = "--max-error",
             paramLabel = "MM",
@@ -129,7 +135,7 @@ final class BenchErrorCommand implements Callable<Integer> {
             studies.add(ErrorStudy.of(scenario, grid(scenario), quick, progress));
         }
         ErrorTable measured = ErrorTable.of(studies);
-        ErrorReport report = new ErrorReport(studies);
+        ErrorReport report = new ErrorReport(studies, meshes ? meshErrors(scenarios, progress) : Map.of());
         if (out != null) {
             write(measured, report);
         }
@@ -138,6 +144,14 @@ final class BenchErrorCommand implements Callable<Integer> {
         }
         print(studies, measured, report, scenarios, most);
         return ExitCode.DONE;
+    }
+
+    private static Map<String, List<MeshError>> meshErrors(List<Scenario> scenarios, StudyProgress progress) {
+        Map<String, List<MeshError>> errors = new LinkedHashMap<>();
+        for (Scenario scenario : scenarios) {
+            errors.computeIfAbsent(scenario.material().label(), m -> ErrorStudy.meshes(scenario, progress));
+        }
+        return errors;
     }
 
     private List<Scenario> scenarios() {
@@ -218,9 +232,11 @@ final class BenchErrorCommand implements Callable<Integer> {
                 stdout.println(ErrorReport.heading(study));
                 stdout.println();
                 stdout.print(text(study));
+                study.equilibrium().forEach(q -> stdout.println(ErrorReport.sentence(study, q)));
                 study.leftOut().forEach(line -> stdout.println("not run: " + line));
                 stdout.println();
             }
+            report.meshSentences().forEach(stdout::println);
         }
         PrintWriter told = json ? spec.commandLine().getErr() : stdout;
         if (!Double.isNaN(most)) {

@@ -22,6 +22,8 @@ import org.phrenic.format.ReportDocument.Table;
 public final class HtmlPage {
     /** Sections from which on a list of contents is worth its room. */
     private static final int CONTENTS_FROM = 4;
+    /** Rows up to which a table is kept on one page. */
+    private static final int SHORT = 8;
 
     private static final String STYLE =
             """
@@ -48,17 +50,19 @@ public final class HtmlPage {
             th, td { padding: .3rem .75rem; text-align: left; vertical-align: top; border-bottom: 1px solid #e3e7eb; }
             thead th { border-bottom: 2px solid #8995a1; vertical-align: bottom; font-weight: 650; }
             tbody th { padding-top: .7rem; font-weight: 650; }
-            .number { text-align: right; white-space: nowrap; }
-            tr { break-inside: avoid; }
+            .number { text-align: right; }
+            td.number { white-space: nowrap; }
+            tr, .short { break-inside: avoid; }
             figure { margin: 1.3rem 0 1.6rem; break-inside: avoid; }
-            .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); gap: .8rem; align-items: start; }
-            .pictures span { display: block; margin-top: .25rem; font-size: .88rem; color: #46525e; }
+            .several { display: grid; grid-template-columns: repeat(auto-fit, minmax(17rem, 1fr)); gap: .8rem; align-items: start; }
+            figure span { display: block; margin-top: .25rem; font-size: .88rem; color: #46525e; }
             img { display: block; width: 100%; height: auto; border: 1px solid #d5dbe1; box-sizing: border-box; }
             figcaption { margin-top: .55rem; max-width: 46rem; font-size: .95rem; color: #2f3942; }
             footer { margin-top: 3rem; padding-top: .7rem; border-top: 1px solid #d5dbe1; }
             @page { size: A4; margin: 16mm 15mm; }
             @media print {
               body { padding: 0; max-width: none; font-size: 10.5pt; }
+              .several { grid-template-columns: 1fr 1fr; }
               .wide { overflow: visible; }
               a { color: inherit; }
               table { font-size: .86rem; }
@@ -166,7 +170,7 @@ public final class HtmlPage {
     }
 
     private void table(Table table) {
-        text.append("<div class=\"wide\">\n<table>\n");
+        text.append("<div class=\"wide" + (table.rows().size() <= SHORT ? " short" : "") + "\">\n<table>\n");
         if (!table.caption().isEmpty()) {
             text.append("<caption>" + escaped(table.caption()) + "</caption>\n");
         }
@@ -195,7 +199,7 @@ public final class HtmlPage {
     }
 
     private void figure(Figure figure) {
-        text.append("<figure>\n<div class=\"pictures\">\n");
+        text.append("<figure>\n<div class=\"" + (figure.pictures().size() > 1 ? "several" : "one") + "\">\n");
         for (Picture picture : figure.pictures()) {
             text.append("<div><img src=\"" + escaped(picture.source()) + "\" alt=\"" + escaped(picture.alternative())
                     + "\"/>");

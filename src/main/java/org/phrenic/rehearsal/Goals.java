@@ -16,6 +16,25 @@ import org.phrenic.format.YamlMap;
 public record Goals(boolean hit, Map<String, Double> most) {
     private static final Map<String, ToDoubleFunction<AttemptRecord>> MEASURES = new LinkedHashMap<>();
     private static final String HIT = "hit";
+    private static final Map<String, String> LABELS = Map.of(
+            HIT,
+            "target hit (1) or not (0)",
+            "attempts_at_most",
+            "attempts, at most",
+            "redirections_at_most",
+            "redirections, at most",
+            "bone_contacts_at_most",
+            "contacts with bone, at most",
+            "lung_s_at_most",
+            "seconds in lung, at most",
+            "no_go_s_at_most",
+            "seconds in what is to be avoided, at most",
+            "inside_s_at_most",
+            "seconds in the body, at most",
+            "capsule_pull_mm_at_most",
+            "capsule pulled aside, mm, at most",
+            "lateral_mm_at_most",
+            "lateral error, mm, at most");
 
     static {
         MEASURES.put("attempts_at_most", r -> r.count(AttemptEvent.Kind.SKIN_PUNCTURE));
@@ -32,6 +51,11 @@ public record Goals(boolean hit, Map<String, Double> most) {
 
     /** One goal and whether it was reached. */
     public record Outcome(String goal, double limit, double value, boolean reached) {
+        /** The goal in words: "seconds in lung, at most". */
+        public String label() {
+            return LABELS.get(goal);
+        }
+
         /** Plain values for a report. */
         Map<String, Object> toMap() {
             Map<String, Object> map = new LinkedHashMap<>();

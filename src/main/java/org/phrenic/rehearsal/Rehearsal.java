@@ -2,6 +2,7 @@ package org.phrenic.rehearsal;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.BreathLabel;
@@ -63,7 +64,15 @@ public record Rehearsal(
             Target target = plan.target(scene);
             requireEntries(plan, scene, target);
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.phases());
+            long begun = System.nanoTime();
             AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
+            progress.note(String.format(
+                    Locale.ROOT,
+                    "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
+                    map.size(),
+                    map.counts().get("in_reach"),
+                    cycle.size(),
+                    1e-9 * (System.nanoTime() - begun)));
             List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
             Optional<PathCycle> path = firstEntry(plan, map)
                     .map(entry -> PathCycle.of(scene, cycle, entry, target, plan.needle(), plan.avoided()));

@@ -123,7 +123,7 @@ public final class RehearsalReport {
                 List.of(Column.text("Goal"), Column.number("Asked"), Column.number("Reached"), Column.text("")),
                 outcomes.stream()
                         .map(o -> List.of(
-                                o.goal().replace('_', ' '),
+                                o.label(),
                                 number(o.limit()),
                                 Double.isFinite(o.value()) ? number(o.value()) : "no sample",
                                 o.reached() ? "yes" : "NO"))
@@ -142,7 +142,11 @@ public final class RehearsalReport {
         rows.add(row("Time in the body, s", number(record.insideS())));
         rows.add(row("Way of the tip by hand, mm", number(record.pathMm())));
         rows.add(row("Time in what is to be avoided, s", number(record.inNoGoS())));
-        record.secondsIn().forEach((what, s) -> rows.add(row("  in " + what.label() + ", s", number(s))));
+        record.secondsIn()
+                .forEach((what, s) -> rows.add(row(
+                        "Time in " + what.label() + ", s"
+                                + (record.avoided().contains(what) ? "" : " (not to be avoided here)"),
+                        number(s))));
         rows.add(row("Contacts with bone", "" + record.count(AttemptEvent.Kind.BONE_CONTACT)));
         rows.add(row("Target moved meanwhile, mm", number(record.targetMovedMm())));
         rows.add(row(

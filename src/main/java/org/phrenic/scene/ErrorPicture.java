@@ -11,6 +11,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -20,8 +21,6 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.annotations.XYTextAnnotation;
-import org.jfree.chart.axis.LogAxis;
-import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
@@ -42,6 +41,14 @@ public final class ErrorPicture {
     private static final int WIDTH = 1200;
     private static final int PANEL_HEIGHT = 560;
     private static final int MARGIN_HEIGHT = 150;
+    private static final double ROOM_FOR_NAMES = 4;
+    /** Names of points whose errors differ by less than this would lie over each other. */
+    private static final double APART = 1.12;
+
+    /** Largest error that is aimed for in a setting fit for use, per cent of the excursion. */
+    private static final double PHYSICAL_AIM = 0.1;
+
+    private static final double PAPER_AIM = 0.01;
 
     /** Colours that any colour vision tells apart (Okabe and Ito 2008), in the order in which integrators come. */
     private static final int[] COLOURS = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0x8a6d00, 0x56b4e9};
@@ -63,7 +70,12 @@ public final class ErrorPicture {
         CsvTable csv = CsvTable.read(table);
         Set<String> materials = new LinkedHashSet<>(csv.texts("material"));
         List<String> integrators = List.copyOf(new LinkedHashSet<>(csv.texts("integrator")));
-        CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis("processor time of a breath, s"));
+        double[] cpu = csv.numbers("cpu_s");
+        // What lies left of the front is free of settings: there its points are named.
+        CombinedDomainXYPlot all = new CombinedDomainXYPlot(new DecadeAxis(
+                "processor time of a breath, s",
+                Arrays.stream(cpu).min().orElse(1) / ROOM_FOR_NAMES,
+                1.3 * Arrays.stream(cpu).max().orElse(1)));
         all.setGap(22);
         for (String material : materials) {
             all.add(panel(csv, material, integrators));
@@ -103,11 +115,16 @@ public final class ErrorPicture {
             }
         }
         XYPlot plot = new XYPlot();
-        LogAxis range = axis(material + " preset, " + resolution + " resolution: rms error, % of the excursion");
-        plot.setRangeAxis(range);
+        double aim = material.equals("paper") ? PAPER_AIM : PHYSICAL_AIM;
+        double low = points.stream().mapToDouble(Point::percent).min().orElse(aim);
+        double high = points.stream().mapToDouble(Point::percent).max().orElse(aim);
+        plot.setRangeAxis(new DecadeAxis(
+                material + " preset, " + resolution + " resolution: rms error, % of excursion",
+                Math.min(low, aim) / 2,
+                Math.max(high, aim) * 2));
         front(plot, points);
         settings(plot, points, integrators);
-        target(plot, material.equals("paper") ? 0.01 : 0.1);
+        target(plot, aim);
         plot.setBackgroundPaint(new Color(0xf7f8f9));
         plot.setRangeGridlinePaint(new Color(0xc4cad0));
         plot.setDomainGridlinePaint(new Color(0xc4cad0));
@@ -134,17 +151,21 @@ public final class ErrorPicture {
     /** The line that joins what is on the front, named point by point. */
     private static void front(XYPlot plot, List<Point> points) {
         XYSeries line = new XYSeries("front");
-        points.stream()
+        double named = Double.POSITIVE_INFINITY;
+        for (Point p : points.stream()
                 .filter(Point::front)
                 .sorted(Comparator.comparingDouble(Point::cpuS))
-                .forEach(p -> {
-                    line.add(p.cpuS, p.percent);
-                    XYTextAnnotation text = new XYTextAnnotation("  " + p.label, p.cpuS, p.percent);
-                    text.setFont(font(Font.PLAIN, 12));
-                    text.setTextAnchor(TextAnchor.TOP_RIGHT);
-                    text.setPaint(new Color(0x30363c));
-                    plot.addAnnotation(text);
-                });
+                .toList()) {
+            line.add(p.cpuS, p.percent);
+            if (p.percent * APART < named) {
+                XYTextAnnotation text = new XYTextAnnotation(p.label + "   ", p.cpuS, p.percent);
+                text.setFont(font(Font.PLAIN, 12));
+                text.setTextAnchor(TextAnchor.CENTER_RIGHT);
+                text.setPaint(new Color(0x30363c));
+                plot.addAnnotation(text);
+                named = p.percent;
+            }
+        }
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         renderer.setSeriesPaint(0, new Color(0x30363c));
         renderer.setSeriesStroke(0, new BasicStroke(1.6f));
@@ -185,6 +206,7 @@ public final class ErrorPicture {
         marker.setLabel("aim: " + percent + " %");
         marker.setLabelFont(font(Font.PLAIN, 13));
         marker.setLabelPaint(new Color(0x9a1b1b));
+        marker.setLabelBackgroundColor(new Color(0, 0, 0, 0));
         marker.setLabelAnchor(RectangleAnchor.TOP_RIGHT);
         marker.setLabelTextAnchor(TextAnchor.BOTTOM_RIGHT);
         plot.addRangeMarker(marker);
@@ -222,17 +244,6 @@ public final class ErrorPicture {
         path.lineTo(-5.2, 4);
         path.closePath();
         return path;
-    }
-
-    private static LogAxis axis(String label) {
-        LogAxis axis = new LogAxis(label);
-        axis.setLabelFont(font(Font.PLAIN, 15));
-        axis.setTickLabelFont(font(Font.PLAIN, 13));
-        axis.setTickUnit(new NumberTickUnit(1));
-        axis.setBaseSymbol("10");
-        axis.setMinorTickMarksVisible(true);
-        axis.setMinorTickCount(9);
-        return axis;
     }
 
     private static Font font(int style, int size) {

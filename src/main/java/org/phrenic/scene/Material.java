@@ -20,7 +20,7 @@ record Material(Look look, float gloss, float shininess) {
             case VERTEBRA -> new Material(Look.of(0xe3cda0, 1), 0.14f, 24);
             case COSTAL_CARTILAGE -> new Material(Look.of(0xb9cdd2, 1), 0.30f, 48);
             case DISC -> new Material(Look.of(0xa9bcc0, 1), 0.20f, 32);
-            case DIAPHRAGM -> new Material(Look.of(0x8d3c35, 1), 0.24f, 26);
+            case DIAPHRAGM -> new Material(Look.of(0x8d3c35, 1), 0.11f, 22);
             case LUNG -> new Material(Look.of(0xd98f8d, 0.42f), 0.22f, 36);
             case LIVER -> new Material(Look.of(0x68352a, 1), 0.42f, 55);
             case SKIN -> new Material(Look.of(0xd8a283, 0.15f), 0.25f, 40);

@@ -1,34 +1,52 @@
 package org.phrenic.simulation;
 
 import java.util.stream.IntStream;
+import org.ejml.data.DMatrix3;
+import org.ejml.data.DMatrix3x3;
+import org.ejml.dense.fixed.CommonOps_DDF3;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The liver, hung from the underside of the diaphragm by its ligaments: it follows the mean motion of the roof of the dome it lies under (the viscera beneath keep it from turning with the roof), wholly at its top and less toward its lower
- * edge (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1). It is carried, not stepped.
+ * The liver under the diaphragm: hung from the bare area behind by its ligaments, turned by the roof that lies on it. It is carried, not stepped.
+ *
+ * <p>With {@code u} the displacement of the roof's points at {@code r} from the middle {@code c} of the bare area, {@code w} their areas and {@code T} the mean of {@code u} over the bare area, the turn {@code ω} is that of least
+ * squares, held back by the organs below as by a spring against turning:
+ *
+ * <p>{@code min Σ w |u - T - ω × r|² + β ρ² |ω|² Σ w},  {@code ρ² = 2/3} of the mean {@code |r|²}; {@code x = X + T + (R(ω) - 1)(X - c)}.
+ *
+ * <p>What goes up and down does so wholly at the liver's top and less toward its lower edge, for it is soft and lies on the gut (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1).
  */
 final class LiverPart {
-    /** The bare area and the coronary ligament lie behind: what of the back half of the roof is this near to the liver at rest carries it. */
+    /** What of the roof is this near to the liver at rest lies on it; behind, it is the bare area with the coronary ligament. */
     private static final double ATTACHED_MM = 10;
 
     /** The abdominal face of the roof looks down. */
     private static final double ROOF = -0.5;
 
-    private static final double LOWEST_SHARE = 0.65;
+    /** β: how much the organs below hold back the turn, against what the roof asks; chosen. */
+    private static final double HELD_BACK = 0.6;
+
+    private static final double LOWEST_SHARE = 0.82;
     private static final int FEWEST = 12;
 
     final Structure structure;
-    private final DiaphragmPart diaphragm;
-    private final int[] attached;
+    private final int[] roof;
+    private final double[] area;
+    private final boolean[] bare;
+    private final double bareArea;
+    private final double[] centre = new double[3];
+    private final DMatrix3x3 resistance = new DMatrix3x3();
     private final double[] share;
     private final double[] moved;
+    private final double[] shift = new double[3];
+    private final DMatrix3 moment = new DMatrix3();
+    private final DMatrix3 turn = new DMatrix3();
 
     LiverPart(Structure liver, DiaphragmPart part) {
         structure = liver;
-        diaphragm = part;
         TriangleMesh mesh = liver.mesh();
         Diaphragm d = part.diaphragm;
         TriangleMesh sheet = d.sheet();
@@ -39,50 +57,120 @@ final class LiverPart {
             distance[i] = surface.distance();
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);
-        double[] liverBox = mesh.bounds();
-        double middle = 0.5 * (liverBox[1] + liverBox[4]);
-        int[] near = roof(d, normals, distance, middle, ATTACHED_MM);
-        attached = near.length >= FEWEST ? near : roof(d, normals, distance, middle, 3 * ATTACHED_MM);
+        double[] box = mesh.bounds();
+        double middle = 0.5 * (box[1] + box[4]);
+        int[] near = roof(d, normals, distance, ATTACHED_MM);
+        long behind = IntStream.of(near).filter(i -> sheet.y(i) > middle).count();
+        int[] vertices = behind >= FEWEST ? near : roof(d, normals, distance, 3 * ATTACHED_MM);
+        double[] areas = MeshMeasure.vertexAreas(sheet);
+        area = IntStream.of(vertices).mapToDouble(i -> areas[i]).toArray();
+        roof = IntStream.of(vertices).map(i -> 3 * (part.first + i)).toArray();
+        bare = new boolean[roof.length];
+        double all = 0;
+        for (int k = 0; k < roof.length; k++) {
+            bare[k] = sheet.y(vertices[k]) > middle;
+            all += bare[k] ? area[k] : 0;
+        }
+        bareArea = all;
         share = new double[mesh.vertexCount()];
         moved = mesh.positions().clone();
         for (int i = 0; i < share.length; i++) {
-            double height = (mesh.z(i) - liverBox[2]) / (liverBox[5] - liverBox[2]);
+            double height = (mesh.z(i) - box[2]) / (box[5] - box[2]);
             share[i] = LOWEST_SHARE + (1 - LOWEST_SHARE) * height * height * (3 - 2 * height);
+        }
+        if (bareArea > 0) {
+            measure(sheet.positions(), vertices);
         }
     }
 
-    private static int[] roof(Diaphragm d, double[] normals, double[] distance, double middle, double reach) {
+    private static int[] roof(Diaphragm d, double[] normals, double[] distance, double reach) {
         return IntStream.range(0, distance.length)
-                .filter(i -> !d.isThoracic(i)
-                        && !d.isInserted(i)
-                        && d.sheet().y(i) > middle
-                        && normals[3 * i + 2] < ROOF
-                        && distance[i] < reach)
+                .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && normals[3 * i + 2] < ROOF && distance[i] < reach)
                 .toArray();
     }
 
+    /** Forms the middle of the bare area and the inverse of what stands before ω. */
+    private void measure(double[] p, int[] vertices) {
+        for (int k = 0; k < vertices.length; k++) {
+            for (int axis = 0; axis < 3 && bare[k]; axis++) {
+                centre[axis] += area[k] * p[3 * vertices[k] + axis] / bareArea;
+            }
+        }
+        for (int k = 0; k < vertices.length; k++) {
+            double x = p[3 * vertices[k]] - centre[0];
+            double y = p[3 * vertices[k] + 1] - centre[1];
+            double z = p[3 * vertices[k] + 2] - centre[2];
+            double w = area[k];
+            resistance.a11 += w * (y * y + z * z);
+            resistance.a22 += w * (x * x + z * z);
+            resistance.a33 += w * (x * x + y * y);
+            resistance.a12 -= w * x * y;
+            resistance.a13 -= w * x * z;
+            resistance.a23 -= w * y * z;
+        }
+        double held = HELD_BACK * (resistance.a11 + resistance.a22 + resistance.a33) / 3;
+        resistance.a11 += held;
+        resistance.a22 += held;
+        resistance.a33 += held;
+        resistance.a21 = resistance.a12;
+        resistance.a31 = resistance.a13;
+        resistance.a32 = resistance.a23;
+        CommonOps_DDF3.invert(resistance, resistance);
+    }
+
     /**
-     * Where the liver's vertices are; valid until the next call.
+     * Where the liver's vertices are; valid until the next call. Allocates nothing.
      *
      * @param rest positions of the whole scene at rest, caller's order
      * @param now positions of the whole scene now
      */
     double[] positions(double[] rest, double[] now) {
-        double[] p = moved;
+        if (bareArea == 0) {
+            return moved;
+        }
+        follow(rest, now);
         double[] start = structure.mesh().positions();
-        if (attached.length < FEWEST) {
-            return p;
+        double angle = Math.sqrt(turn.a1 * turn.a1 + turn.a2 * turn.a2 + turn.a3 * turn.a3);
+        // Rodrigues: (R - 1) r = sin θ / θ ω × r + (1 - cos θ) / θ² ω × (ω × r).
+        double first = angle > 0 ? StrictMath.sin(angle) / angle : 1;
+        double second = angle > 0 ? (1 - StrictMath.cos(angle)) / (angle * angle) : 0.5;
+        for (int i = 0; i < share.length; i++) {
+            double x = start[3 * i] - centre[0];
+            double y = start[3 * i + 1] - centre[1];
+            double z = start[3 * i + 2] - centre[2];
+            double ax = turn.a2 * z - turn.a3 * y;
+            double ay = turn.a3 * x - turn.a1 * z;
+            double az = turn.a1 * y - turn.a2 * x;
+            moved[3 * i] = start[3 * i] + shift[0] + first * ax + second * (turn.a2 * az - turn.a3 * ay);
+            moved[3 * i + 1] = start[3 * i + 1] + shift[1] + first * ay + second * (turn.a3 * ax - turn.a1 * az);
+            moved[3 * i + 2] =
+                    start[3 * i + 2] + share[i] * (shift[2] + first * az + second * (turn.a1 * ay - turn.a2 * ax));
         }
-        double[] mean = new double[3];
-        for (int node : attached) {
-            int at = 3 * (diaphragm.first + node);
-            for (int axis = 0; axis < 3; axis++) {
-                mean[axis] += (now[at + axis] - rest[at + axis]) / attached.length;
+        return moved;
+    }
+
+    /** Forms shift and turn. */
+    private void follow(double[] rest, double[] now) {
+        for (int axis = 0; axis < 3; axis++) {
+            double sum = 0;
+            for (int k = 0; k < roof.length; k++) {
+                sum += bare[k] ? area[k] * (now[roof[k] + axis] - rest[roof[k] + axis]) : 0;
             }
+            shift[axis] = sum / bareArea;
         }
-        for (int i = 0; i < p.length; i++) {
-            p[i] = start[i] + share[i / 3] * mean[i % 3];
+        moment.setTo(0, 0, 0);
+        for (int k = 0; k < roof.length; k++) {
+            int i = roof[k];
+            double x = rest[i] - centre[0];
+            double y = rest[i + 1] - centre[1];
+            double z = rest[i + 2] - centre[2];
+            double ux = now[i] - rest[i] - shift[0];
+            double uy = now[i + 1] - rest[i + 1] - shift[1];
+            double uz = now[i + 2] - rest[i + 2] - shift[2];
+            moment.a1 += area[k] * (y * uz - z * uy);
+            moment.a2 += area[k] * (z * ux - x * uz);
+            moment.a3 += area[k] * (x * uy - y * ux);
         }
-        return p;
+        CommonOps_DDF3.mult(resistance, moment, turn);
     }
 }

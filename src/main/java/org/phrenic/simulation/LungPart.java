@@ -37,10 +37,13 @@ final class LungPart {
     private static final double PARENCHYMA = 0.1;
 
     private static final double WALL = 0.3;
-    private static final double LINK = 4;
+    private static final double LINK = 2;
 
     final List<Structure> structures;
     final List<Integer> firsts = new ArrayList<>();
+    /** What lies on the diaphragm; empty without a chest wall, where springs between nodes hold the base. */
+    final LungBase.Ties base = new LungBase.Ties(new ArrayList<>(), new ArrayList<>());
+
     private final List<Integer> onWall = new ArrayList<>();
 
     /**
@@ -73,7 +76,10 @@ final class LungPart {
                 if (costal) {
                     onWall.add(first + i);
                 }
-                if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
+                if (wall != null && distance < BASE_MM) {
+                    base.nodes().add(first + i);
+                    base.stiffness().add(LINK * edge);
+                } else if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
                     parts.passive.add(first + i, diaphragm.first + near, LINK * edge, distance, 0);
                 } else {
                     double costalShare = toBone[i] < COSTAL_MM ? WALL * (1 - FallOff.at(distance, FADE_MM)) : 0;

@@ -21,6 +21,7 @@ import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
+import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
@@ -89,7 +90,7 @@ final class SceneAssembly {
         double[] positions = parts.positions();
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
-        double massAdded = physical ? scaleMasses(positions, masses) : 0;
+        double massAdded = physical ? scaleMasses(positions, masses, lungs) : 0;
         ParticleSystem system = new ParticleSystem(layout, positions, masses, workers);
         if (physical) {
             system.setViscosityPerMass(value(Parameter.DAMPING_RATE));
@@ -134,7 +135,9 @@ final class SceneAssembly {
             system.add(contact.get());
             system.setEnabled(contact.get(), scenario.contact());
         }
+        Optional<Attachments> base = Optional.empty();
         if (wall != null && lungs.isPresent()) {
+            base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions));
             int[] pleural = lungs.get().pleural();
             system.add(SlidingContact.adhering(
                     layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
@@ -153,7 +156,7 @@ final class SceneAssembly {
                 lungs,
                 scenario.lungs() == LungModel.EMBEDDED ? lungStructures : List.of(),
                 liver,
-                new SceneForces(sheet, passive, holding.bone, holding.home, rest, lines, links, contact),
+                new SceneForces(sheet, passive, holding.bone, holding.home, base, rest, lines, links, contact),
                 parts.diaphragm.count() + parts.passive.count(),
                 holding.nodes,
                 rest.map(RestPressure::residual).orElse(0.0),
@@ -161,11 +164,12 @@ final class SceneAssembly {
     }
 
     /** Makes nodes that alone would shorten the step heavier; returns the mass added, per cent. */
-    private double scaleMasses(double[] positions, double[] masses) {
+    private double scaleMasses(double[] positions, double[] masses, Optional<LungPart> lungs) {
         MassScaling scaling = new MassScaling(positions, masses);
         scaling.springs(parts.diaphragm);
         scaling.springs(parts.passive);
         scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
+        lungs.ifPresent(l -> scaling.attachments(l.base.node(), l.base.stiffnesses(), 1));
         scaling.scaleFor(SCALED_STEP_S / Stepper.SAFETY);
         return scaling.addedPercent();
     }
@@ -227,6 +231,7 @@ final class SceneAssembly {
             builder.contractile(parts.diaphragm.share());
         }
         Springs springs = builder.build();
+        springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         if (contractile) {
             drive.drives(springs);
@@ -242,8 +247,24 @@ final class SceneAssembly {
                 .stiffness(parts.passive.stiffness())
                 .rest(parts.passive.rest())
                 .build();
+        springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         return Optional.of(springs);
+    }
+
+    /** The lungs' base, held to the diaphragm as it slides there. */
+    private Attachments onDiaphragm(
+            ParticleSystem system, LungPart lungs, DiaphragmPart diaphragm, ChestWall wall, double[] positions) {
+        int[] nodes = lungs.base.node();
+        Attachments base = new Attachments(
+                system.layout(),
+                nodes,
+                lungs.base.stiffnesses(),
+                0,
+                new LungBase(system, diaphragm, wall, SceneParts.points(positions, 0, nodes)));
+        base.setRefreshInterval(refresh);
+        system.add(base);
+        return base;
     }
 
     /** One line through the middle of each hemidiaphragm, as the paper draws them. */

@@ -14,6 +14,7 @@ import org.phrenic.engine.force.Springs;
  * @param passive all other springs
  * @param bone springs to bone
  * @param home the paper's springs that bring the sheet back
+ * @param lungBase springs from the lungs to the diaphragm; only in the physical material
  * @param rest what holds the sheet against the pressure at rest; only in the physical material
  * @param lines the paper's action lines
  * @param links rigid links of the tendon, if there are any
@@ -24,6 +25,7 @@ record SceneForces(
         Optional<Springs> passive,
         Optional<Attachments> bone,
         Optional<Attachments> home,
+        Optional<Attachments> lungBase,
         Optional<RestPressure> rest,
         ActionLine[] lines,
         Optional<RigidLinks> links,

@@ -28,6 +28,7 @@ final class TissueTuning {
     private final SpringNumbers passive;
     private final BoneNumbers bone;
     private final BoneNumbers home;
+    private final BoneNumbers lungBase;
     private final double[] mass;
 
     TissueTuning(Scene scene, Scenario scenario) {
@@ -48,6 +49,7 @@ final class TissueTuning {
                 .orElse(null);
         bone = forces.bone().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
         home = forces.home().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
+        lungBase = forces.lungBase().map(a -> new BoneNumbers(a, scene.rest())).orElse(null);
         mass = system.masses().clone();
     }
 
@@ -73,6 +75,9 @@ final class TissueTuning {
             }
             if (home != null) {
                 home.tune(isBase(value, BONE), muscle, muscle, 1);
+            }
+            if (lungBase != null) {
+                lungBase.tune(isBase(value, BONE), muscle, lung, 1);
             }
         }
         if (isOther(value, MASSES)) {

@@ -41,6 +41,18 @@ final class BreathRuns implements AutoCloseable {
         return simulation;
     }
 
+    /** Where all nodes are at the beginning, mm; read only. */
+    double[] start() {
+        return start;
+    }
+
+    /** Numbers of nodes, three each, in the order in which the scene was put together. */
+    double[] inCallersOrder(double[] internal) {
+        double[] out = new double[internal.length];
+        simulation.system().layout().toCaller(internal, out);
+        return out;
+    }
+
     int nodes() {
         return start.length / 3;
     }

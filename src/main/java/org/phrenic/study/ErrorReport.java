@@ -27,9 +27,15 @@ public final class ErrorReport {
             ReportDocument.Column.text(""));
 
     private final List<ErrorStudy> studies;
+    private final Map<String, List<MeshError>> meshes;
 
-    public ErrorReport(List<ErrorStudy> studies) {
+    /**
+     * @param studies one a scene
+     * @param meshes what coarser meshes change, by material; empty where that was not measured
+     */
+    public ErrorReport(List<ErrorStudy> studies, Map<String, List<MeshError>> meshes) {
         this.studies = List.copyOf(studies);
+        this.meshes = new LinkedHashMap<>(meshes);
     }
 
     /** A line a setting, cheapest first. */
@@ -83,12 +89,47 @@ public final class ErrorReport {
                     + study.scenario().resolution().name().toLowerCase(Locale.ROOT));
             page.paragraph(heading(study));
             page.table("", COLUMNS, cells(study));
+            study.equilibrium().forEach(q -> page.paragraph(sentence(study, q)));
             if (!study.leftOut().isEmpty()) {
                 page.paragraph("Not run:");
                 page.points(study.leftOut().toArray(String[]::new));
             }
         }
+        if (!meshes.isEmpty()) {
+            page.section("Meshes");
+            meshSentences().forEach(page::paragraph);
+        }
         return page;
+    }
+
+    /** How far from equilibrium a phase is, in a sentence. */
+    public static String sentence(ErrorStudy study, QuasiStatic q) {
+        return String.format(
+                Locale.ROOT,
+                "At %.1f s the reference is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs, muscle"
+                        + " and pressure at that time, which was still moving by %.1g mm rms.",
+                q.timeS(),
+                q.rmsMm(),
+                study.percent(q.rmsMm()),
+                q.maxMm(),
+                q.driftMm());
+    }
+
+    /** What coarser meshes change, a sentence each. */
+    public List<String> meshSentences() {
+        List<String> lines = new ArrayList<>();
+        meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(String.format(
+                Locale.ROOT,
+                "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of resolution"
+                        + " %s; its domes go down %+.2f mm more.",
+                material,
+                e.vertices(),
+                e.resolution(),
+                e.rmsMm(),
+                e.maxMm(),
+                e.against(),
+                e.domeMm()))));
+        return lines;
     }
 
     /** All of it as values, for JSON. */
@@ -108,10 +149,37 @@ public final class ErrorReport {
             scene.put(
                     "settings",
                     study.points().stream().map(p -> values(study, p)).toList());
+            scene.put(
+                    "equilibrium",
+                    study.equilibrium().stream().map(ErrorReport::values).toList());
             scene.put("left_out", study.leftOut());
             scenes.add(scene);
         }
         map.put("scenes", scenes);
+        Map<String, Object> coarser = new LinkedHashMap<>();
+        meshes.forEach((material, errors) ->
+                coarser.put(material, errors.stream().map(ErrorReport::values).toList()));
+        map.put("meshes", coarser);
+        return map;
+    }
+
+    private static Map<String, Object> values(QuasiStatic q) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("time_s", q.timeS());
+        map.put("rms_mm", q.rmsMm());
+        map.put("max_mm", q.maxMm());
+        map.put("drift_mm", q.driftMm());
+        return map;
+    }
+
+    private static Map<String, Object> values(MeshError e) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("resolution", e.resolution());
+        map.put("against", e.against());
+        map.put("vertices", e.vertices());
+        map.put("rms_mm", e.rmsMm());
+        map.put("max_mm", e.maxMm());
+        map.put("dome_excursion_mm", e.domeMm());
         return map;
     }
 

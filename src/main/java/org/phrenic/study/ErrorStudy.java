@@ -1,11 +1,14 @@
 package org.phrenic.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.simulation.Material;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
@@ -19,6 +22,7 @@ import org.phrenic.simulation.SimulationRun;
  * @param reference setting of the reference
  * @param proof distance, rms and greatest, mm, of the reference from itself with steps twice as long
  * @param points one a setting
+ * @param equilibrium how far the reference is from equilibrium at a few phases; empty for the paper's material and a quick study
  * @param leftOut settings that were not run, each with the reason
  */
 public record ErrorStudy(
@@ -29,6 +33,7 @@ public record ErrorStudy(
         StepSettings reference,
         double[] proof,
         List<ErrorPoint> points,
+        List<QuasiStatic> equilibrium,
         List<String> leftOut) {
     /** Of a quick study, s: enough for the sheet to move. */
     private static final double QUICK_S = 0.2;
@@ -41,6 +46,7 @@ public record ErrorStudy(
 
     public ErrorStudy {
         points = List.copyOf(points);
+        equilibrium = List.copyOf(equilibrium);
         leftOut = List.copyOf(leftOut);
     }
 
@@ -88,6 +94,9 @@ public record ErrorStudy(
                 }
                 progress.done(points.size() + 2, total, settings.label());
             }
+            List<QuasiStatic> equilibrium = scenario.material() == Material.PHYSICAL && !quick
+                    ? QuasiStatic.of(runs, exact, StepSettings.of(scenario))
+                    : List.of();
             return new ErrorStudy(
                     scenario,
                     runs.nodes(),
@@ -96,6 +105,7 @@ public record ErrorStudy(
                     reference,
                     proof,
                     withFront(points),
+                    equilibrium,
                     leftOut);
         }
     }
@@ -156,6 +166,14 @@ public record ErrorStudy(
             marked.add(points.get(i).onFront(front[i]));
         }
         return marked;
+    }
+
+    /** What coarser meshes change, with each resolution's own settings. */
+    public static List<MeshError> meshes(Scenario scenario, StudyProgress progress) {
+        List<Scenario> all = Arrays.stream(Resolution.values())
+                .map(r -> scenario.with("resolution=" + r.name().toLowerCase(Locale.ROOT)))
+                .toList();
+        return MeshError.of(all, scenario.breathing().pattern().periodS(), progress);
     }
 
     /** Per cent of the excursion. */

@@ -47,7 +47,7 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "run", "info", "bench"})
+    @ValueSource(strings = {"", "run", "info", "bench", "regress"})
     void everyCommandExplainsItselfOnStdout(String command) {
         CommandLineRun run = command.isEmpty() ? done("--help") : done(command, "--help");
         assertThat(run.out()).contains("Usage: phrenic").contains("Example").contains("--debug");

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -69,6 +70,7 @@ class ErrorStudyTest {
     @Test
     void theReportHasALineASettingAndTheJsonTheSame() {
         assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
-        assertThat(new ErrorReport(List.of(study)).values().toString()).contains("reference_halving_rms_mm");
+        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
+                .contains("reference_halving_rms_mm");
     }
 }

@@ -142,7 +142,7 @@ public final class Stepper {
         int chattering = -1;
         for (int i = 0; i < substeps; i++) {
             integrator.step(segmentTime + ((steps - segmentStep) * (long) substeps + i) * h, h);
-            int node = watch.after();
+            int node = watch.after(integrator.kind());
             chattering = node < 0 ? chattering : node;
         }
         steps++;

@@ -252,6 +252,21 @@ public final class LiveRun implements AutoCloseable {
         return now == null ? null : now.history;
     }
 
+    /**
+     * From now on somebody sees the run at the steps that are whole multiples of an interval of simulated time, in place of who did before; also after a reset and in another scene.
+     *
+     * @param everyS s; as many steps as are nearest to it
+     * @param watch who sees it, on the simulation's thread
+     */
+    public void watch(double everyS, Watch watch) {
+        loop.commands.submit(() -> loop.show(watch, everyS));
+    }
+
+    /** Nobody sees the run at even intervals any more. */
+    public void unwatch() {
+        loop.commands.submit(() -> loop.show(null, 1));
+    }
+
     /** Ends all threads. */
     @Override
     public void close() {

@@ -23,6 +23,8 @@ final class Loop implements Runnable {
     volatile boolean closed;
     volatile boolean behind;
     volatile Status status = Status.NOTHING;
+    private Watch watch;
+    private double watchEveryS;
     private final Settings settings;
     private final LiveRun.Listener listener;
     private Scenario followed;
@@ -71,6 +73,9 @@ final class Loop implements Runnable {
         try {
             for (long i = 0; i < most; i++) {
                 now.step();
+                if (watch != null) {
+                    now.showTo(watch, watchEveryS);
+                }
                 if (System.nanoTime() >= untilNs || pacer.waitNs(now.simulation.time()) > 0) {
                     return;
                 }
@@ -114,6 +119,15 @@ final class Loop implements Runnable {
             running.simulation.change(now);
         } catch (RuntimeException e) {
             refused(e);
+        }
+    }
+
+    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
+    void show(Watch to, double everyS) {
+        watch = to;
+        watchEveryS = everyS;
+        if (to != null && running != null) {
+            running.showTo(to, everyS);
         }
     }
 

@@ -28,6 +28,7 @@ final class Running implements AutoCloseable {
     private long publishedNs;
     private long publishedStep;
     private long keptNs;
+    private Frame watched;
     private String limitSentence = "";
     private StabilityLimit limitSaid;
     private int substepsSaid;
@@ -77,6 +78,16 @@ final class Running implements AutoCloseable {
                 keptNs = System.nanoTime();
                 publish();
             }
+        }
+    }
+
+    /** Shows the scene to a watch if this is one of its steps. */
+    void showTo(Watch watch, double everyS) {
+        long every = Math.max(1, Math.round(everyS / simulation.stepper().dt()));
+        if (simulation.steps() % every == 0) {
+            watched = watched == null ? surfaces.newFrame() : watched;
+            surfaces.capture(watched);
+            watch.see(watched, simulation.breathLabel());
         }
     }
 

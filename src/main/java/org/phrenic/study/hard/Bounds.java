@@ -1,12 +1,13 @@
 package org.phrenic.study.hard;
 
 /**
- * What must hold in a hard case. The trusted run is velocity Verlet at an eighth of its stability limit, over {@link HardCase#trustedS()}; beyond that a periodic case is held against the trusted run's last period.
+ * What must hold in a hard case. The trusted run is velocity Verlet at an eighth of its stability limit, over the first
+ * {@link HardCase#trustedS()}.
  *
  * @param kineticFactor kinetic energy at any sample over the largest of the trusted run
  * @param speedMmS speed of any node at any sample, mm/s
  * @param reachMm distance of any node from where it began, mm
- * @param shape rms distance of all nodes from the trusted run at the same time or phase, over that run's largest rms distance from its start; infinite where trajectories may part
+ * @param shape rms distance of all nodes from the trusted run at the same time, while it lasts, over that run's largest rms distance from its start; infinite where trajectories may part
  * @param linkError largest | |AB| - L | / L of a rigid link
  * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
  * @param driftMm largest distance of any node between the ends of the second and of the last period; infinite where it is not asked for

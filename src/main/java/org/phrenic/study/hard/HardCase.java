@@ -12,8 +12,17 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param durationS simulated time, s
  * @param quickS simulated time of the short version, s
  * @param periodS of what drives it, s; 0 where it does not repeat itself
+ * @param trustedS how much of it the trusted run covers at most, s
  */
-record HardCase(String key, String title, Bounds bounds, Maker maker, double durationS, double quickS, double periodS) {
+record HardCase(
+        String key,
+        String title,
+        Bounds bounds,
+        Maker maker,
+        double durationS,
+        double quickS,
+        double periodS,
+        double trustedS) {
 
     /** Puts a scene together for an integrator. */
     interface Maker {
@@ -24,10 +33,5 @@ record HardCase(String key, String title, Bounds bounds, Maker maker, double dur
          * @throws IllegalArgumentException with one sentence, if the scene is refused
          */
         Trial make(IntegratorKind kind, int refinement, double durationS);
-    }
-
-    /** How long the trusted run is, s. */
-    double trustedS(double duration) {
-        return periodS > 0 ? Math.min(duration, 2 * periodS) : duration;
     }
 }

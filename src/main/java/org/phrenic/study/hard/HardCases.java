@@ -17,6 +17,8 @@ final class HardCases {
     /** The time step of a thorax is already half of its limit: its trusted run is refined by half as much. */
     private static final double COARSER = 2;
 
+    private static final double DOME_TRUSTED_S = 40;
+    private static final double THORAX_TRUSTED_S = 8;
     private static final double EVER = Double.POSITIVE_INFINITY;
 
     private final DomeMesh mesh;
@@ -52,7 +54,13 @@ final class HardCases {
         dome("dt-20", "time step 20 times as long", published.slower(20), close, 40, 8);
         dome("damping-0", "no damping", published.damped(0), Bounds.body().kinetic(4), 200, 8);
         dome("damping-1000", "damping 1,000 times as strong", published.damped(1000), close, 40, 4);
-        dome("mass-ratio", "masses that differ by a factor of a million", published.uneven(1e6), close, 20, 4);
+        dome(
+                "mass-ratio",
+                "masses that differ by a factor of a million",
+                published.uneven(1e6),
+                close.speed(10_000),
+                20,
+                4);
         dome("valence", "nodes of valence 3 to 24", DomeRecipe.published(DomeMesh.uneven(rings, 24)), close, 40, 4);
         dome(
                 "slivers",
@@ -100,7 +108,8 @@ final class HardCases {
                 (kind, refinement, duration) -> new Dome(recipe, kind, refinement),
                 durationS,
                 quickS,
-                DomeBreath.PERIOD_S));
+                DomeBreath.PERIOD_S,
+                DOME_TRUSTED_S));
     }
 
     private void thoraxes() {
@@ -208,7 +217,7 @@ final class HardCases {
             Scenario on = scenario.with("integrator=" + kind.label(), "time_step_s=" + dt);
             return new ThoraxTrial(on, body(), doing.apply(duration));
         };
-        cases.add(new HardCase(key, title, bounds, maker, durationsS[0], durationsS[1], periodS));
+        cases.add(new HardCase(key, title, bounds, maker, durationsS[0], durationsS[1], periodS, THORAX_TRUSTED_S));
     }
 
     private static Scenario scenario(String... settings) {

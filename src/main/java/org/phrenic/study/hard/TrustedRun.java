@@ -12,14 +12,12 @@ final class TrustedRun {
     private final List<double[]> shapes = new ArrayList<>();
     private final double sampleS;
     private final double endS;
-    private final double periodS;
     private double peakKinetic;
     private double excursion;
 
-    private TrustedRun(double sampleS, double endS, double periodS) {
+    private TrustedRun(double sampleS, double endS) {
         this.sampleS = sampleS;
         this.endS = endS;
-        this.periodS = periodS;
     }
 
     /** Runs a case finely; null where its bounds need no such run, or where the case is refused or diverges however finely it is stepped. */
@@ -27,7 +25,7 @@ final class TrustedRun {
         if (!hard.bounds().needsTrusted()) {
             return null;
         }
-        TrustedRun run = new TrustedRun(sampleS, hard.trustedS(durationS), hard.periodS());
+        TrustedRun run = new TrustedRun(sampleS, Math.min(durationS, hard.trustedS()));
         try (Trial trial = hard.maker().make(IntegratorKind.VERLET, REFINEMENT, durationS)) {
             Shape shape = new Shape(trial.system());
             double[] start = shape.now().clone();
@@ -59,17 +57,10 @@ final class TrustedRun {
         return excursion;
     }
 
-    /** The shape at a time, or at the same phase of the last period; null where there is none. */
+    /** The shape at a time; null where there is none. */
     double[] shapeAt(double time) {
-        double at = time;
-        if (at > endS + 0.5 * sampleS) {
-            if (periodS == 0) {
-                return null;
-            }
-            at -= periodS * Math.ceil((at - endS) / periodS - 1e-9);
-        }
-        long index = Math.round(at / sampleS);
-        return index >= 0 && index < shapes.size() && Math.abs(index * sampleS - at) < 1e-6
+        long index = Math.round(time / sampleS);
+        return index >= 0 && index < shapes.size() && Math.abs(index * sampleS - time) < 1e-6
                 ? shapes.get((int) index)
                 : null;
     }

@@ -101,7 +101,7 @@ public record Reproduction(
         Map<Resolution, Thorax> bodies = new LinkedHashMap<>();
         for (Resolution resolution : resolutions) {
             bodies.put(resolution, SimulationRun.thorax(PaperScene.own("quiet", resolution)));
-            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), trials, trialS));
+            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), SpeedTrials.SCHEME, trials, trialS));
             progress.done(
                     speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
         }

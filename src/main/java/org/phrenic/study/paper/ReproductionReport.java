@@ -160,8 +160,12 @@ public final class ReproductionReport {
                 "",
                 List.of(Column.text("the paper"), Column.text("here")),
                 List.of(
-                        List.of("liver biopsy planning and rehearsal", "not part of this report"),
-                        List.of("monitoring lung motion in radiotherapy", "not part of this report"),
+                        List.of(
+                                "liver biopsy planning and rehearsal",
+                                "phrenic rehearse: a needle in the body that breathes"),
+                        List.of(
+                                "monitoring lung motion in radiotherapy",
+                                "phrenic run --meshes: the moving lungs; phrenic compare: their distance to others"),
                         List.of(
                                 "patient-specific segmentations, meshes and diaphragm actions",
                                 "a folder of meshes is a body (phrenic run --anatomy); patients: not there yet")));

@@ -34,7 +34,7 @@ public enum SpeedCase {
     }
 
     /** Iterations a second that the paper prints. */
-    double published(Resolution resolution) {
+    public double published(Resolution resolution) {
         return switch (resolution) {
             case HIGH -> high;
             case MEDIUM -> medium;

@@ -89,7 +89,7 @@ final class SpeedSection {
     private static String percent(double[] leastMeanGreatest) {
         return String.format(
                 Locale.ROOT,
-                "%.1f %% longer (%.1f to %.1f)",
+                "%+.1f %% of time (%+.1f to %+.1f)",
                 leastMeanGreatest[1],
                 leastMeanGreatest[0],
                 leastMeanGreatest[2]);

@@ -11,26 +11,28 @@ import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.Simulation;
 
 /**
- * Measures the paper's table 1: its material and its scheme on one thread, the four cases of a resolution in turn so that whatever else the machine does falls on all of them, the median of some trials.
- * Counted is processor time, which on a machine with nothing else to do is the time on the clock.
+ * Measures the paper's table 1: its material, the four cases of a resolution in turn so that whatever else the machine does falls on all of them. Counted on one thread is processor time,
+ * which on a machine with nothing else to do is the time on the clock; on several threads the clock.
  */
-final class SpeedTrials {
-    /** The paper's scheme, at a step within its stability limit so that an iteration is one step and not several. */
-    private static final String[] SCHEME = {"integrator=rk2", "time_step_s=0.0005", "threads=1"};
+public final class SpeedTrials {
+    /** The paper's scheme on one thread, at a step within its stability limit so that an iteration is one step and not several. */
+    static final List<String> SCHEME = List.of("integrator=rk2", "time_step_s=0.0005", "threads=1");
 
     private SpeedTrials() {}
 
     /**
      * Measures one resolution.
      *
+     * @param settings keys of a scenario: scheme, step, threads
      * @param trials of each case
      * @param trialS what a trial takes, s
      */
-    static List<SpeedTable.Row> of(Resolution resolution, Thorax thorax, int trials, double trialS) {
+    public static List<SpeedTable.Row> of(
+            Resolution resolution, Thorax thorax, List<String> settings, int trials, double trialS) {
         List<Simulation> scenes = new ArrayList<>();
         try {
             for (SpeedCase forces : SpeedCase.values()) {
-                scenes.add(Simulation.of(scenario(resolution, forces), thorax));
+                scenes.add(Simulation.of(scenario(resolution, settings, forces), thorax));
             }
             int[] steps = new int[scenes.size()];
             for (int i = 0; i < steps.length; i++) {
@@ -65,31 +67,35 @@ final class SpeedTrials {
         }
     }
 
-    private static Scenario scenario(Resolution resolution, SpeedCase forces) {
-        return PaperScene.asPublished("deep", resolution).with(SCHEME).with(forces.setting());
+    private static Scenario scenario(Resolution resolution, List<String> settings, SpeedCase forces) {
+        return PaperScene.asPublished("deep", resolution)
+                .with(settings.toArray(String[]::new))
+                .with(forces.setting());
     }
 
     /** Steps a second over a stretch of about so many seconds: the warm-up. */
     private static double perS(Simulation simulation, double seconds) {
-        long begun = cpuNs();
+        long begun = nanos(simulation);
         int steps = 0;
         do {
             simulation.step();
             steps++;
-        } while ((cpuNs() - begun) * 1e-9 < seconds);
-        return steps / ((cpuNs() - begun) * 1e-9);
+        } while ((nanos(simulation) - begun) * 1e-9 < seconds);
+        return steps / ((nanos(simulation) - begun) * 1e-9);
     }
 
     private static double perS(Simulation simulation, int steps) {
-        long begun = cpuNs();
+        long begun = nanos(simulation);
         for (int i = 0; i < steps; i++) {
             simulation.step();
         }
-        return steps / ((cpuNs() - begun) * 1e-9);
+        return steps / ((nanos(simulation) - begun) * 1e-9);
     }
 
-    private static long cpuNs() {
+    private static long nanos(Simulation simulation) {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-        return threads.isCurrentThreadCpuTimeSupported() ? threads.getCurrentThreadCpuTime() : System.nanoTime();
+        return simulation.system().workers().count() == 1 && threads.isCurrentThreadCpuTimeSupported()
+                ? threads.getCurrentThreadCpuTime()
+                : System.nanoTime();
     }
 }

@@ -66,7 +66,7 @@ class StabilityStudyTest {
     void aBreachThatNobodyNoticedIsAFailure() {
         HardCase made = HardCases.all(true).get(0);
         HardCase strict = new HardCase(
-                "strict", "", Bounds.body().speed(1), made.maker(), made.durationS(), made.quickS(), made.periodS());
+                "strict", "", Bounds.body().speed(1), made.maker(), made.durationS(), made.quickS(), made.periodS(), 0);
         Cell cell = CellRun.of(strict, IntegratorKind.VERLET, null, 2, 1e9);
         assertThat(cell.verdict()).isEqualTo(Verdict.SILENT_FAILURE);
         assertThat(cell.sentence()).contains("speed of a node").contains("expected at most 1.000");

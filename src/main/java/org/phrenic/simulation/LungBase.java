@@ -1,0 +1,315 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.ChestWall;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.constraint.ContactSurface;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+
+/**
+ * Where the base of the lungs is held on the thoracic face of the diaphragm, and how it slides there: as the sheet leaves the chest wall, the costodiaphragmatic recess opens and the border of the lung comes down to where the two
+ * still touch.
+ *
+ * <p>From the point of the face nearest to a vertex of the base a track of points runs down the sheet to its insertion, {@value #SPACING_MM} mm apart at rest. As a point leaves the wall it counts as open, from not at all where it is as
+ * near as at rest to wholly at {@value #OPEN_MM} mm more; {@code S} is how much of the part of the track that lay against the wall at rest has opened. The vertex goes down its track by {@code S f(a)}, {@code a} the way from the vertex
+ * to the upper end of that part and {@code f} falling evenly from 1 to 0 over {@value #REACH_MM} mm: the border slides wholly, the middle of the base not at all. Anchors are read off the nodes as they stand and follow them without jumps; the lung pulls on the diaphragm with
+ * nothing, as it is two orders softer.
+ */
+final class LungBase implements PrescribedMotion {
+    private static final double SPACING_MM = 6;
+    private static final int MOST_POINTS = 48;
+    /** The sheet lies against the wall where it is nearer to it than this: the pleura is no gap, but given sheets are smoothed. */
+    private static final double APPOSED_MM = 8;
+
+    private static final double LATERAL = 0.5;
+    private static final double OPEN_MM = 18;
+    private static final double REACH_MM = 140;
+    /** Anchors go on without a jump, and make up for what they are behind in this time. */
+    private static final double CATCH_UP_S = 0.04;
+    /** After longer they begin anew. */
+    private static final double LONGEST_S = 0.2;
+
+    private final ParticleSystem system;
+    private final ContactSurface wall;
+    /** Nodes that the tracks run over, as offsets into positions; and how far each is from the wall, now less at rest. */
+    private final int[] watched;
+
+    private final double[] gapAtRest;
+    private final double[] opening;
+    private final double[] plane = new double[5];
+    /** Of each track: its first point, the point where it comes to the wall, and the share of the sliding that the vertex takes. */
+    private final int[] start;
+
+    private final int[] apposed;
+    private final double[] share;
+    /** Of each point: three watched nodes and their weights. */
+    private final int[] corner;
+
+    private final double[] weight;
+    /** Of each point: the sheet's normal at rest, which does not shake as that of a moving triangle does. */
+    private final double[] normal;
+    /** Of each vertex: distance from the face along its normal, and what is left. */
+    private final double[] height;
+
+    private final double[] aside;
+    private final double[] frame = new double[6];
+    /** Where the anchors were when last asked for, how fast they went on from there, and where they ought to have been. */
+    private final double[] anchor;
+
+    private final double[] speed;
+    private final double[] target;
+    private double lastTime = Double.NaN;
+
+    /**
+     * @param points the base's vertices at rest, three numbers each, mm
+     */
+    LungBase(ParticleSystem system, DiaphragmPart part, ChestWall chest, double[] points) {
+        this.system = system;
+        Diaphragm sheet = part.diaphragm;
+        Tracks tracks = new Tracks(sheet, points);
+        NodeLayout layout = system.layout();
+        int n = points.length / 3;
+        int[] vertices = Arrays.stream(tracks.corner).distinct().sorted().toArray();
+        watched = Arrays.stream(vertices)
+                .map(v -> 3 * layout.internal(part.first + v))
+                .toArray();
+        corner = Arrays.stream(tracks.corner)
+                .map(v -> Arrays.binarySearch(vertices, v))
+                .toArray();
+        weight = tracks.weight;
+        start = tracks.start;
+        wall = chest.holding(SceneParts.points(sheet.sheet().positions(), 0, vertices), new double[vertices.length]);
+        gapAtRest = new double[vertices.length];
+        opening = new double[vertices.length];
+        double[] rest = sheet.sheet().positions();
+        double[] normals = MeshMeasure.vertexNormals(sheet.sheet());
+        double[] outward = new double[vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            int k = 3 * vertices[i];
+            outward[i] = chest.outward(rest[k], rest[k + 1], normals[k], normals[k + 1]);
+        }
+        normal = new double[weight.length];
+        for (int p = 0; p < normal.length / 3; p++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                for (int c = 3 * p; c < 3 * p + 3; c++) {
+                    normal[3 * p + axis] += weight[c] * normals[3 * vertices[corner[c]] + axis];
+                }
+                squared += normal[3 * p + axis] * normal[3 * p + axis];
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                normal[3 * p + axis] /= Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
+            }
+        }
+        wall.prepare(0);
+        open();
+        System.arraycopy(opening, 0, gapAtRest, 0, opening.length);
+        apposed = new int[n];
+        share = new double[n];
+        for (int i = 0; i < n; i++) {
+            int p = start[i];
+            while (p < start[i + 1] && !(at(p, gapAtRest) < APPOSED_MM && at(p, outward) > LATERAL)) {
+                p++;
+            }
+            apposed[i] = p;
+            share[i] = Math.max(0, 1 - SPACING_MM * (p - start[i]) / REACH_MM);
+        }
+        Arrays.fill(opening, 0);
+        height = new double[n];
+        anchor = new double[3 * n];
+        speed = new double[3 * n];
+        target = new double[3 * n];
+        aside = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            place(start[i], 0, system.positions());
+            for (int axis = 0; axis < 3; axis++) {
+                aside[3 * i + axis] = points[3 * i + axis] - frame[axis];
+                height[i] += aside[3 * i + axis] * frame[3 + axis];
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                aside[3 * i + axis] -= height[i] * frame[3 + axis];
+            }
+        }
+    }
+
+    private double at(int point, double[] values) {
+        return weight[3 * point] * values[corner[3 * point]]
+                + weight[3 * point + 1] * values[corner[3 * point + 1]]
+                + weight[3 * point + 2] * values[corner[3 * point + 2]];
+    }
+
+    /** Forms the distance of the watched nodes from the wall less that at rest. */
+    private void open() {
+        double[] x = system.positions();
+        for (int i = 0; i < watched.length; i++) {
+            int k = watched[i];
+            wall.planeNear(i, x[k], x[k + 1], x[k + 2], plane, 0);
+            opening[i] = plane[0] * x[k] + plane[1] * x[k + 1] + plane[2] * x[k + 2] - plane[3] - gapAtRest[i];
+        }
+    }
+
+    @Override
+    public int pointCount() {
+        return share.length;
+    }
+
+    @Override
+    public void at(double time, double[] position, double[] velocity) {
+        wall.prepare(time);
+        open();
+        double[] x = system.positions();
+        double since = time - lastTime;
+        boolean anew = !(since > 0 && since < LONGEST_S);
+        for (int i = 0; i < share.length; i++) {
+            double along = share[i] * slid(i);
+            int last = start[i + 1] - 1;
+            int point = Math.min(start[i] + (int) along, Math.max(start[i], last - 1));
+            double t = last == start[i] ? 0 : Math.min(1, start[i] + along - point);
+            place(point, t, x);
+            for (int c = 3 * i; c < 3 * i + 3; c++) {
+                double to = frame[c - 3 * i] + height[i] * frame[3 + c - 3 * i] + aside[c];
+                anchor[c] = anew ? to : anchor[c] + since * speed[c];
+                speed[c] = anew ? 0 : (to - target[c]) / since + (to - anchor[c]) / CATCH_UP_S;
+                target[c] = to;
+            }
+        }
+        lastTime = time;
+        System.arraycopy(anchor, 0, position, 0, anchor.length);
+        System.arraycopy(speed, 0, velocity, 0, speed.length);
+    }
+
+    /** How much of a track has opened, in points. */
+    private double slid(int track) {
+        double sum = 0;
+        for (int p = apposed[track]; p < start[track + 1]; p++) {
+            double u = Math.max(0, Math.min(1, at(p, opening) / OPEN_MM));
+            sum += u * u * (3 - 2 * u);
+        }
+        return sum;
+    }
+
+    /** Writes the place so far past a point of a track, and the normal that the sheet has there at rest, into the frame. */
+    private void place(int point, double t, double[] x) {
+        int next = t > 0 ? point + 1 : point;
+        for (int axis = 0; axis < 3; axis++) {
+            frame[axis] = (1 - t) * mean(point, axis, x) + t * mean(next, axis, x);
+            frame[3 + axis] = (1 - t) * normal[3 * point + axis] + t * normal[3 * next + axis];
+        }
+    }
+
+    private double mean(int point, int axis, double[] of) {
+        return weight[3 * point] * of[watched[corner[3 * point]] + axis]
+                + weight[3 * point + 1] * of[watched[corner[3 * point + 1]] + axis]
+                + weight[3 * point + 2] * of[watched[corner[3 * point + 2]] + axis];
+    }
+
+    /** Lines of points down the thoracic face at rest. */
+    private static final class Tracks {
+        private final int[] start;
+        private int[] corner;
+        private double[] weight;
+
+        Tracks(Diaphragm diaphragm, double[] points) {
+            TriangleMesh sheet = diaphragm.sheet();
+            int[] face = IntStream.range(0, sheet.triangleCount())
+                    .filter(diaphragm::isThoracicTriangle)
+                    .toArray();
+            int[] all = sheet.triangles();
+            int[] t = IntStream.of(face)
+                    .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
+                    .map(i -> all[i])
+                    .toArray();
+            TriangleTree tree = new TriangleTree(new TriangleMesh(sheet.positions(), t));
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            int n = points.length / 3;
+            start = new int[n + 1];
+            corner = new int[3 * n * MOST_POINTS];
+            weight = new double[3 * n * MOST_POINTS];
+            double[] p = sheet.positions();
+            double[] down = new double[3];
+            int count = 0;
+            for (int i = 0; i < n; i++) {
+                start[i] = count;
+                double[] at = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+                double before = Double.POSITIVE_INFINITY;
+                for (int k = 0; k < MOST_POINTS; k++) {
+                    tree.closest(at[0], at[1], at[2], hit);
+                    double toInsertion = 0;
+                    double[] weights = {hit.weightA, hit.weightB, hit.weightC};
+                    for (int c = 0; c < 3; c++) {
+                        toInsertion += weights[c] * diaphragm.distanceFromInsertion(t[3 * hit.triangle + c]);
+                    }
+                    if (toInsertion > before - 0.3 * SPACING_MM) {
+                        break;
+                    }
+                    before = toInsertion;
+                    for (int c = 0; c < 3; c++) {
+                        corner[3 * count + c] = t[3 * hit.triangle + c];
+                        weight[3 * count + c] = weights[c];
+                    }
+                    count++;
+                    if (toInsertion < SPACING_MM) {
+                        break;
+                    }
+                    downhill(diaphragm, p, t, hit.triangle, down);
+                    at[0] = hit.x + SPACING_MM * down[0];
+                    at[1] = hit.y + SPACING_MM * down[1];
+                    at[2] = hit.z + SPACING_MM * down[2];
+                }
+            }
+            start[n] = count;
+            corner = Arrays.copyOf(corner, 3 * count);
+            weight = Arrays.copyOf(weight, 3 * count);
+        }
+
+        /** Unit direction in a triangle in which the insertion comes nearer fastest. */
+        private static void downhill(Diaphragm diaphragm, double[] p, int[] t, int triangle, double[] out) {
+            int a = t[3 * triangle];
+            int b = t[3 * triangle + 1];
+            int c = t[3 * triangle + 2];
+            double db = diaphragm.distanceFromInsertion(b) - diaphragm.distanceFromInsertion(a);
+            double dc = diaphragm.distanceFromInsertion(c) - diaphragm.distanceFromInsertion(a);
+            double uu = 0;
+            double uv = 0;
+            double vv = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double u = p[3 * b + axis] - p[3 * a + axis];
+                double v = p[3 * c + axis] - p[3 * a + axis];
+                uu += u * u;
+                uv += u * v;
+                vv += v * v;
+            }
+            double det = Math.max(uu * vv - uv * uv, Double.MIN_NORMAL);
+            double alongU = (vv * db - uv * dc) / det;
+            double alongV = (uu * dc - uv * db) / det;
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] =
+                        -alongU * (p[3 * b + axis] - p[3 * a + axis]) - alongV * (p[3 * c + axis] - p[3 * a + axis]);
+                squared += out[axis] * out[axis];
+            }
+            double length = Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] /= length;
+            }
+        }
+    }
+
+    /** Nodes of the lungs that lie on the base, and the stiffness that holds each to its place there. */
+    record Ties(List<Integer> nodes, List<Double> stiffness) {
+        int[] node() {
+            return nodes.stream().mapToInt(Integer::intValue).toArray();
+        }
+
+        double[] stiffnesses() {
+            return stiffness.stream().mapToDouble(Double::doubleValue).toArray();
+        }
+    }
+}

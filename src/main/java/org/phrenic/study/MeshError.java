@@ -1,0 +1,107 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.SimulationRun;
+
+/**
+ * What a coarser mesh changes: the displacement of the diaphragm from rest, at the vertices of the coarser sheet, against that of the finer one at the points of its rest surface nearest to them, over a breath.
+ *
+ * @param resolution of the coarser sheet
+ * @param against of the finest
+ * @param vertices of the coarser sheet
+ * @param rmsMm root of the mean square difference of displacements, mm
+ * @param maxMm greatest difference, mm
+ * @param domeMm difference of the domes' excursion, mean of both, mm
+ */
+public record MeshError(String resolution, String against, int vertices, double rmsMm, double maxMm, double domeMm) {
+
+    /** The sheet of a scene at rest, where it went, and how far its domes go down. */
+    private record Sheet(TriangleMesh rest, double[][] moved, double excursionMm) {}
+
+    /**
+     * Measures coarser resolutions against the finest.
+     *
+     * @param scenarios the same scene, coarsest first
+     * @param breathS simulated time, s
+     */
+    static List<MeshError> of(List<Scenario> scenarios, double breathS, StudyProgress progress) {
+        List<Sheet> sheets = new ArrayList<>();
+        for (Scenario scenario : scenarios) {
+            sheets.add(sheet(scenario, breathS));
+            progress.done(sheets.size(), scenarios.size(), "mesh, " + name(scenario));
+        }
+        Sheet finest = sheets.get(sheets.size() - 1);
+        List<MeshError> errors = new ArrayList<>();
+        for (int i = 0; i < sheets.size() - 1; i++) {
+            errors.add(
+                    between(sheets.get(i), finest, name(scenarios.get(i)), name(scenarios.get(scenarios.size() - 1))));
+        }
+        return errors;
+    }
+
+    private static String name(Scenario scenario) {
+        return String.valueOf(scenario.toMap().get("resolution"));
+    }
+
+    private static Sheet sheet(Scenario scenario, double breathS) {
+        try (BreathRuns runs = new BreathRuns(scenario, SimulationRun.thorax(scenario), breathS)) {
+            Trajectory run = runs.run(StepSettings.of(scenario));
+            // The diaphragm's nodes come first, in the order of its vertices.
+            TriangleMesh mesh = new SceneSurfaces(runs.simulation())
+                    .surfaces().stream()
+                            .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
+                            .findFirst()
+                            .orElseThrow()
+                            .rest();
+            double[] start = runs.inCallersOrder(runs.start());
+            double[][] moved = new double[run.positions().length][];
+            for (int s = 0; s < moved.length; s++) {
+                double[] now = runs.inCallersOrder(run.positions()[s]);
+                moved[s] = new double[3 * mesh.vertexCount()];
+                for (int i = 0; i < moved[s].length; i++) {
+                    moved[s][i] = now[i] - start[i];
+                }
+            }
+            return new Sheet(mesh, moved, runs.excursionMm(run));
+        }
+    }
+
+    private static MeshError between(Sheet coarse, Sheet fine, String coarseName, String fineName) {
+        TriangleTree tree = new TriangleTree(fine.rest);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        int vertices = coarse.rest.vertexCount();
+        double sum = 0;
+        double most = 0;
+        for (int v = 0; v < vertices; v++) {
+            tree.closest(coarse.rest.x(v), coarse.rest.y(v), coarse.rest.z(v), hit);
+            int[] corners = fine.rest.triangles();
+            int a = 3 * corners[3 * hit.triangle];
+            int b = 3 * corners[3 * hit.triangle + 1];
+            int c = 3 * corners[3 * hit.triangle + 2];
+            for (int s = 0; s < coarse.moved.length; s++) {
+                double[] m = fine.moved[s];
+                double squared = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double there = hit.weightA * m[a + axis] + hit.weightB * m[b + axis] + hit.weightC * m[c + axis];
+                    double d = coarse.moved[s][3 * v + axis] - there;
+                    squared += d * d;
+                }
+                sum += squared;
+                most = Math.max(most, squared);
+            }
+        }
+        return new MeshError(
+                coarseName,
+                fineName,
+                vertices,
+                Math.sqrt(sum / vertices / coarse.moved.length),
+                Math.sqrt(most),
+                coarse.excursionMm - fine.excursionMm);
+    }
+}

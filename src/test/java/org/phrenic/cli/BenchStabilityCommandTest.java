@@ -1,0 +1,45 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class BenchStabilityCommandTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void cellsAreToldPrintedAndWritten() {
+        Path out = folder.resolve("out");
+        CommandLineRun run = CommandLineRun.of(
+                "bench",
+                "stability",
+                "--quick",
+                "--only",
+                "published,damping-0",
+                "--integrator",
+                "verlet,rk2",
+                "--spend",
+                "1e6",
+                "--out",
+                out.toString());
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.err()).contains("1 of 4 cells done: published, verlet: stable", "damping-0, rk2: refused (");
+        assertThat(run.out()).contains("case", "verlet", "rk2", "0 FAILED SILENTLY");
+        assertThat(out.resolve("stability.md")).content().contains("| damping-0 | stable");
+        assertThat(out.resolve("stability.csv")).content().contains("published,verlet,stable");
+        assertThat(out.resolve("stability.json")).content().contains("\"passes\": true");
+    }
+
+    @Test
+    void badInputGivesExitCode2InOneLine() {
+        for (String[] bad : new String[][] {{"--only", "no-such"}, {"--integrator", "euler"}, {"--spend", "much"}}) {
+            CommandLineRun run = CommandLineRun.of("bench", "stability", bad[0], bad[1]);
+            assertThat(run.exitCode()).as(String.join(" ", bad)).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(run.err().lines()).as(run.err()).hasSize(1);
+            assertThat(run.out()).isEmpty();
+        }
+    }
+}
