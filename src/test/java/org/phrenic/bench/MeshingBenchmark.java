@@ -43,8 +43,7 @@ public class MeshingBenchmark {
             double z = (v / COLUMNS / ROWS - 79.5) / 72;
             labels[v] = (byte) (x * x + y * y + z * z < 1 ? 1 : 0);
         }
-        grid = LabelGrid.of(
-                COLUMNS, ROWS, SLICES, labels, new double[] {0.7, 0, 0, 0, 0, 0.7, 0, 0, 0, 0, 1.5, 0});
+        grid = LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {0.7, 0, 0, 0, 0, 0.7, 0, 0, 0, 0, 1.5, 0});
         voxelMm = Math.cbrt(grid.voxelVolume());
     }
 
