@@ -101,8 +101,7 @@ final class ImportCommand implements Callable<Integer> {
         Optional<Thorax> template = template();
         FittedBody scanned =
                 new ScanImport(volume, file.toString(), MeshingSteps.PAPER, edgeMm, progress()).run(map, name);
-        FittedBody body =
-                template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned);
+        FittedBody body = template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned);
         Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
         report.put("notice", Notice.TEXT);
         BodyFolder.write(out, body, report);

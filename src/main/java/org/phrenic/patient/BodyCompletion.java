@@ -2,11 +2,13 @@ package org.phrenic.patient;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.Meshes;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -19,8 +21,17 @@ import org.phrenic.geometry.TriangleMesh;
  */
 public final class BodyCompletion {
     private static final int STEPS = 40;
-    private static final double[] RADII_MM = {150, 100, 70, 50, 35};
-    private static final int WARPS_A_RADIUS = 6;
+    private static final double[] RADII_MM = {160, 120, 90, 60, 40};
+    private static final int WARPS_A_RADIUS = 5;
+    /** Warps of a smaller radius bend bones out of shape: they follow soft organs alone. */
+    private static final double BONE_RADIUS_MM = 120;
+
+    private static final Set<StructureKind> BONES = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.STERNUM,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC);
 
     private final List<Structure> template;
     private final Map<String, SharedSurface> shared = new LinkedHashMap<>();
@@ -52,8 +63,10 @@ public final class BodyCompletion {
                 .anyMatch(o -> o.structure().kind() == StructureKind.LUNG
                         && o.scan().map(Organ.Scan::isWhole).orElse(false));
         if (!lung) {
-            return noted(body, "not completed from " + template.name()
-                    + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it");
+            return noted(
+                    body,
+                    "not completed from " + template.name()
+                            + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it");
         }
         BodyCompletion completion = new BodyCompletion(body, template);
         completion.fit();
@@ -69,21 +82,22 @@ public final class BodyCompletion {
     private void fit() {
         List<SharedSurface> whole =
                 shared.values().stream().filter(SharedSurface::isWhole).toList();
-        move(AffineMap.ofBoxes(
-                box(whole.stream().map(SharedSurface::template).toList()),
-                box(whole.stream().map(SharedSurface::scan).toList())));
+        move(
+                AffineMap.ofBoxes(
+                        box(whole.stream().map(SharedSurface::template).toList()),
+                        box(whole.stream().map(SharedSurface::scan).toList())),
+                true);
         for (int step = 0; step < STEPS; step++) {
             double[][] pairs = pairs();
-            move(step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.affine(pairs[0], pairs[1]));
+            move(
+                    step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.affine(pairs[0], pairs[1]),
+                    true);
         }
         for (double radius : RADII_MM) {
             for (int step = 0; step < WARPS_A_RADIUS; step++) {
                 double[][] pairs = pairs();
-                move(new WarpField(
-                        pairs[0],
-                        pairs[1],
-                        radius,
-                        box(template.stream().map(Structure::mesh).toList())));
+                double[] bounds = box(template.stream().map(Structure::mesh).toList());
+                move(new WarpField(pairs[0], pairs[1], radius, bounds), radius >= BONE_RADIUS_MM);
             }
         }
     }
@@ -103,9 +117,12 @@ public final class BodyCompletion {
         return all;
     }
 
-    private void move(PointMap map) {
-        shared.values().forEach(s -> s.move(map));
+    private void move(PointMap map, boolean bones) {
+        shared.values().stream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.move(map));
         template.replaceAll(s -> {
+            if (!bones && BONES.contains(s.kind())) {
+                return s;
+            }
             double[] p = s.mesh().positions().clone();
             map.apply(p);
             return s.withMesh(s.mesh().withPositions(p));
@@ -128,11 +145,10 @@ public final class BodyCompletion {
                 Optional<Organ> seen = body.organs().stream()
                         .filter(o -> isSame(o.structure(), structure))
                         .findFirst();
-                Organ organ = new Organ(
-                        structure,
-                        Organ.Source.VIRTUAL,
-                        seen.flatMap(Organ::scan),
-                        seen.map(o -> shared.get(o.structure().name()).off()));
+                Organ organ =
+                        new Organ(structure, Organ.Source.VIRTUAL, seen.flatMap(Organ::scan), seen.map(o -> shared.get(
+                                        o.structure().name())
+                                .off()));
                 organs.add(organ);
                 lent.add(structure.name());
             }

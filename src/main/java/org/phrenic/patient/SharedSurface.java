@@ -1,6 +1,7 @@
 package org.phrenic.patient;
 
 import java.util.List;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.SurfaceDistance;
@@ -14,6 +15,7 @@ final class SharedSurface {
     /** What lies so near to the end of the scan is no surface of the body but the cut, mm. */
     private static final double CUT_MM = 8;
 
+    private final StructureKind kind;
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
     private final boolean whole;
@@ -23,6 +25,7 @@ final class SharedSurface {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     SharedSurface(Organ organ, TriangleMesh template) {
+        kind = organ.structure().kind();
         scan = organ.structure().mesh();
         scanTree = new TriangleTree(scan);
         String cutAt = organ.scan().map(Organ.Scan::cutAt).orElse("");
@@ -39,6 +42,10 @@ final class SharedSurface {
         }
         this.template = template;
         templateTree = new TriangleTree(template);
+    }
+
+    StructureKind kind() {
+        return kind;
     }
 
     boolean isWhole() {

@@ -36,7 +36,8 @@ class ImportCommandTest {
     @Test
     void aFolderOfMeshesIsWrittenAndSaidWhatIsInIt() throws IOException {
         Path out = folder.resolve("patient");
-        CommandLineRun run = CommandLineRun.of("import", volume.toString(), "--out", out.toString());
+        CommandLineRun run =
+                CommandLineRun.of("import", volume.toString(), "--complete", "none", "--out", out.toString());
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.DONE);
         assertThat(run.out())
                 .contains("lung_L", "lung_R", "liver", "rib_01_R to rib_12_R", "cannot breathe", Notice.TEXT);
@@ -58,6 +59,8 @@ class ImportCommandTest {
                 "--out",
                 out.toString(),
                 "--json",
+                "--complete",
+                "none",
                 "--edge",
                 "8");
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.DONE);
@@ -81,6 +84,7 @@ class ImportCommandTest {
         assertBad("another ending", map, "--labels", map.toString());
         assertBad("--edge", volume, "--edge", "-1");
         assertBad("three letters", volume, "--axes", "up");
+        assertBad("virtual/giant", volume, "--complete", "virtual/giant");
     }
 
     private void assertBad(String part, Path file, String... more) {

@@ -18,6 +18,7 @@ final class HardCases {
     private static final double COARSER = 2;
 
     private static final double DOME_TRUSTED_S = 40;
+    private static final double LIMP_TRUSTED_S = 10;
     private static final double THORAX_TRUSTED_S = 8;
     private static final double EVER = Double.POSITIVE_INFINITY;
 
@@ -97,7 +98,20 @@ final class HardCases {
                 close.reach(EVER).speed(10_000),
                 40,
                 8);
-        dome("limp", "a sheet that nothing pulls and nothing brings back", published.limp(), close, 60, 4);
+        limp(published.limp(), close);
+    }
+
+    /** Which way a slack sheet crumples is decided by less than any step resolves: trusted runs at 8, 16 and 32 parts agree to 0.001 mm for 10 s and part by 3 mm in the next 10. */
+    private void limp(DomeRecipe recipe, Bounds bounds) {
+        cases.add(new HardCase(
+                "limp",
+                "a sheet that nothing pulls and nothing brings back",
+                bounds,
+                (kind, refinement, duration) -> new Dome(recipe, kind, refinement),
+                60,
+                4,
+                DomeBreath.PERIOD_S,
+                LIMP_TRUSTED_S));
     }
 
     private void dome(String key, String title, DomeRecipe recipe, Bounds bounds, double durationS, double quickS) {
