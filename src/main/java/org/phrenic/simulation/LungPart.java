@@ -11,7 +11,7 @@ import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm; where they lie against the ribs they slide on the pleura and cannot leave it, and attachments of low elasticity
+ * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm, on which they slide ({@link LungBase}); where they lie against the ribs they slide on the pleura and cannot leave it, and attachments of low elasticity
  * to the chest wall, which fade toward the base so that the lung can follow the dome down, keep them from sliding off.
  *
  * <p>{@code wall} is null in scenes without a chest wall (the paper's): then the attachments alone hold the lungs.
@@ -37,7 +37,9 @@ final class LungPart {
     private static final double PARENCHYMA = 0.1;
 
     private static final double WALL = 0.3;
-    private static final double LINK = 2;
+    private static final double LINK = 4;
+    /** Where the base slides its springs are softer: they follow what moves by itself and need not hold against anything. */
+    private static final double SLIDING_LINK = 2;
 
     final List<Structure> structures;
     final List<Integer> firsts = new ArrayList<>();
@@ -78,7 +80,7 @@ final class LungPart {
                 }
                 if (wall != null && distance < BASE_MM) {
                     base.nodes().add(first + i);
-                    base.stiffness().add(LINK * edge);
+                    base.stiffness().add(SLIDING_LINK * edge);
                 } else if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
                     parts.passive.add(first + i, diaphragm.first + near, LINK * edge, distance, 0);
                 } else {
