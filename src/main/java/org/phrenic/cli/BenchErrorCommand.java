@@ -104,7 +104,7 @@ final class BenchErrorCommand implements Callable<Integer> {
     @Option(
             names = "--max-error",
             paramLabel = "MM",
-            description = "Also say which setting is the cheapest that keeps this rms error.")
+            description = "Also say which setting is the cheapest that keeps this rms error of the diaphragm.")
     private String maxError;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Folder for the reports.")

@@ -54,7 +54,7 @@ final class RunCommand implements Callable<Integer> {
             names = "--max-error",
             paramLabel = "MM",
             description =
-                    "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms error.")
+                    "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms error of the diaphragm.")
     private String maxError;
 
     @Override

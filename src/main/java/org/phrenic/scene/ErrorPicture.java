@@ -119,7 +119,7 @@ public final class ErrorPicture {
         double low = points.stream().mapToDouble(Point::percent).min().orElse(aim);
         double high = points.stream().mapToDouble(Point::percent).max().orElse(aim);
         plot.setRangeAxis(new DecadeAxis(
-                material + " preset, " + resolution + " resolution: rms error, % of excursion",
+                material + " preset, " + resolution + " resolution: rms error of the diaphragm, % of excursion",
                 Math.min(low, aim) / 2,
                 Math.max(high, aim) * 2));
         front(plot, points);
@@ -160,7 +160,7 @@ public final class ErrorPicture {
             if (p.percent * APART < named) {
                 XYTextAnnotation text = new XYTextAnnotation(p.label + "   ", p.cpuS, p.percent);
                 text.setFont(font(Font.PLAIN, 12));
-                text.setTextAnchor(TextAnchor.CENTER_RIGHT);
+                text.setTextAnchor(TextAnchor.TOP_RIGHT);
                 text.setPaint(new Color(0x30363c));
                 plot.addAnnotation(text);
                 named = p.percent;

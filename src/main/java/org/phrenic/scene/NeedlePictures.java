@@ -115,7 +115,7 @@ public final class NeedlePictures implements AutoCloseable {
                     s.name(),
                     switch (s.kind()) {
                         case LUNG -> look.withOpacity(1);
-                        case LIVER -> look.withOpacity(0.55f);
+                        case LIVER -> look.withOpacity(0.8f);
                         default -> look;
                     });
         }

@@ -2,10 +2,12 @@ package org.phrenic.study;
 
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Observation;
 import org.phrenic.simulation.Scenario;
@@ -39,6 +41,26 @@ final class BreathRuns implements AutoCloseable {
 
     Simulation simulation() {
         return simulation;
+    }
+
+    /** The diaphragm at rest. */
+    TriangleMesh sheet() {
+        return new SceneSurfaces(simulation)
+                .surfaces().stream()
+                        .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
+                        .findFirst()
+                        .orElseThrow()
+                        .rest();
+    }
+
+    /** For each node whether it is one of the diaphragm's, which come first in the order in which the scene was put together. */
+    boolean[] isSheet() {
+        int vertices = sheet().vertexCount();
+        boolean[] which = new boolean[nodes()];
+        for (int i = 0; i < which.length; i++) {
+            which[i] = simulation.system().layout().caller(i) < vertices;
+        }
+        return which;
     }
 
     /** Where all nodes are at the beginning, mm; read only. */

@@ -5,8 +5,10 @@ package org.phrenic.study;
  *
  * @param settings what was run
  * @param substeps into which the stability limit split a step
- * @param rmsMm root mean square distance of all nodes from the reference, over all samples, mm
+ * @param rmsMm root mean square distance of the diaphragm's nodes from the reference, over all samples, mm
  * @param maxMm greatest of these distances, mm
+ * @param allRmsMm root mean square distance of all nodes, those of lungs and sternum too, mm
+ * @param allMaxMm greatest of these distances, mm
  * @param cpuS time that processors spent, s
  * @param wallS time it took, s
  * @param realTime simulated time over {@code wallS}
@@ -18,6 +20,8 @@ public record ErrorPoint(
         int substeps,
         double rmsMm,
         double maxMm,
+        double allRmsMm,
+        double allMaxMm,
         double cpuS,
         double wallS,
         double realTime,
@@ -25,6 +29,6 @@ public record ErrorPoint(
         boolean usual) {
 
     ErrorPoint onFront(boolean on) {
-        return new ErrorPoint(settings, substeps, rmsMm, maxMm, cpuS, wallS, realTime, on, usual);
+        return new ErrorPoint(settings, substeps, rmsMm, maxMm, allRmsMm, allMaxMm, cpuS, wallS, realTime, on, usual);
     }
 }

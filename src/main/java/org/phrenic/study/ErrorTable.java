@@ -40,6 +40,8 @@ public record ErrorTable(String name, List<Row> rows) {
             "max_mm",
             "rms_percent",
             "max_percent",
+            "all_rms_mm",
+            "all_max_mm",
             "cpu_s",
             "wall_s",
             "real_time",
@@ -53,7 +55,7 @@ public record ErrorTable(String name, List<Row> rows) {
      * @param preset breathing
      * @param resolution label
      * @param nodes how many springs move
-     * @param rmsPercent rms error in per cent of the domes' excursion
+     * @param rmsPercent rms error of the diaphragm in per cent of the domes' excursion
      * @param maxPercent greatest error in per cent of it
      * @param point what was measured
      */
@@ -146,6 +148,8 @@ public record ErrorTable(String name, List<Row> rows) {
                     (int) csv.numbers("substeps")[i],
                     csv.numbers("rms_mm")[i],
                     csv.numbers("max_mm")[i],
+                    csv.numbers("all_rms_mm")[i],
+                    csv.numbers("all_max_mm")[i],
                     csv.numbers("cpu_s")[i],
                     csv.numbers("wall_s")[i],
                     csv.numbers("real_time")[i],
@@ -192,6 +196,8 @@ public record ErrorTable(String name, List<Row> rows) {
                 number(p.maxMm()),
                 number(row.rmsPercent()),
                 number(row.maxPercent()),
+                number(p.allRmsMm()),
+                number(p.allMaxMm()),
                 number(p.cpuS()),
                 number(p.wallS()),
                 number(p.realTime()),
@@ -204,25 +210,36 @@ public record ErrorTable(String name, List<Row> rows) {
     }
 
     /**
-     * The cheapest setting whose rms error is at most so much. Breathing that was not measured is taken for the quiet one.
+     * The cheapest setting whose rms error is at most so much. Breathing that was not measured is taken for the quiet one, a resolution that was not for the finest that was; the sentence names what was measured.
      *
      * @param scenario material, resolution and breathing
-     * @param maxErrorMm rms over all nodes and the whole breath, mm
+     * @param maxErrorMm rms over the diaphragm's nodes and the whole breath, mm
      * @throws BadInputException with one sentence, if none keeps it or the scene was not measured
      */
     public Chosen cheapest(Scenario scenario, double maxErrorMm) {
         String material = scenario.material().label();
-        String resolution = scenario.resolution().name().toLowerCase(Locale.ROOT);
-        List<Row> scene = rows.stream()
-                .filter(r -> r.material().equals(material) && r.resolution().equals(resolution))
+        String wanted = scenario.resolution().name().toLowerCase(Locale.ROOT);
+        List<Row> sameMaterial =
+                rows.stream().filter(r -> r.material().equals(material)).toList();
+        boolean measured = sameMaterial.stream().anyMatch(r -> r.resolution().equals(wanted));
+        // Where errors come from (step, projection, folds that snap) the resolutions are alike: the finest measured
+        // stands for one that was not.
+        String resolution = measured
+                ? wanted
+                : sameMaterial.stream()
+                        .max(Comparator.comparingInt(Row::nodes))
+                        .map(Row::resolution)
+                        .orElse(wanted);
+        List<Row> scene = sameMaterial.stream()
+                .filter(r -> r.resolution().equals(resolution))
                 .toList();
         boolean known = scene.stream().anyMatch(r -> r.preset().equals(scenario.preset()));
         String preset = known ? scenario.preset() : Scenario.defaults().preset();
         List<Row> candidates =
                 scene.stream().filter(r -> r.preset().equals(preset)).toList();
         if (candidates.isEmpty()) {
-            throw new BadInputException("--max-error: found no measurement of material " + material + " at resolution "
-                    + resolution + " in " + name + ", expected one (phrenic bench error --write)");
+            throw new BadInputException("--max-error: found no measurement of material " + material + " in " + name
+                    + ", expected one (phrenic bench error --write)");
         }
         Optional<Row> cheapest = candidates.stream()
                 .filter(r -> r.point().rmsMm() <= maxErrorMm)
@@ -244,8 +261,8 @@ public record ErrorTable(String name, List<Row> rows) {
         Row row = cheapest.get();
         String sentence = String.format(
                 Locale.ROOT,
-                "For an error of at most %s mm: %s; measured %.3g mm rms (%.2g %% of the excursion), %.3g mm at worst, on"
-                        + " a %s breath of the virtual adult male at %s resolution.",
+                "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the excursion),"
+                        + " %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
                 plain(maxErrorMm),
                 row.point().settings().label(),
                 row.point().rmsMm(),

@@ -25,10 +25,14 @@ public record MachineFloor(double rootsPerSecond, double bytesPerSecond, double 
 
     private static final int ROOTS = 1024;
     private static final int REPEATS = 16;
-    private static final long ROUNDS_NANOS = 100_000_000;
+    /** A measurement ends when for so long no round was faster than all before. */
+    private static final long PATIENCE_NANOS = 150_000_000;
+
+    /** By how much a round must be faster to count as that. */
+    private static final double FASTER = 0.99;
 
     /**
-     * Measures the machine: about a fifth of a second.
+     * Measures the machine: about half a second.
      *
      * @param nodes particles
      * @param edges springs
@@ -58,12 +62,16 @@ public record MachineFloor(double rootsPerSecond, double bytesPerSecond, double 
     /** Least time of a round on all threads, s: what disturbs only makes it longer. */
     private static double best(Workers workers, Workers.Task task) {
         double least = Double.POSITIVE_INFINITY;
-        long end = System.nanoTime() + ROUNDS_NANOS;
         long before = System.nanoTime();
+        long end = before + PATIENCE_NANOS;
         do {
             workers.run(workers.count(), task);
             long now = System.nanoTime();
-            least = Math.min(least, (now - before) * 1e-9);
+            double seconds = (now - before) * 1e-9;
+            if (seconds < FASTER * least) {
+                end = now + PATIENCE_NANOS;
+            }
+            least = Math.min(least, seconds);
             before = now;
         } while (before < end);
         return least;

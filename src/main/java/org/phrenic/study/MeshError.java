@@ -2,11 +2,9 @@ package org.phrenic.study;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
 import org.phrenic.simulation.Scenario;
-import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.SimulationRun;
 
 /**
@@ -53,12 +51,7 @@ public record MeshError(String resolution, String against, int vertices, double 
         try (BreathRuns runs = new BreathRuns(scenario, SimulationRun.thorax(scenario), breathS)) {
             Trajectory run = runs.run(StepSettings.of(scenario));
             // The diaphragm's nodes come first, in the order of its vertices.
-            TriangleMesh mesh = new SceneSurfaces(runs.simulation())
-                    .surfaces().stream()
-                            .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
-                            .findFirst()
-                            .orElseThrow()
-                            .rest();
+            TriangleMesh mesh = runs.sheet();
             double[] start = runs.inCallersOrder(runs.start());
             double[][] moved = new double[run.positions().length][];
             for (int s = 0; s < moved.length; s++) {

@@ -1,5 +1,7 @@
 package org.phrenic.study;
 
+import java.util.Arrays;
+
 /**
  * Where the nodes of a scene were during a breath.
  *
@@ -11,9 +13,11 @@ package org.phrenic.study;
 record Trajectory(double[][] positions, int substeps, double cpuS, double wallS) {
 
     /**
-     * Distance of nodes from where another trajectory of the same nodes has them, over all samples: root of the mean square, then the greatest, mm.
+     * Distance of some nodes from where another trajectory has them, over all samples: root of the mean square, then the greatest, mm.
+     *
+     * @param which for each node whether it counts
      */
-    double[] distanceFrom(Trajectory other) {
+    double[] distanceFrom(Trajectory other, boolean[] which) {
         double sum = 0;
         double most = 0;
         long count = 0;
@@ -21,6 +25,9 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
             double[] p = positions[s];
             double[] q = other.positions[s];
             for (int i = 0; i < p.length; i += 3) {
+                if (!which[i / 3]) {
+                    continue;
+                }
                 double x = p[i] - q[i];
                 double y = p[i + 1] - q[i + 1];
                 double z = p[i + 2] - q[i + 2];
@@ -28,9 +35,18 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
                 sum += squared;
                 // A distance that is no number must not pass as small.
                 most = squared <= most ? most : squared;
+                count++;
             }
-            count += p.length / 3;
         }
         return new double[] {Math.sqrt(sum / count), Math.sqrt(most)};
+    }
+
+    /**
+     * Distance of all nodes from where another trajectory has them, over all samples: root of the mean square, then the greatest, mm.
+     */
+    double[] distanceFrom(Trajectory other) {
+        boolean[] all = new boolean[positions[0].length / 3];
+        Arrays.fill(all, true);
+        return distanceFrom(other, all);
     }
 }

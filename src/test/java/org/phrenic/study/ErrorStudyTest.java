@@ -64,7 +64,8 @@ class ErrorStudyTest {
     void aStepThatIsSplitIntoThoseOfAShorterOneIsLeftOutWithTheReason() {
         assertThat(study.leftOut())
                 .isNotEmpty()
-                .allMatch(line -> line.startsWith("lagged") && line.matches(".* is split into \\d+ substeps.*"));
+                .allMatch(line ->
+                        line.startsWith("lagged") && line.matches(".* 2 sweeps.* is split into \\d+ substeps.*"));
     }
 
     @Test

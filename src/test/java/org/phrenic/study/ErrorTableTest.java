@@ -27,7 +27,7 @@ class ErrorTableTest {
                 12_028,
                 10 * rmsMm,
                 20 * rmsMm,
-                new ErrorPoint(settings, 1, rmsMm, 2 * rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
+                new ErrorPoint(settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
     }
 
     private static ErrorTable table(ErrorTable.Row... rows) {
@@ -59,9 +59,16 @@ class ErrorTableTest {
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 0.001 mm")
                 .hasMessageContaining("at least 0.00120 mm");
-        assertThatThrownBy(() -> table.cheapest(PAPER.with("resolution=high"), 1))
+        assertThatThrownBy(() -> table.cheapest(Scenario.defaults(), 1))
                 .isInstanceOf(BadInputException.class)
-                .hasMessageContaining("resolution high");
+                .hasMessageContaining("material physical");
+    }
+
+    @Test
+    void aResolutionThatWasNotMeasuredIsTakenForTheFinestThatWasAndTheSentenceNamesIt() {
+        ErrorTable.Chosen chosen = table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER.with("resolution=high"), 0.05);
+        assertThat(chosen.settings().timeStepS()).isEqualTo(0.005);
+        assertThat(chosen.sentence()).contains("at low resolution");
     }
 
     @Test

@@ -9,9 +9,10 @@ import java.util.Map;
  * plain loops). Kernels give the same bits, so the choice shows in nothing but time.
  */
 final class KernelChoice {
-    private static final int WARM_UP_ROUNDS = 4;
-    private static final int ROUNDS = 8;
-    private static final long ROUND_NANOS = 15_000_000;
+    /** Enough for the just-in-time compiler to have settled in the later ones: the least time of all counts. */
+    private static final int ROUNDS = 12;
+
+    private static final long ROUND_NANOS = 12_000_000;
 
     private KernelChoice() {}
 
@@ -36,10 +37,7 @@ final class KernelChoice {
             for (int round = 0; round < ROUNDS; round++) {
                 for (SpringKernel kernel : candidates) {
                     springs.setKernel(kernel);
-                    long time = leastNanos(evaluate);
-                    if (round >= WARM_UP_ROUNDS) {
-                        least.merge(kernel, time, Math::min);
-                    }
+                    least.merge(kernel, leastNanos(evaluate), Math::min);
                 }
             }
             for (SpringKernel kernel : candidates) {

@@ -57,7 +57,7 @@ public final class Springs implements ForceField {
     }
 
     /**
-     * Uses the kernel that is fastest here from now on, by a measurement of about a quarter of a second on the caller's thread (none where there is only one); the bits do not depend on it.
+     * Uses the kernel that is fastest here from now on, by a measurement of about a third of a second on the caller's thread (none where there is only one); the bits do not depend on it.
      *
      * @param x positions, mm, internal order; not written to
      * @param v velocities, mm/s, likewise

@@ -8,6 +8,7 @@ package org.phrenic.study.hard;
  * @param speedMmS speed of any node at any sample, mm/s
  * @param reachMm distance of any node from where it began, mm
  * @param shape rms distance of all nodes from the trusted run at the same time, while it lasts, over that run's largest rms distance from its start; infinite where trajectories may part
+ * @param shapeS until when that is asked, s: where a sheet crumples or snaps through, trusted runs of different fineness part too
  * @param linkError largest | |AB| - L | / L of a rigid link
  * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
  * @param driftMm largest distance of any node between the ends of the second and of the last period; infinite where it is not asked for
@@ -17,6 +18,7 @@ record Bounds(
         double speedMmS,
         double reachMm,
         double shape,
+        double shapeS,
         double linkError,
         double returnMm,
         double driftMm) {
@@ -24,35 +26,39 @@ record Bounds(
 
     /** A cough moves tissue at some 1,000 mm/s and nothing in a trunk is 300 mm from where it was; links to a thousandth. */
     static Bounds body() {
-        return new Bounds(ANY, 1000, 300, ANY, 1e-3, ANY, ANY);
+        return new Bounds(ANY, 1000, 300, ANY, ANY, 1e-3, ANY, ANY);
     }
 
     Bounds kinetic(double factor) {
-        return new Bounds(factor, speedMmS, reachMm, shape, linkError, returnMm, driftMm);
+        return new Bounds(factor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, driftMm);
     }
 
     Bounds speed(double mmS) {
-        return new Bounds(kineticFactor, mmS, reachMm, shape, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, mmS, reachMm, shape, shapeS, linkError, returnMm, driftMm);
     }
 
     Bounds reach(double mm) {
-        return new Bounds(kineticFactor, speedMmS, mm, shape, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, mm, shape, shapeS, linkError, returnMm, driftMm);
     }
 
     Bounds shape(double share) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, share, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, share, shapeS, linkError, returnMm, driftMm);
+    }
+
+    Bounds shapeUntil(double seconds) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, seconds, linkError, returnMm, driftMm);
     }
 
     Bounds links(double relative) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, relative, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, relative, returnMm, driftMm);
     }
 
     Bounds returns(double mm) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, linkError, mm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, mm, driftMm);
     }
 
     Bounds drift(double mm) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, linkError, returnMm, mm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, mm);
     }
 
     /** Whether a trusted run is needed. */

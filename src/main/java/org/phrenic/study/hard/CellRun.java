@@ -144,7 +144,8 @@ final class CellRun {
         if (noticed.isEmpty()) {
             within("error of a link's length", links, bounds.linkError(), time);
         }
-        double[] right = trusted == null || !noticed.isEmpty() ? null : trusted.shapeAt(time);
+        boolean comparable = trusted != null && noticed.isEmpty() && time <= bounds.shapeS();
+        double[] right = comparable ? trusted.shapeAt(time) : null;
         if (right != null) {
             parted = Math.max(parted, Shape.rms(now, right) / Math.max(trusted.excursion(), 1));
             double most = bounds.shape() * (kind == IntegratorKind.BACKWARD_EULER ? DISSIPATIVE : 1);

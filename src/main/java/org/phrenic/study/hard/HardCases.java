@@ -97,7 +97,15 @@ final class HardCases {
                 close.reach(EVER).speed(10_000),
                 40,
                 8);
-        dome("limp", "a sheet that nothing pulls and nothing brings back", published.limp(), close, 60, 4);
+        // Trusted runs in 8, 16 and 32 parts agree to 0.001 mm for 10 s and part by 3 mm in the next 10: how a slack
+        // sheet crumples is decided by less than any step resolves.
+        dome(
+                "limp",
+                "a sheet that nothing pulls and nothing brings back",
+                published.limp(),
+                close.shapeUntil(10),
+                60,
+                4);
     }
 
     private void dome(String key, String title, DomeRecipe recipe, Bounds bounds, double durationS, double quickS) {
@@ -128,10 +136,12 @@ final class HardCases {
                 "muscle_stiffness_n_per_m=3000",
                 "tendon_stiffness_ratio=50",
                 "damping_rate_per_s=0");
+        // Trusted runs agree to 0.01 mm up to 1.5 s; then the sheet snaps through, 8 mm rms in a quarter of a second,
+        // at a moment that any step decides.
         thorax(
                 "thorax-deep",
                 "breaths as deep as the sliders go",
-                close,
+                close.shapeUntil(1.5),
                 20,
                 2,
                 8,

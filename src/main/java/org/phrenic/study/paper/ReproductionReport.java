@@ -177,7 +177,8 @@ public final class ReproductionReport {
                 "By " + madeBy + ", with: phrenic reproduce --out DIR" + (found.quick() ? " --quick" : ""),
                 "Breaths: virtual adult male, " + found.breathing().name().toLowerCase(Locale.ROOT) + " resolution ("
                         + SpeedSection.grouped(found.breathing().vertices())
-                        + " vertices that move). The same command gives the same numbers, but for those of speed.",
+                        + " vertices that move); of pictures low resolution, so that a wireframe can be read. The same"
+                        + " command gives the same numbers, but for those of speed and of the window.",
                 "Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", "
                         + Runtime.getRuntime().availableProcessors() + " processors, Java "
                         + System.getProperty("java.version") + ". Speeds are of this machine at this moment.");
