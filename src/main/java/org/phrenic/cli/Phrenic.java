@@ -23,11 +23,11 @@ import picocli.CommandLine.Spec;
             WindowCommand.class,
             RunCommand.class,
             RenderCommand.class,
-            CompareCommand.class,
-            ImportCommand.class,
             InfoCommand.class,
             BenchCommand.class,
             ValidateCommand.class,
+            ImportCommand.class,
+            CompareCommand.class,
             RegressCommand.class,
             ReproduceCommand.class,
             RehearseCommand.class
