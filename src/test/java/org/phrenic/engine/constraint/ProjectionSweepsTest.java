@@ -1,12 +1,12 @@
-package org.phrenic.engine;
+package org.phrenic.engine.constraint;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
-import org.phrenic.engine.constraint.ContactSurface;
-import org.phrenic.engine.constraint.RigidLinks;
-import org.phrenic.engine.constraint.SlidingContact;
+import org.phrenic.engine.NodeLayout;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.Workers;
 
 /** A link of 2 mm on the z axis whose upper node a floor at z = 0 holds up: floor and link each break what the other put right. */
 class ProjectionSweepsTest {
