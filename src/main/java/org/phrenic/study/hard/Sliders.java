@@ -52,7 +52,13 @@ final class Sliders implements ThoraxTrial.Doing {
             }
         } else if (now >= next) {
             next = now + FEWEST_S + SPREAD_S * random.nextDouble() * random.nextDouble();
-            simulation.change(thrown());
+            try {
+                simulation.change(thrown());
+            } catch (IllegalArgumentException refused) {
+                // What cannot be breathed, or stepped, is refused and nothing has changed: as for anybody at the
+                // sliders, it goes on.
+                return;
+            }
         }
     }
 
