@@ -11,7 +11,7 @@ package org.phrenic.study.hard;
  * @param shapeS until when that is asked, s: where a sheet crumples or snaps through, trusted runs of different fineness part too
  * @param linkError largest | |AB| - L | / L of a rigid link
  * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
- * @param driftMm largest distance of any node between the ends of the second and of the last period; infinite where it is not asked for
+ * @param driftMm largest distance of any node between the ends of the first period after a minute and of any later one; infinite where it is not asked for
  */
 record Bounds(
         double kineticFactor,

@@ -19,7 +19,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param shape largest rms distance from the trusted run over its excursion; NaN without one
  * @param linkError largest relative error of a rigid link's length
  * @param returnMm rms distance from the start at the end, mm
- * @param driftMm largest distance of a node between the ends of the second and the last period, mm; NaN with fewer than three periods
+ * @param driftMm largest distance of a node between the ends of the first period after a minute and the last one, mm; NaN in shorter runs
  */
 public record Cell(
         String caseKey,

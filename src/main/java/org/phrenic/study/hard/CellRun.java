@@ -19,6 +19,9 @@ final class CellRun {
     /** Backward Euler damps what it does not resolve: it may be so many times as far from the trusted shape. */
     private static final double DISSIPATIVE = 2;
 
+    /** By then the swing of the start has died down, s: with the paper's damping it fades by e in 10 s. */
+    private static final double TRANSIENT_S = 60;
+
     /** What had begun to swing when a step was split has so long to die down, s. */
     private static final double SETTLES_S = 1;
 
@@ -36,7 +39,7 @@ final class CellRun {
     private double reach;
     private double parted;
     private double links;
-    private double[] secondPeriodEnd;
+    private double[] settledPeriodEnd;
     private double drift = Double.NaN;
     private String breach = "";
     private String noticed = "";
@@ -153,11 +156,11 @@ final class CellRun {
         }
         if (hard.periodS() > 0) {
             double periods = time / hard.periodS();
-            if (Math.abs(periods - Math.rint(periods)) * hard.periodS() < 1e-6 && periods > 1.5) {
-                if (secondPeriodEnd == null) {
-                    secondPeriodEnd = now.clone();
+            if (Math.abs(periods - Math.rint(periods)) * hard.periodS() < 1e-6 && time > TRANSIENT_S) {
+                if (settledPeriodEnd == null) {
+                    settledPeriodEnd = now.clone();
                 } else {
-                    drift = Shape.farthest(now, secondPeriodEnd);
+                    drift = Shape.farthest(now, settledPeriodEnd);
                     within("drift of a node from period to period, mm", drift, bounds.driftMm(), time);
                 }
             }
