@@ -164,7 +164,7 @@ class BadInputTest {
 
     static Stream<Arguments> options() {
         return Stream.of(
-                bad("unknown command", "run, render, compare, import, info, bench", f -> List.of("nope")),
+                bad("unknown command", "run, render, info, bench", f -> List.of("nope")),
                 bad("mistyped command", "did you mean 'bench'?", f -> List.of("bensh")),
                 bad("unknown option", "did you mean '--threads'?", options("--theads", "2")),
                 bad("option without value", "--threads", options("--threads")),
