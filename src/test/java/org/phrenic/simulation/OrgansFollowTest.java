@@ -101,7 +101,8 @@ class OrgansFollowTest {
             assertThat(opened[i]).isGreaterThan(lowest - SETTLED_MM);
             most = Math.max(most, atRest[i] - opened[i]);
         }
-        // The zone of apposition of this body is some 90 mm high at the side and more behind; its insertion bounds the way, above.
+        // The zone of apposition of this body is some 90 mm high at the side and more behind; its insertion bounds the
+        // way, above.
         assertThat(most).isGreaterThan(60);
         assertThat(base.anchorsAt(0)).containsExactly(atRest, within(ROUNDING));
     }
