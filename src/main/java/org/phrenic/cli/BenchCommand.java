@@ -9,6 +9,7 @@ import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
+import org.phrenic.simulation.Scenario;
 import org.phrenic.study.BareResult;
 import org.phrenic.study.BareScene;
 import org.phrenic.study.BareSettings;
@@ -34,7 +35,6 @@ import picocli.CommandLine.Spec;
             "Index files hold vertex numbers from 0, one a line; --links two a line."
         })
 final class BenchCommand implements Callable<Integer> {
-    private static final int MOST_THREADS = 256;
 
     @Spec
     private CommandSpec spec;
@@ -86,8 +86,8 @@ final class BenchCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "found neither --mesh nor a sub-command, expected one of them");
         }
-        if (threads > MOST_THREADS) {
-            throw new BadInputException("threads: found " + threads + ", expected 1 to " + MOST_THREADS);
+        if (threads > Scenario.MOST_THREADS) {
+            throw new BadInputException("threads: found " + threads + ", expected 1 to " + Scenario.MOST_THREADS);
         }
         BareSettings settings = BareSettings.DEFAULT
                 .withIntegrator(IntegratorKind.of(integrator))

@@ -44,7 +44,6 @@ import picocli.CommandLine.Spec;
             Notice.TEXT
         })
 final class BenchErrorCommand implements Callable<Integer> {
-    private static final int MOST_THREADS = 256;
     /** What the command itself decides on. */
     private static final Set<String> RESERVED = Set.of(
             "material",
@@ -173,7 +172,8 @@ final class BenchErrorCommand implements Callable<Integer> {
                         new Assignment(
                                 "--threads",
                                 "threads",
-                                Integer.toString(OptionNumbers.whole("--threads", threads, 1, MOST_THREADS)))));
+                                Integer.toString(
+                                        OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS)))));
                 if (quick) {
                     list.add(new Assignment("--quick", "lungs", "embedded"));
                     list.add(new Assignment("--quick", "sternum", "kinematic"));

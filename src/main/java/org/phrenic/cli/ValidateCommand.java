@@ -45,7 +45,6 @@ import picocli.CommandLine.Spec;
         })
 final class ValidateCommand implements Callable<Integer> {
     private static final String DEFAULT_BODY = "virtual/adult-male";
-    private static final int MOST_THREADS = 256;
     /** What the command itself decides on. */
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
@@ -95,7 +94,9 @@ final class ValidateCommand implements Callable<Integer> {
         }
         PhysiologyTable table = tableFile == null ? PhysiologyTable.shipped() : PhysiologyTable.read(tableFile);
         Scenario scenario = scenario();
-        int atATime = threads == null ? scenario.threads() : OptionNumbers.whole("--threads", threads, 1, MOST_THREADS);
+        int atATime = threads == null
+                ? scenario.threads()
+                : OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS);
         StudyProgress progress = new LineProgress(spec.commandLine().getErr());
         Validation validation = Validation.of(table, scenario, bodies(), only(), atATime, progress);
         ValidationReport report = new ValidationReport(validation);

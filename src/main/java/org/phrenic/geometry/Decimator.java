@@ -182,11 +182,11 @@ public final class Decimator {
             }
             double[] before = cross(b, c, p[3 * v], p[3 * v + 1], p[3 * v + 2]);
             double[] after = cross(b, c, x, y, z);
-            double squareBefore = dot(before, before);
-            double squareAfter = dot(after, after);
+            double squareBefore = Vectors.dot(before, before);
+            double squareAfter = Vectors.dot(after, after);
             double shapeBefore = Math.sqrt(squareBefore) / longestSquare(b, c, p[3 * v], p[3 * v + 1], p[3 * v + 2]);
             double shapeAfter = Math.sqrt(squareAfter) / longestSquare(b, c, x, y, z);
-            boolean turned = dot(before, after) < LEAST_COSINE * Math.sqrt(squareBefore * squareAfter);
+            boolean turned = Vectors.dot(before, after) < LEAST_COSINE * Math.sqrt(squareBefore * squareAfter);
             if (turned || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
                 return false;
             }
@@ -238,10 +238,6 @@ public final class Decimator {
 
     private static double square(double x, double y, double z) {
         return x * x + y * y + z * z;
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
     /** Enters an edge: the bits of a float that is not negative sort as it does, the half-edge breaks ties. */

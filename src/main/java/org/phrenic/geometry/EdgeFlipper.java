@@ -64,9 +64,9 @@ final class EdgeFlipper {
         if (!(areaA > 0 && areaB > 0)) {
             return false;
         }
-        double bendAfter = dot(third, fourth) / (areaA * areaB);
+        double bendAfter = Vectors.dot(third, fourth) / (areaA * areaB);
         if (areaC > 0 && areaD > 0) {
-            double bendBefore = dot(first, second) / (areaC * areaD);
+            double bendBefore = Vectors.dot(first, second) / (areaC * areaD);
             if (bendBefore < RIM || bendAfter < Math.min(FLAT_ENOUGH, bendBefore)) {
                 return false;
             }
@@ -110,10 +110,6 @@ final class EdgeFlipper {
         n[0] = uy * vz - uz * vy;
         n[1] = uz * vx - ux * vz;
         n[2] = ux * vy - uy * vx;
-        return Math.sqrt(dot(n, n));
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        return Math.sqrt(Vectors.dot(n, n));
     }
 }

@@ -14,6 +14,7 @@ import java.util.stream.IntStream;
 import org.phrenic.engine.Workers;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * From where on the skin a target can be reached by a straight path, and in which part of the breath. At each moment the path goes from where the skin's vertex is then to where the target's middle is then; it is free if it

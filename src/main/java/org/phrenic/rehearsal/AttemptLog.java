@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.phrenic.geometry.Vectors;
 
 /** What is gathered while an attempt goes on. */
 final class AttemptLog {

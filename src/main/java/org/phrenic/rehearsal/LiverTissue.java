@@ -1,5 +1,7 @@
 package org.phrenic.rehearsal;
 
+import org.phrenic.geometry.Vectors;
+
 /**
  * How points within the liver move with its surface. A point's place is a fixed affine combination of the surface's vertices, {@code x = Σ c_i x_i}, with the coefficients of an affine moving least squares fit about its place at rest
  * (Schaefer, McPhail and Warren 2006, doi 10.1145/1141911.1141920; weights {@code 1 / (d² + e²)²}): where the liver moves as a rigid or affine body it is exact, and where it bends it follows the surface that is near.
@@ -118,7 +120,7 @@ public final class LiverTissue {
             if (Vectors.length(miss) < CLOSE_MM) {
                 break;
             }
-            guess = Vectors.along(guess, 1, miss);
+            guess = Vectors.add(guess, miss, 1);
             point = at(guess);
         }
         return point;

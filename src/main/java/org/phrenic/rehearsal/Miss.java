@@ -2,6 +2,7 @@ package org.phrenic.rehearsal;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.phrenic.geometry.Vectors;
 
 /**
  * How a needle's tip lies to the middle of its target.
@@ -15,7 +16,7 @@ public record Miss(double axialMm, double lateralMm, boolean hit) {
         double[] d = Vectors.minus(middle, tip);
         double axial = Vectors.dot(d, direction);
         return new Miss(
-                axial, Vectors.length(Vectors.along(d, -axial, direction)), Vectors.length(d) <= target.radiusMm());
+                axial, Vectors.length(Vectors.add(d, direction, -axial)), Vectors.length(d) <= target.radiusMm());
     }
 
     /** Distance between tip and middle, mm. */

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.Vectors;
 
 /**
  * A straight, rigid needle.

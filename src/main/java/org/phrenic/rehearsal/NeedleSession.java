@@ -8,6 +8,7 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Observation;
 
@@ -128,8 +129,8 @@ public final class NeedleSession {
 
     /** The bone that stands in the way between here and there. */
     private Optional<Crossing> bone(double next) {
-        double[] from = Vectors.along(entry, depth, direction);
-        double[] to = Vectors.along(entry, next, direction);
+        double[] from = Vectors.add(entry, direction, depth);
+        double[] to = Vectors.add(entry, direction, next);
         return scene.hazards().stream()
                 .filter(s -> s.noGo().orElseThrow() == NoGo.BONE && s.gap(from, to) <= 0)
                 .flatMap(s -> reader.within(s, entry, to).stream())
@@ -173,7 +174,8 @@ public final class NeedleSession {
         }
         if (liver.isPresent() && tip.isEmpty()) {
             tip = Optional.of(tissue.thatIsNowAt(tipNow()));
-            capsule = tissue.thatIsNowAt(Vectors.along(entry, liver.get().fromMm(), direction));
+            capsule =
+                    tissue.thatIsNowAt(Vectors.add(entry, direction, liver.get().fromMm()));
             directionAtCapsule = direction.clone();
         } else if (liver.isEmpty()) {
             tip = Optional.empty();
@@ -318,12 +320,12 @@ public final class NeedleSession {
 
     /** Where the tip is, LPS, mm. */
     public double[] tipNow() {
-        return Vectors.along(entry, depth, direction);
+        return Vectors.add(entry, direction, depth);
     }
 
     /** Where the hub is, LPS, mm. */
     public double[] hubNow() {
-        return Vectors.along(entry, depth - needle.lengthMm(), direction);
+        return Vectors.add(entry, direction, depth - needle.lengthMm());
     }
 
     /** Depth of the tip below the skin, along the needle, mm. */

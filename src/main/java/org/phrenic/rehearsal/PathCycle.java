@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.phrenic.geometry.Vectors;
 
 /**
  * One path over a whole breath: at each moment from the same point of the skin to where the target is then.

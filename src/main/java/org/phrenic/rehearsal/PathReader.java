@@ -9,6 +9,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.SegmentProbe;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Surface;
 
 /**
@@ -237,7 +238,7 @@ public final class PathReader {
         if (Double.isNaN(depth)) {
             return Optional.empty();
         }
-        double[] at = Vectors.along(entry, depth, Vectors.unit(Vectors.minus(end, entry)));
+        double[] at = Vectors.add(entry, Vectors.unit(Vectors.minus(end, entry)), depth);
         int above = 0;
         int below = Integer.MAX_VALUE;
         Side side = Side.MIDLINE;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.Vectors;
 
 /** Does the steps of a plan with a needle, as the breathing lets it: after each frame that the needle has taken, whatever can be done then. */
 public final class PlanPlayer {

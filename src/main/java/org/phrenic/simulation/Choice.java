@@ -55,7 +55,7 @@ public enum Choice {
             "Threads",
             "1",
             1,
-            ScenarioReader.MOST_THREADS,
+            Scenario.MOST_THREADS,
             "Threads to compute on; the numbers do not depend on it."),
     MUSCLE("muscle", "Muscle", switches(), "The diaphragm's muscle is driven."),
     PRESSURE("pressure", "Pressure", switches(), "Transdiaphragmatic pressure acts."),

@@ -87,6 +87,9 @@ public record Scenario(
     /** Bodies that come with the program. */
     public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
 
+    /** Greatest number of threads that may be asked for, wherever it is asked. */
+    public static final int MOST_THREADS = 256;
+
     private static final int MOST_DEFAULT_THREADS = 2;
     private static final double RECORD_EVERY_S = 0.02;
     private static final double REFRESH_S = 0.02;

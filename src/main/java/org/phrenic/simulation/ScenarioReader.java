@@ -27,7 +27,6 @@ final class ScenarioReader {
 
     private static final double LONGEST_S = 86_400;
     static final double LONGEST_STEP_S = 0.1;
-    static final int MOST_THREADS = 256;
     static final int MOST_SWEEPS = 100;
     static final double LONGEST_REFRESH_S = 1;
     private static final String NO_TRACE = "none";
@@ -98,7 +97,7 @@ final class ScenarioReader {
                         ? whole("projection_sweeps", 1, MOST_SWEEPS)
                         : base.givenProjectionSweeps(),
                 time("refresh_s", base.givenRefreshS(), LONGEST_REFRESH_S),
-                whole("threads", base.threads(), MOST_THREADS),
+                whole("threads", base.threads(), Scenario.MOST_THREADS),
                 time("record_every_s", base.recordEveryS(), LONGEST_S),
                 meshesEveryS(base.meshesEveryS()),
                 yaml.flag("muscle", base.muscle()),

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.engine.Workers;
+import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;

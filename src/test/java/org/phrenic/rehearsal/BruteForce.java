@@ -7,6 +7,7 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
 
@@ -147,7 +148,7 @@ final class BruteForce {
     }
 
     private double at(TriangleTree single, double[] from, double[] d, double s) {
-        double[] p = Vectors.along(from, s, d);
+        double[] p = Vectors.add(from, d, s);
         single.closest(p[0], p[1], p[2], hit);
         return Math.sqrt(hit.distanceSquared);
     }

@@ -1,5 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
+import org.phrenic.geometry.Vectors;
+
 /**
  * An upright line through a part, about which its surfaces are described: at every height z a point in the horizontal plane,
  * and about it an azimuth, 0 straight back and positive to the left.
@@ -11,6 +13,6 @@ interface Axis {
 
     /** The point at this azimuth (rad), distance from the axis and height. */
     default double[] point(double azimuth, double radius, double z) {
-        return V3.of(x(z) + radius * StrictMath.sin(azimuth), y(z) + radius * StrictMath.cos(azimuth), z);
+        return Vectors.of(x(z) + radius * StrictMath.sin(azimuth), y(z) + radius * StrictMath.cos(azimuth), z);
     }
 }

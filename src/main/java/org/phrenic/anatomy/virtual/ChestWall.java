@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.List;
+import org.phrenic.geometry.Vectors;
 
 /**
  * The inner surface of the chest and upper belly wall: what lungs and diaphragm lie against, and what ribs, cartilages and
@@ -110,7 +111,7 @@ final class ChestWall implements Axis, Field {
         double radius(double sin, double cos, boolean withSpine, double[] steepness) {
             double across = Math.max(Math.abs(sin), 1e-9);
             double along = Math.max(Math.abs(cos), 1e-9);
-            double n = exponentFront + (exponentBack - exponentFront) * V3.smoothstep(cos + 0.5);
+            double n = exponentFront + (exponentBack - exponentFront) * Blends.smoothstep(cos + 0.5);
             double p = across / (breadth * (sin > 0 ? leftFactor : 1));
             double q = along / (cos > 0 ? backDepth : frontDepth);
             double larger = Math.max(p, q);
@@ -125,7 +126,7 @@ final class ChestWall implements Axis, Field {
             if (u >= 1) {
                 return radius;
             }
-            double step = V3.smoothstep(u);
+            double step = Blends.smoothstep(u);
             double nearer = Math.min(toSpine, radius);
             double bent = nearer + (radius - nearer) * step;
             double rise = u <= 0 ? 0 : 6 * u * (1 - u) / slope;
@@ -164,7 +165,7 @@ final class ChestWall implements Axis, Field {
     double[] bed(double azimuth, double z, double outward) {
         double radius = new Section(z).radius(StrictMath.sin(azimuth), StrictMath.cos(azimuth), false, new double[1]);
         double[] p = point(azimuth, radius, z);
-        return V3.add(p, bedNormal(p), outward);
+        return Vectors.add(p, bedNormal(p), outward);
     }
 
     /** Outward unit normal of the bed through this point. */

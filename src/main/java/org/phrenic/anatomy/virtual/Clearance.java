@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** Keeps a surface at a distance from a region: the last touch where a blend of surfaces is no true distance. */
 final class Clearance {
@@ -16,19 +17,19 @@ final class Clearance {
     static TriangleMesh keep(TriangleMesh mesh, Field region, int away, double least) {
         double[] positions = mesh.positions().clone();
         for (int v = 0; v < positions.length; v += 3) {
-            double[] p = V3.of(positions[v], positions[v + 1], positions[v + 2]);
+            double[] p = Vectors.of(positions[v], positions[v + 1], positions[v + 2]);
             for (int i = 0; i < STEPS; i++) {
                 double value = away * region.at(p[0], p[1], p[2]);
                 if (value > 3 * least) {
                     break;
                 }
                 double[] gradient = region.gradient(p);
-                double steepness = V3.length(gradient);
+                double steepness = Vectors.length(gradient);
                 double missing = least - value / steepness;
                 if (missing < 1e-3) {
                     break;
                 }
-                p = V3.add(p, gradient, away * missing / steepness);
+                p = Vectors.add(p, gradient, away * missing / steepness);
             }
             System.arraycopy(p, 0, positions, v, 3);
         }

@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.geometry.Vectors;
 
 /** A line through space as points close together; places on it are named by the path from its first point. */
 final class Course {
@@ -12,7 +13,7 @@ final class Course {
         this.points = List.copyOf(points);
         path = new double[points.size()];
         for (int i = 1; i < path.length; i++) {
-            path[i] = path[i - 1] + V3.distance(points.get(i), points.get(i - 1));
+            path[i] = path[i - 1] + Vectors.distance(points.get(i), points.get(i - 1));
         }
     }
 
@@ -21,7 +22,7 @@ final class Course {
         int n = knots.size();
         double[] at = new double[n];
         for (int i = 1; i < n; i++) {
-            at[i] = at[i - 1] + V3.distance(knots.get(i), knots.get(i - 1));
+            at[i] = at[i - 1] + Vectors.distance(knots.get(i), knots.get(i - 1));
         }
         List<double[]> points = new ArrayList<>();
         for (int i = 0; i < n - 1; i++) {
@@ -31,9 +32,9 @@ final class Course {
             for (int k = 0; k < dense; k++) {
                 double u = (double) k / dense;
                 double v = 1 - u;
-                double[] p = V3.lerp(knots.get(i), knots.get(i + 1), u * u * (3 - 2 * u));
-                p = V3.add(p, from, h * u * v * v);
-                points.add(V3.add(p, to, -h * u * u * v));
+                double[] p = Vectors.lerp(knots.get(i), knots.get(i + 1), u * u * (3 - 2 * u));
+                p = Vectors.add(p, from, h * u * v * v);
+                points.add(Vectors.add(p, to, -h * u * u * v));
             }
         }
         points.add(knots.get(n - 1));
@@ -43,8 +44,8 @@ final class Course {
     private static double[] slope(List<double[]> knots, double[] at, int i) {
         int a = Math.max(i - 1, 0);
         int b = Math.min(i + 1, knots.size() - 1);
-        double[] slope = V3.minus(knots.get(b), knots.get(a));
-        return V3.lerp(V3.of(0, 0, 0), slope, 1 / (at[b] - at[a]));
+        double[] slope = Vectors.minus(knots.get(b), knots.get(a));
+        return Vectors.lerp(Vectors.of(0, 0, 0), slope, 1 / (at[b] - at[a]));
     }
 
     double length() {
@@ -63,7 +64,7 @@ final class Course {
                 high = middle;
             }
         }
-        return V3.lerp(points.get(low), points.get(high), (distance - path[low]) / (path[high] - path[low]));
+        return Vectors.lerp(points.get(low), points.get(high), (distance - path[low]) / (path[high] - path[low]));
     }
 
     /** The piece between two paths, as {@code count} points evenly apart. */
@@ -79,7 +80,7 @@ final class Course {
     double[] direction(double distance) {
         double from = Math.max(0, distance - 2);
         double to = Math.min(length(), distance + 2);
-        return V3.unit(V3.minus(at(to), at(from)));
+        return Vectors.unit(Vectors.minus(at(to), at(from)));
     }
 
     double[] first() {

@@ -60,7 +60,7 @@ final class DiaphragmShape implements Field {
         double lateral = Math.abs(x) / Math.max(Math.sqrt(x * x + dy * dy), 1e-9);
         double turn = measures.midlineTurnRadiusMm()
                 + (measures.turnRadiusMm() - measures.midlineTurnRadiusMm())
-                        * V3.smoothstep(lateral / (dy > 0 ? 0.7 : 0.95));
-        return V3.roundMax(above, outside, turn);
+                        * Blends.smoothstep(lateral / (dy > 0 ? 0.7 : 0.95));
+        return Blends.roundMax(above, outside, turn);
     }
 }

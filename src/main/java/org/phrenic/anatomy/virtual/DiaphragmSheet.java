@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * The diaphragm as one closed sheet of two faces: its middle surface is meshed and moved half a thickness to either side.
@@ -54,14 +55,14 @@ final class DiaphragmSheet {
         double[][] p = new double[n][];
         double[][] normals = new double[n][];
         for (int v = 0; v < n; v++) {
-            p[v] = V3.of(middle.x(v), middle.y(v), middle.z(v));
+            p[v] = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
             normals[v] = shape.normal(p[v]);
         }
         double[] share = new double[n];
         for (int c = 0; c < face.length; c++) {
             int a = face[c];
             int b = face[c % 3 == 2 ? c - 2 : c + 1];
-            if (Math.abs(p[a][0]) < CRURA_HALF_BREADTH_MM && V3.dot(normals[a], normals[b]) < SHARP_COSINE) {
+            if (Math.abs(p[a][0]) < CRURA_HALF_BREADTH_MM && Vectors.dot(normals[a], normals[b]) < SHARP_COSINE) {
                 share[a] = a < firstRim ? 0.5 : 0;
                 share[b] = b < firstRim ? 0.5 : 0;
             }
@@ -71,12 +72,12 @@ final class DiaphragmSheet {
             int[] count = new int[n];
             for (int c = 0; c < face.length; c++) {
                 int a = face[c];
-                sums[a] = V3.add(sums[a], p[face[c % 3 == 2 ? c - 2 : c + 1]], 1);
+                sums[a] = Vectors.add(sums[a], p[face[c % 3 == 2 ? c - 2 : c + 1]], 1);
                 count[a]++;
             }
             for (int v = 0; v < n; v++) {
                 if (share[v] > 0) {
-                    p[v] = V3.lerp(p[v], V3.add(V3.of(0, 0, 0), sums[v], 1.0 / count[v]), share[v]);
+                    p[v] = Vectors.lerp(p[v], Vectors.add(Vectors.of(0, 0, 0), sums[v], 1.0 / count[v]), share[v]);
                 }
             }
         }
@@ -92,10 +93,10 @@ final class DiaphragmSheet {
         double[] positions = new double[6 * n];
         double[][] normals = smoothNormals(middle);
         for (int v = 0; v < n; v++) {
-            double[] p = V3.of(middle.x(v), middle.y(v), middle.z(v));
+            double[] p = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
             double half = thickness(p) / 2;
-            System.arraycopy(V3.add(p, normals[v], half), 0, positions, 3 * v, 3);
-            System.arraycopy(V3.add(p, normals[v], -half), 0, positions, 3 * (n + v), 3);
+            System.arraycopy(Vectors.add(p, normals[v], half), 0, positions, 3 * v, 3);
+            System.arraycopy(Vectors.add(p, normals[v], -half), 0, positions, 3 * (n + v), 3);
         }
         int[] face = middle.triangles();
         int rim = n - firstRim;
@@ -124,7 +125,7 @@ final class DiaphragmSheet {
         int n = middle.vertexCount();
         double[][] normals = new double[n][];
         for (int v = 0; v < n; v++) {
-            normals[v] = shape.normal(V3.of(middle.x(v), middle.y(v), middle.z(v)));
+            normals[v] = shape.normal(Vectors.of(middle.x(v), middle.y(v), middle.z(v)));
         }
         int[] face = middle.triangles();
         for (int pass = 0; pass < NORMAL_PASSES; pass++) {
@@ -132,12 +133,12 @@ final class DiaphragmSheet {
             for (int t = 0; t < face.length; t += 3) {
                 for (int k = 0; k < 3; k++) {
                     int v = face[t + k];
-                    sums[v] = V3.add(sums[v], normals[face[t + (k + 1) % 3]], 1);
-                    sums[v] = V3.add(sums[v], normals[face[t + (k + 2) % 3]], 1);
+                    sums[v] = Vectors.add(sums[v], normals[face[t + (k + 1) % 3]], 1);
+                    sums[v] = Vectors.add(sums[v], normals[face[t + (k + 2) % 3]], 1);
                 }
             }
             for (int v = 0; v < n; v++) {
-                normals[v] = V3.unit(V3.add(normals[v], V3.unit(sums[v]), 1));
+                normals[v] = Vectors.unit(Vectors.add(normals[v], Vectors.unit(sums[v]), 1));
             }
         }
         return normals;
@@ -147,7 +148,7 @@ final class DiaphragmSheet {
     private double thickness(double[] p) {
         double edge = tendonEdge(p[0], p[1], p[2]);
         return measures.muscleMm()
-                + (measures.tendonMm() - measures.muscleMm()) * V3.smoothstep(0.5 - edge / TENDON_EDGE_MM);
+                + (measures.tendonMm() - measures.muscleMm()) * Blends.smoothstep(0.5 - edge / TENDON_EDGE_MM);
     }
 
     private double tendonEdge(double x, double y, double z) {
@@ -162,6 +163,6 @@ final class DiaphragmSheet {
                 (x - measures.left().at(0) * 0.72) / 1.1, (y - measures.left().at(1) - 12) / 0.85);
         double front = StrictMath.hypot(
                 (x - measures.heart().at(0)) / 1.1, (y - measures.heart().at(1) + 4) / 0.95);
-        return V3.smoothMin(V3.smoothMin(right, left, 20), front, 20) - radius;
+        return Blends.smoothMin(Blends.smoothMin(right, left, 20), front, 20) - radius;
     }
 }

@@ -1,5 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
+import org.phrenic.geometry.Vectors;
+
 /** A region of space as the sign of a function: negative inside, about the distance in mm near its surface. */
 @FunctionalInterface
 interface Field {
@@ -8,7 +10,7 @@ interface Field {
     /** Gradient by central differences of 0.05 mm. */
     default double[] gradient(double[] p) {
         double e = 0.05;
-        return V3.of(
+        return Vectors.of(
                 (at(p[0] + e, p[1], p[2]) - at(p[0] - e, p[1], p[2])) / (2 * e),
                 (at(p[0], p[1] + e, p[2]) - at(p[0], p[1] - e, p[2])) / (2 * e),
                 (at(p[0], p[1], p[2] + e) - at(p[0], p[1], p[2] - e)) / (2 * e));
@@ -16,7 +18,7 @@ interface Field {
 
     /** Outward unit normal. */
     default double[] normal(double[] p) {
-        return V3.unit(gradient(p));
+        return Vectors.unit(gradient(p));
     }
 
     /** {@code p} moved on to the surface by Newton steps along the gradient, no step longer than 4 mm. */
@@ -28,14 +30,14 @@ interface Field {
                 break;
             }
             double e = 0.02;
-            double[] g = V3.of(
+            double[] g = Vectors.of(
                     (at(q[0] + e, q[1], q[2]) - value) / e,
                     (at(q[0], q[1] + e, q[2]) - value) / e,
                     (at(q[0], q[1], q[2] + e) - value) / e);
-            double norm2 = Math.max(V3.dot(g, g), 0.05);
+            double norm2 = Math.max(Vectors.dot(g, g), 0.05);
             double scale = -value / norm2;
             double most = 4 / Math.sqrt(norm2);
-            q = V3.add(q, g, Math.max(-most, Math.min(most, scale)));
+            q = Vectors.add(q, g, Math.max(-most, Math.min(most, scale)));
         }
         return q;
     }

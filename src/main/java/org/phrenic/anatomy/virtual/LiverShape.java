@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a plane that
@@ -30,11 +31,11 @@ final class LiverShape {
         double slopeY = measures.visceralSlope().at(1);
         double above = height + slopeX * x + slopeY * y - z;
         above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
-        double region = V3.roundMax(under, above, EDGE_MM);
+        double region = Blends.roundMax(under, above, EDGE_MM);
         double cut = measures.backCut().at(1);
         double behind = (y - measures.backCut().at(0) + cut * x) / Math.sqrt(1 + cut * cut);
-        region = V3.roundMax(region, behind, LEFT_END_MM);
-        return V3.roundMax(region, x - measures.leftEndX(), LEFT_END_MM);
+        region = Blends.roundMax(region, behind, LEFT_END_MM);
+        return Blends.roundMax(region, x - measures.leftEndX(), LEFT_END_MM);
     }
 
     TriangleMesh mesh() {
@@ -46,11 +47,11 @@ final class LiverShape {
     }
 
     private double[] low() {
-        return V3.of(-wall.halfBreadth(60) - 5, -115, -110);
+        return Vectors.of(-wall.halfBreadth(60) - 5, -115, -110);
     }
 
     private double[] high() {
-        return V3.of(measures.leftEndX() + 10, 105, diaphragm.right().at(2) + 10);
+        return Vectors.of(measures.leftEndX() + 10, 105, diaphragm.right().at(2) + 10);
     }
 
     /** Height of the visceral surface at the axis, by bisection on the volume counted on a grid. */

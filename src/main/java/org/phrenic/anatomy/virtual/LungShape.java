@@ -79,7 +79,7 @@ final class LungShape implements Axis {
         double dy = y - apex[1];
         double cap = z - apex[2] + (dx * dx + dy * dy) / (2 * measures.apexRadiusMm());
         cap /= Math.sqrt(1 + (dx * dx + dy * dy) / (measures.apexRadiusMm() * measures.apexRadiusMm()));
-        return V3.roundMax(V3.roundMax(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
+        return Blends.roundMax(Blends.roundMax(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
     }
 
     /** The point of the lower border at this azimuth: the first place, coming down the side, where it meets the base. */

@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * The surface of a region as triangles: each cube of a grid is cut into six tetrahedra along its diagonal (Kuhn), and in each
@@ -76,7 +77,7 @@ final class MarchingTetrahedra {
         int i = n % size[0];
         int j = n / size[0] % size[1];
         int k = n / (size[0] * size[1]);
-        return V3.of(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
+        return Vectors.of(origin[0] + i * step, origin[1] + j * step, origin[2] + k * step);
     }
 
     private void tetrahedron(int... corner) {
@@ -120,7 +121,7 @@ final class MarchingTetrahedra {
         int key = 7 * low + kind;
         if (cut[key] < 0) {
             double t = value[low] / (value[low] - value[high]);
-            double[] r = V3.lerp(p, q, Math.max(LEAST_SHARE, Math.min(1 - LEAST_SHARE, t)));
+            double[] r = Vectors.lerp(p, q, Math.max(LEAST_SHARE, Math.min(1 - LEAST_SHARE, t)));
             if (3 * vertices + 3 > positions.length) {
                 positions = Arrays.copyOf(positions, 2 * positions.length);
             }
@@ -131,7 +132,7 @@ final class MarchingTetrahedra {
     }
 
     private double[] vertex(int v) {
-        return V3.of(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+        return Vectors.of(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
     }
 
     /** Adds a triangle, turned so that it looks from the inner grid point to the outer one. */
@@ -139,8 +140,8 @@ final class MarchingTetrahedra {
         if (corners + 3 > triangles.length) {
             triangles = Arrays.copyOf(triangles, 2 * triangles.length);
         }
-        double[] normal = V3.cross(V3.minus(vertex(b), vertex(a)), V3.minus(vertex(c), vertex(a)));
-        boolean right = V3.dot(normal, V3.minus(grid(outer), grid(inner))) > 0;
+        double[] normal = Vectors.cross(Vectors.minus(vertex(b), vertex(a)), Vectors.minus(vertex(c), vertex(a)));
+        boolean right = Vectors.dot(normal, Vectors.minus(grid(outer), grid(inner))) > 0;
         triangles[corners] = a;
         triangles[corners + 1] = right ? b : c;
         triangles[corners + 2] = right ? c : b;

@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
+import org.phrenic.geometry.Vectors;
 
 /**
  * A bowl-shaped piece of a surface as lines that run from its pole on an axis out to its border, one every 2 degrees of
@@ -59,7 +60,7 @@ final class Meridians {
         int low = Math.min((int) at, SAMPLES - 1);
         double[][] ring = new double[AZIMUTHS][];
         for (int i = 0; i < AZIMUTHS; i++) {
-            ring[i] = V3.lerp(line[i][low], line[i][low + 1], at - low);
+            ring[i] = Vectors.lerp(line[i][low], line[i][low + 1], at - low);
         }
         return ring;
     }
@@ -73,7 +74,7 @@ final class Meridians {
         double sum = 0;
         for (double[][] points : line) {
             for (int k = 1; k <= SAMPLES; k++) {
-                sum += V3.distance(points[k], points[k - 1]);
+                sum += Vectors.distance(points[k], points[k - 1]);
             }
         }
         return sum / AZIMUTHS;
@@ -82,7 +83,7 @@ final class Meridians {
     static double perimeter(double[][] ring) {
         double sum = 0;
         for (int i = 0; i < ring.length; i++) {
-            sum += V3.distance(ring[i], ring[(i + 1) % ring.length]);
+            sum += Vectors.distance(ring[i], ring[(i + 1) % ring.length]);
         }
         return sum;
     }

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.IntFunction;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * Evens out the triangles of a surface without leaving it: sweeps of edge flips towards Delaunay and of moving each vertex to
@@ -67,8 +68,8 @@ final class Relaxation {
         for (int c = 0; c < triangles.length; c++) {
             int a = triangles[c];
             int b = triangles[next(c)];
-            double[] way = V3.minus(vertex(b), vertex(a));
-            double length = Math.max(V3.length(way), 1e-9);
+            double[] way = Vectors.minus(vertex(b), vertex(a));
+            double length = Math.max(Vectors.length(way), 1e-9);
             if (length < least && (surface.apply(a) != null || surface.apply(b) != null)) {
                 any = true;
                 moved[a] = true;
@@ -80,15 +81,15 @@ final class Relaxation {
         for (int v = 0; v < moved.length; v++) {
             Field field = surface.apply(v);
             if (moved[v] && field != null) {
-                double[] way = V3.of(move[3 * v], move[3 * v + 1], move[3 * v + 2]);
-                System.arraycopy(field.project(V3.add(vertex(v), way, 1), 4), 0, positions, 3 * v, 3);
+                double[] way = Vectors.of(move[3 * v], move[3 * v + 1], move[3 * v + 2]);
+                System.arraycopy(field.project(Vectors.add(vertex(v), way, 1), 4), 0, positions, 3 * v, 3);
             }
         }
         return any;
     }
 
     private double[] vertex(int v) {
-        return V3.of(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
+        return Vectors.of(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
     }
 
     private void smooth(int steps) {
@@ -108,8 +109,8 @@ final class Relaxation {
             if (field == null) {
                 continue;
             }
-            double[] move = V3.of(sum[3 * v], sum[3 * v + 1], sum[3 * v + 2]);
-            double[] moved = V3.add(vertex(v), move, STEP / count[v]);
+            double[] move = Vectors.of(sum[3 * v], sum[3 * v + 1], sum[3 * v + 2]);
+            double[] moved = Vectors.add(vertex(v), move, STEP / count[v]);
             System.arraycopy(field.project(moved, steps), 0, positions, 3 * v, 3);
         }
     }
@@ -223,19 +224,20 @@ final class Relaxation {
         double[] b = vertex(triangles[next(c)]);
         double[] p = vertex(triangles[next(next(c))]);
         double[] q = vertex(triangles[next(next(d))]);
-        double[] n1 = V3.cross(V3.minus(b, a), V3.minus(p, a));
-        double[] n2 = V3.cross(V3.minus(a, b), V3.minus(q, b));
-        if (cotangent(p, a, b) + cotangent(q, a, b) >= -1e-9 || V3.dot(n1, n2) < 0.7 * V3.length(n1) * V3.length(n2)) {
+        double[] n1 = Vectors.cross(Vectors.minus(b, a), Vectors.minus(p, a));
+        double[] n2 = Vectors.cross(Vectors.minus(a, b), Vectors.minus(q, b));
+        if (cotangent(p, a, b) + cotangent(q, a, b) >= -1e-9
+                || Vectors.dot(n1, n2) < 0.7 * Vectors.length(n1) * Vectors.length(n2)) {
             return false;
         }
-        double[] m1 = V3.cross(V3.minus(q, a), V3.minus(p, a));
-        double[] m2 = V3.cross(V3.minus(b, q), V3.minus(p, q));
-        return V3.dot(m1, n1) > 0 && V3.dot(m1, n2) > 0 && V3.dot(m2, n1) > 0 && V3.dot(m2, n2) > 0;
+        double[] m1 = Vectors.cross(Vectors.minus(q, a), Vectors.minus(p, a));
+        double[] m2 = Vectors.cross(Vectors.minus(b, q), Vectors.minus(p, q));
+        return Vectors.dot(m1, n1) > 0 && Vectors.dot(m1, n2) > 0 && Vectors.dot(m2, n1) > 0 && Vectors.dot(m2, n2) > 0;
     }
 
     private static double cotangent(double[] apex, double[] a, double[] b) {
-        double[] u = V3.minus(a, apex);
-        double[] v = V3.minus(b, apex);
-        return V3.dot(u, v) / Math.max(V3.length(V3.cross(u, v)), 1e-12);
+        double[] u = Vectors.minus(a, apex);
+        double[] v = Vectors.minus(b, apex);
+        return Vectors.dot(u, v) / Math.max(Vectors.length(Vectors.cross(u, v)), 1e-12);
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.anatomy.virtual;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.Side;
+import org.phrenic.geometry.Vectors;
 
 /** The courses of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */
 final class Skeleton {
@@ -43,10 +44,10 @@ final class Skeleton {
         double depth = parameters.spine().bodyDepthMm().at(level - 1);
         double width = parameters.spine().bodyWidthMm().at(level - 1);
         double[] tip = vertebra.transverseTip(sign);
-        double[] tubercle = V3.add(tip, V3.of(sign * 2.0, -9.5, 1.0), 1);
+        double[] tubercle = Vectors.add(tip, Vectors.of(sign * 2.0, -9.5, 1.0), 1);
 
         double[] inward = spine.local(path, sign * 0.6 * width / 2, depth * 0.15, up * height.at(level - 1));
-        double[] head = vertebra.fromInside(inward, V3.unit(V3.minus(tubercle, inward)), -OVERLAP_MM);
+        double[] head = vertebra.fromInside(inward, Vectors.unit(Vectors.minus(tubercle, inward)), -OVERLAP_MM);
 
         double arc = parameters.ribs().arcMm().at(level - 1)
                 * (side == Side.LEFT ? parameters.ribs().leftArcFactor() : 1);
@@ -64,7 +65,7 @@ final class Skeleton {
         knots.add(head);
         boolean floating = level >= 11;
         if (!floating) {
-            knots.add(V3.add(V3.lerp(head, tubercle, 0.5), V3.of(0, 0, 1), 1));
+            knots.add(Vectors.add(Vectors.lerp(head, tubercle, 0.5), Vectors.of(0, 0, 1), 1));
             knots.add(tubercle);
         }
         double end = Math.PI * 0.985;
@@ -73,7 +74,7 @@ final class Skeleton {
         for (int i = 0; i <= steps; i++) {
             double azimuth = first + (end - first) * i / steps;
             double drop = pump * reach * (StrictMath.cos(headAzimuth) - StrictMath.cos(azimuth))
-                    + bucket * V3.smoothstep((azimuth - headAzimuth) / (Math.PI * 0.33));
+                    + bucket * Blends.smoothstep((azimuth - headAzimuth) / (Math.PI * 0.33));
             knots.add(wall.bed(sign * azimuth, (floating ? head[2] : Math.min(tubercle[2], head[2])) - drop, offset));
         }
         Course whole = outside(Course.through(knots, 6), offset);
@@ -89,12 +90,12 @@ final class Skeleton {
         }
         for (int round = 0; round < PUSHES; round++) {
             for (int i = 1; i < n; i++) {
-                double missing = offset * V3.smoothstep(i * 2 / 12.0) - wallOffset(points[i]);
-                points[i] = missing > 0 ? V3.add(points[i], wall.normal(points[i]), missing) : points[i];
+                double missing = offset * Blends.smoothstep(i * 2 / 12.0) - wallOffset(points[i]);
+                points[i] = missing > 0 ? Vectors.add(points[i], wall.normal(points[i]), missing) : points[i];
             }
             for (int pass = 0; pass < SMOOTHING_PASSES; pass++) {
                 for (int i = 1; i < n; i++) {
-                    points[i] = V3.lerp(points[i], V3.lerp(points[i - 1], points[i + 1], 0.5), 0.6);
+                    points[i] = Vectors.lerp(points[i], Vectors.lerp(points[i - 1], points[i + 1], 0.5), 0.6);
                 }
             }
         }
@@ -104,7 +105,7 @@ final class Skeleton {
     /** Course of a costal cartilage 1-7 from its rib to the sternum. */
     Course sternal(int level, Side side, Course rib) {
         double[] notch = sternum.edge(parameters.sternum().notchFraction().at(level - 1), side.sign());
-        double[] end = V3.add(notch, V3.of(side.sign(), 0, 0), -0.5);
+        double[] end = Vectors.add(notch, Vectors.of(side.sign(), 0, 0), -0.5);
         return onWall(rib, end, side, StrictMath.toRadians(level <= 2 ? 5 : 12 + 6 * (level - 3)));
     }
 
@@ -114,23 +115,24 @@ final class Skeleton {
         double[] on = above.at(path);
         double[] along = above.direction(path);
         double[] out = wall.normal(on);
-        double[] below = V3.cross(out, along);
+        double[] below = Vectors.cross(out, along);
         if (below[2] > 0) {
-            below = V3.of(-below[0], -below[1], -below[2]);
+            below = Vectors.of(-below[0], -below[1], -below[2]);
         }
         double apart = parameters.cartilages().heightMm() / 2 - 1.5;
-        return onWall(rib, V3.add(on, V3.unit(below), apart), side, StrictMath.toRadians(40));
+        return onWall(rib, Vectors.add(on, Vectors.unit(below), apart), side, StrictMath.toRadians(40));
     }
 
     /** A smooth way on the wall from a rib's end to a point, arriving at this rise (rad) above the horizontal. */
     private Course onWall(Course rib, double[] end, Side side, double rise) {
         double overlap = OVERLAP_MM;
-        double[] start = V3.add(rib.last(), rib.direction(rib.length()), -overlap);
+        double[] start = Vectors.add(rib.last(), rib.direction(rib.length()), -overlap);
         double[] before = rib.at(rib.length() - 6);
         double from = Math.abs(wall.azimuth(start));
         double to = Math.abs(wall.azimuth(end));
-        double radius = V3.length(V3.of(end[0] - start[0], end[1] - start[1], 0)) / Math.max(Math.abs(to - from), 0.05);
-        double span = V3.distance(start, end);
+        double radius = Vectors.length(Vectors.of(end[0] - start[0], end[1] - start[1], 0))
+                / Math.max(Math.abs(to - from), 0.05);
+        double span = Vectors.distance(start, end);
         double ribAzimuth = (from - Math.abs(wall.azimuth(before))) * radius / 6;
         double ribDrop = (start[2] - before[2]) / 6;
         double offsetFrom = wallOffset(start);
@@ -154,6 +156,6 @@ final class Skeleton {
 
     private double wallOffset(double[] p) {
         double[] g = wall.gradient(p);
-        return wall.at(p[0], p[1], p[2]) / V3.length(g);
+        return wall.at(p[0], p[1], p[2]) / Vectors.length(g);
     }
 }

@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.List;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** The skin of the trunk from the loins to the neck, arms left off: superelliptic sections, closed below and above. */
 final class SkinShape {
@@ -26,7 +27,7 @@ final class SkinShape {
         double[][] middle = new double[60][];
         for (int i = 0; i < middle.length; i++) {
             double height = bottom + (top - bottom) * i / (middle.length - 1);
-            middle[i] = V3.of(0, (front.at(height) + back.at(height)) / 2, height);
+            middle[i] = Vectors.of(0, (front.at(height) + back.at(height)) / 2, height);
         }
         Tube tube = new Tube(AROUND, ALONG, measures.exponent(), CAP_MM);
         return tube.mesh(
@@ -35,6 +36,6 @@ final class SkinShape {
                     double height = bottom + (top - bottom) * t;
                     return new Tube.Section(breadth.at(height), (back.at(height) - front.at(height)) / 2);
                 },
-                p -> V3.of(0, -1, 0));
+                p -> Vectors.of(0, -1, 0));
     }
 }

@@ -1,5 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
+import org.phrenic.geometry.Vectors;
+
 /**
  * The spine T1 to L3 in the midplane: a kyphotic circle above the disc T12/L1 and a lordotic one below, along which bodies and
  * discs are stacked. The level of a vertebra is 1 (T1) to 15 (L3).
@@ -55,7 +57,7 @@ final class Spine {
     double[] centre(double path) {
         double radius = path >= 0 ? measures.kyphosisRadiusMm() : -measures.lordosisRadiusMm();
         double lean = lean(path);
-        return V3.of(
+        return Vectors.of(
                 0,
                 originY + radius * (StrictMath.cos(lean) - StrictMath.cos(endLean)),
                 radius * (StrictMath.sin(endLean) - StrictMath.sin(lean)));
@@ -94,7 +96,7 @@ final class Spine {
         double lean = lean(path);
         double sin = StrictMath.sin(lean);
         double cos = StrictMath.cos(lean);
-        return V3.of(across, centre[1] + back * cos + up * sin, centre[2] - back * sin + up * cos);
+        return Vectors.of(across, centre[1] + back * cos + up * sin, centre[2] - back * sin + up * cos);
     }
 
     /** The same point seen in that frame: {@code {across, back, up}}. */
@@ -105,7 +107,7 @@ final class Spine {
         double cos = StrictMath.cos(lean);
         double dy = y - centre[1];
         double dz = z - centre[2];
-        return V3.of(x, dy * cos - dz * sin, dy * sin + dz * cos);
+        return Vectors.of(x, dy * cos - dz * sin, dy * sin + dz * cos);
     }
 
     VirtualThoraxParameters.Spine measures() {

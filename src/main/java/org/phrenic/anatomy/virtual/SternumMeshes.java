@@ -91,8 +91,8 @@ final class SternumMeshes {
                 .mesh(
                         cartilage.course(),
                         t -> {
-                            double in = V3.smoothstep(t / 0.15);
-                            double out = 1 - (1 - endShare) * V3.smoothstep((t - 0.6) / 0.4);
+                            double in = Blends.smoothstep(t / 0.15);
+                            double out = 1 - (1 - endShare) * Blends.smoothstep((t - 0.6) / 0.4);
                             return new Tube.Section(
                                     (ribHeight + (m.heightMm() * slender - ribHeight) * in) / 2 * out,
                                     (ribThickness + (m.thicknessMm() - ribThickness) * in) / 2 * out);

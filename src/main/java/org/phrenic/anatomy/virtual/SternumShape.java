@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.List;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** The sternum: manubrium, body and xiphoid as flat bars along a middle line with a bend at the sternal angle. */
 final class SternumShape {
@@ -24,24 +25,24 @@ final class SternumShape {
         widthFactor = measures.bodyMm() / 101.1;
         double lean = StrictMath.toRadians(measures.bodyLeanDeg());
         double upper = lean + StrictMath.toRadians(180 - measures.angleDeg());
-        joint = V3.of(0, measures.jointY(), spine.bodyZ(measures.jointLevel()));
-        angle = V3.add(joint, V3.of(0, StrictMath.sin(lean), StrictMath.cos(lean)), measures.bodyMm());
-        notch = V3.add(angle, V3.of(0, StrictMath.sin(upper), StrictMath.cos(upper)), measures.manubriumMm());
-        tip = V3.add(joint, V3.of(0, StrictMath.sin(0.02), -StrictMath.cos(0.02)), measures.xiphoidMm());
+        joint = Vectors.of(0, measures.jointY(), spine.bodyZ(measures.jointLevel()));
+        angle = Vectors.add(joint, Vectors.of(0, StrictMath.sin(lean), StrictMath.cos(lean)), measures.bodyMm());
+        notch = Vectors.add(angle, Vectors.of(0, StrictMath.sin(upper), StrictMath.cos(upper)), measures.manubriumMm());
+        tip = Vectors.add(joint, Vectors.of(0, StrictMath.sin(0.02), -StrictMath.cos(0.02)), measures.xiphoidMm());
     }
 
     /** A point of the middle line at this path from the notch over the length of manubrium and body. */
     private double[] middle(double fraction) {
         double path = fraction * (measures.manubriumMm() + measures.bodyMm());
         if (path < measures.manubriumMm()) {
-            return V3.lerp(notch, angle, path / measures.manubriumMm());
+            return Vectors.lerp(notch, angle, path / measures.manubriumMm());
         }
-        return V3.lerp(angle, joint, (path - measures.manubriumMm()) / measures.bodyMm());
+        return Vectors.lerp(angle, joint, (path - measures.manubriumMm()) / measures.bodyMm());
     }
 
     /** A point of its side where a cartilage meets it; {@code sign} of x. */
     double[] edge(double fraction, int sign) {
-        return V3.add(middle(fraction), V3.of(sign, 0, 0), halfWidth.at(fraction) * widthFactor);
+        return Vectors.add(middle(fraction), Vectors.of(sign, 0, 0), halfWidth.at(fraction) * widthFactor);
     }
 
     TriangleMesh manubrium(Tube tube) {
@@ -59,12 +60,12 @@ final class SternumShape {
 
     private TriangleMesh bar(Tube tube, double[] from, double[] to, double start, double length, double thickness) {
         double whole = measures.manubriumMm() + measures.bodyMm();
-        double[] direction = V3.unit(V3.minus(to, from));
-        Course course =
-                new Course(List.of(V3.add(from, direction, -0.2), V3.lerp(from, to, 0.5), V3.add(to, direction, 0.2)));
+        double[] direction = Vectors.unit(Vectors.minus(to, from));
+        Course course = new Course(List.of(
+                Vectors.add(from, direction, -0.2), Vectors.lerp(from, to, 0.5), Vectors.add(to, direction, 0.2)));
         return tube.mesh(
                 course,
                 t -> new Tube.Section(widthFactor * halfWidth.at((start + t * length) / whole), thickness / 2),
-                p -> V3.of(0, -1, 0));
+                p -> Vectors.of(0, -1, 0));
     }
 }

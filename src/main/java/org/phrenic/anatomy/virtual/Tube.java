@@ -3,6 +3,7 @@ package org.phrenic.anatomy.virtual;
 import java.util.function.DoubleFunction;
 import java.util.function.UnaryOperator;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /**
  * A closed surface around a course: superelliptic sections {@code |u/width|^n + |v/thickness|^n = 1} across it, rounded off at
@@ -49,14 +50,14 @@ record Tube(int around, int along, double exponent, double capMm) {
             }
             double[] centre = course.at(path);
             double[] tangent = course.direction(path);
-            double[] thick = V3.unitAcross(outward.apply(centre), tangent);
-            double[] wide = V3.cross(thick, tangent);
+            double[] thick = Vectors.unitAcross(outward.apply(centre), tangent);
+            double[] wide = Vectors.cross(thick, tangent);
             Section section = sections.apply(path / length);
             for (int k = 0; k < around; k++) {
                 double angle = 2 * Math.PI * k / around;
                 double u = power(StrictMath.cos(angle)) * section.halfWidth() * scale;
                 double v = power(StrictMath.sin(angle)) * section.halfThickness() * scale;
-                store(positions, ring * around + k, V3.add(V3.add(centre, wide, u), thick, v));
+                store(positions, ring * around + k, Vectors.add(Vectors.add(centre, wide, u), thick, v));
             }
         }
         store(positions, rings * around, course.first());

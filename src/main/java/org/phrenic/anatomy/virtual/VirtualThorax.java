@@ -11,6 +11,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** Grows a thorax at end-expiration from its measures. The same measures give the same bits. */
 public final class VirtualThorax {
@@ -86,8 +87,8 @@ public final class VirtualThorax {
                 course,
                 t -> {
                     double fromHead = t * whole;
-                    double neck = V3.smoothstep((fromHead - 12) / 40);
-                    double end = V3.smoothstep((whole - fromHead) / 40);
+                    double neck = Blends.smoothstep((fromHead - 12) / 40);
+                    double end = Blends.smoothstep((whole - fromHead) / 40);
                     double height = ribs.heightMm() * (0.72 + 0.28 * neck) * (0.92 + 0.08 * end);
                     double thickness = ribs.thicknessMm() * (1.12 - 0.12 * neck) * (0.9 + 0.1 * end);
                     return new Tube.Section(height / 2, thickness / 2);
@@ -114,8 +115,8 @@ public final class VirtualThorax {
     private TriangleMesh vertebra(int level) {
         VertebraShape shape = vertebrae[level - 1];
         double[] centre = spine.centre(spine.bodyPath(level));
-        double[] low = V3.add(centre, V3.of(-52, -30, -48), 1);
-        double[] high = V3.add(centre, V3.of(52, 78, 34), 1);
+        double[] low = Vectors.add(centre, Vectors.of(-52, -30, -48), 1);
+        double[] high = Vectors.add(centre, Vectors.of(52, 78, 34), 1);
         TriangleMesh rough = MarchingTetrahedra.surface(shape, low, high, VERTEBRA_GRID_MM);
         return Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
     }
@@ -130,7 +131,7 @@ public final class VirtualThorax {
         }
         double width = (m.bodyWidthMm().at(level - 1) + m.bodyWidthMm().at(level)) / 4;
         double depth = (m.bodyDepthMm().at(level - 1) + m.bodyDepthMm().at(level)) / 4;
-        return DISC.mesh(new Course(middle), t -> new Tube.Section(width, depth), p -> V3.of(0, -1, 0));
+        return DISC.mesh(new Course(middle), t -> new Tube.Section(width, depth), p -> Vectors.of(0, -1, 0));
     }
 
     private void organs() {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** What tests ask of a closed surface. */
 final class Surface {
@@ -22,7 +23,7 @@ final class Surface {
     }
 
     double[] vertex(int v) {
-        return V3.of(mesh.x(v), mesh.y(v), mesh.z(v));
+        return Vectors.of(mesh.x(v), mesh.y(v), mesh.z(v));
     }
 
     private double[] corner(int triangle, int k) {
@@ -56,7 +57,7 @@ final class Surface {
     double volumeMl() {
         double six = 0;
         for (int t = 0; t < mesh.triangleCount(); t++) {
-            six += V3.dot(corner(t, 0), V3.cross(corner(t, 1), corner(t, 2)));
+            six += Vectors.dot(corner(t, 0), Vectors.cross(corner(t, 1), corner(t, 2)));
         }
         return six / 6000;
     }
@@ -65,22 +66,24 @@ final class Surface {
         int[] t = mesh.triangles();
         double least = Double.POSITIVE_INFINITY;
         for (int c = 0; c < t.length; c++) {
-            least = Math.min(least, V3.distance(vertex(t[c]), vertex(t[c % 3 == 2 ? c - 2 : c + 1])));
+            least = Math.min(least, Vectors.distance(vertex(t[c]), vertex(t[c % 3 == 2 ? c - 2 : c + 1])));
         }
         return least;
     }
 
     double areaMm2(int triangle) {
         double[] a = corner(triangle, 0);
-        return V3.length(V3.cross(V3.minus(corner(triangle, 1), a), V3.minus(corner(triangle, 2), a))) / 2;
+        return Vectors.length(
+                        Vectors.cross(Vectors.minus(corner(triangle, 1), a), Vectors.minus(corner(triangle, 2), a)))
+                / 2;
     }
 
     double smallestAngleDeg(int triangle) {
         double least = 180;
         for (int k = 0; k < 3; k++) {
-            double[] u = V3.minus(corner(triangle, (k + 1) % 3), corner(triangle, k));
-            double[] v = V3.minus(corner(triangle, (k + 2) % 3), corner(triangle, k));
-            double angle = Math.atan2(V3.length(V3.cross(u, v)), V3.dot(u, v));
+            double[] u = Vectors.minus(corner(triangle, (k + 1) % 3), corner(triangle, k));
+            double[] v = Vectors.minus(corner(triangle, (k + 2) % 3), corner(triangle, k));
+            double angle = Math.atan2(Vectors.length(Vectors.cross(u, v)), Vectors.dot(u, v));
             least = Math.min(least, Math.toDegrees(angle));
         }
         return least;
@@ -181,18 +184,18 @@ final class Surface {
 
     /** Point to triangle, Ericson, Real-Time Collision Detection, 5.1.5, by its three edges and its plane. */
     private static double distance(double[] p, double[] a, double[] b, double[] c) {
-        double[] n = V3.cross(V3.minus(b, a), V3.minus(c, a));
+        double[] n = Vectors.cross(Vectors.minus(b, a), Vectors.minus(c, a));
         double[][] corners = {a, b, c};
         boolean above = true;
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < 3; k++) {
             double[] from = corners[k];
-            double[] edge = V3.minus(corners[(k + 1) % 3], from);
-            double[] q = V3.minus(p, from);
-            above &= V3.dot(V3.cross(n, edge), q) >= 0;
-            double t = Math.max(0, Math.min(1, V3.dot(q, edge) / V3.dot(edge, edge)));
-            least = Math.min(least, V3.length(V3.add(q, edge, -t)));
+            double[] edge = Vectors.minus(corners[(k + 1) % 3], from);
+            double[] q = Vectors.minus(p, from);
+            above &= Vectors.dot(Vectors.cross(n, edge), q) >= 0;
+            double t = Math.max(0, Math.min(1, Vectors.dot(q, edge) / Vectors.dot(edge, edge)));
+            least = Math.min(least, Vectors.length(Vectors.add(q, edge, -t)));
         }
-        return above ? Math.abs(V3.dot(V3.minus(p, a), n)) / V3.length(n) : least;
+        return above ? Math.abs(Vectors.dot(Vectors.minus(p, a), n)) / Vectors.length(n) : least;
     }
 }

@@ -14,6 +14,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.geometry.Vectors;
 
 class VirtualThoraxMeshTest {
     private static final double BUDGET_TOLERANCE = 0.01;
@@ -91,7 +92,7 @@ class VirtualThoraxMeshTest {
         double thinnest = Double.POSITIVE_INFINITY;
         double thickest = 0;
         for (int v = 0; v < half; v++) {
-            double apart = V3.distance(sheet.vertex(v), sheet.vertex(v + half));
+            double apart = Vectors.distance(sheet.vertex(v), sheet.vertex(v + half));
             thinnest = Math.min(thinnest, apart);
             thickest = Math.max(thickest, apart);
         }

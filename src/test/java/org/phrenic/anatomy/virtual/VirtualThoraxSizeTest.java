@@ -11,6 +11,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 
 /** Sizes and places against measured people; where each expected number comes from stands beside it. */
 class VirtualThoraxSizeTest {
@@ -41,19 +42,19 @@ class VirtualThoraxSizeTest {
     /** Length of the middle line of a tube of 12 points a section with its two poles last. */
     private static double arc(TriangleMesh rib) {
         int sections = (rib.vertexCount() - 2) / 12;
-        double[] before = V3.of(rib.x(12 * sections), rib.y(12 * sections), rib.z(12 * sections));
+        double[] before = Vectors.of(rib.x(12 * sections), rib.y(12 * sections), rib.z(12 * sections));
         double length = 0;
         for (int s = 0; s <= sections; s++) {
             double[] middle = new double[3];
             for (int k = 0; k < 12 && s < sections; k++) {
                 int v = 12 * s + k;
-                middle = V3.add(middle, V3.of(rib.x(v), rib.y(v), rib.z(v)), 1.0 / 12);
+                middle = Vectors.add(middle, Vectors.of(rib.x(v), rib.y(v), rib.z(v)), 1.0 / 12);
             }
             if (s == sections) {
                 int last = 12 * sections + 1;
-                middle = V3.of(rib.x(last), rib.y(last), rib.z(last));
+                middle = Vectors.of(rib.x(last), rib.y(last), rib.z(last));
             }
-            length += V3.distance(before, middle);
+            length += Vectors.distance(before, middle);
             before = middle;
         }
         return length;
@@ -98,7 +99,7 @@ class VirtualThoraxSizeTest {
     private static double span(String preset, String name) {
         Surface bar = Bodies.surface(body(preset), name);
         int n = bar.mesh.vertexCount();
-        return V3.distance(bar.vertex(n - 2), bar.vertex(n - 1));
+        return Vectors.distance(bar.vertex(n - 2), bar.vertex(n - 1));
     }
 
     /** Jugular notch at T2-T3, sternal angle at T4-T5, xiphisternal joint at T9. */
