@@ -44,6 +44,11 @@ final class ThoraxTrial implements Trial {
     }
 
     @Override
+    public void calm() {
+        simulation.change(Calm.stop(simulation.start()));
+    }
+
+    @Override
     public void close() {
         simulation.close();
     }
