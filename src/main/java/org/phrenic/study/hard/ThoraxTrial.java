@@ -38,9 +38,7 @@ final class ThoraxTrial implements Trial {
 
     @Override
     public boolean takeBack() {
-        boolean any = !simulation.changes().isEmpty();
-        simulation.undoLastChange();
-        return any;
+        return simulation.undoLastChange();
     }
 
     @Override
