@@ -14,7 +14,7 @@ final class CellRun {
     private static final int IMPLICIT_COST = 20;
 
     /** After so many a scene is given up, with a good state put back. */
-    private static final int MOST_DIVERGENCES = 100;
+    private static final int MOST_DIVERGENCES = 1000;
 
     /** Backward Euler damps what it does not resolve: it may be so many times as far from the trusted shape. */
     private static final double DISSIPATIVE = 2;
