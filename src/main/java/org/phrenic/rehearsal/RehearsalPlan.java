@@ -1,5 +1,8 @@
 package org.phrenic.rehearsal;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -59,6 +62,7 @@ public record RehearsalPlan(
             "steps");
     private static final List<String> TARGET_KEYS = List.of("rest_mm", "seed", "diameter_mm");
     private static final List<String> NEEDLE_KEYS = List.of("gauge", "length_mm");
+    private static final String SHIPPED = "/org/phrenic/data/exercises/";
     private static final int MOST_PHASES = 100;
     private static final double GIVE_UP_S = 60;
 
@@ -68,7 +72,43 @@ public record RehearsalPlan(
      * @throws BadInputException with one sentence that names file, line and key
      */
     public static RehearsalPlan read(Path file) {
-        YamlMap yaml = YamlDocument.read(file);
+        return read(YamlDocument.read(file), file);
+    }
+
+    /**
+     * Reads an exercise that comes with the program.
+     *
+     * @param name of its file, without ending
+     * @param set what is set over the plan, as {@code key=value}
+     * @throws BadInputException with one sentence, if there is none of this name or something set cannot be
+     */
+    public static RehearsalPlan shipped(String name, List<String> set) {
+        Path file = Path.of(name + ".yaml");
+        try (InputStream in = RehearsalPlan.class.getResourceAsStream(SHIPPED + file)) {
+            if (in == null) {
+                throw new BadInputException("exercise '" + name + "': found none of this name in the program");
+            }
+            RehearsalPlan plan = read(YamlDocument.read(file.toString(), in), file);
+            return new RehearsalPlan(
+                    plan.title,
+                    plan.description,
+                    plan.scenario.with(set.toArray(String[]::new)),
+                    plan.targetRestMm,
+                    plan.seed,
+                    plan.diameterMm,
+                    plan.needle,
+                    plan.avoided,
+                    plan.phases,
+                    plan.giveUpAfterS,
+                    plan.goals,
+                    plan.steps,
+                    plan.file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static RehearsalPlan read(YamlMap yaml, Path file) {
         yaml.requireOnly(KEYS);
         YamlMap target = yaml.map("target");
         target.requireOnly(TARGET_KEYS);
