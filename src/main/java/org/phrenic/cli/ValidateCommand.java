@@ -39,8 +39,9 @@ import picocli.CommandLine.Spec;
             "  phrenic validate",
             "  phrenic validate --anatomy my-thorax --out result",
             "  phrenic validate --resolution low --preset quiet,deep --sensitivity",
+            "  phrenic validate --liver --anatomy my-thorax",
             "",
-            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json.",
+            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json; with --liver liver.json.",
             "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
             "",
             Notice.TEXT

@@ -100,7 +100,8 @@ public record LiverMotion(List<Row> rows) {
         // A held breath is as deep as the one it is held in: a quiet one at expiration, a deep one at inspiration.
         String as = preset.equals("hold-expiration") ? "quiet" : preset.equals("hold-inspiration") ? "deep" : preset;
         AXES.forEach(axis -> known.add(known(table, as, axis, Reduction.SIZE)));
-        known.add(held < 0 ? Optional.empty() : known(table, "hold-inspiration", "dome_right_mm", Reduction.CREEP));
+        // None is known at expiration.
+        known.add(known(table, preset, "dome_right_mm", Reduction.CREEP));
         return new Row(
                 body,
                 preset,
