@@ -78,7 +78,7 @@ final class BindingRows implements Constraint.Rows {
         int changed = 0;
         for (int i = 0; i < count; i++) {
             boolean before = binds[i];
-            boolean now = !oneSided[i] || (before && multiplier != null ? multiplier[i] <= pullMn : gap[i] < nearMm);
+            boolean now = !oneSided[i] || ((before && multiplier != null) ? multiplier[i] <= pullMn : gap[i] < nearMm);
             binds[i] = now;
             changed += now == before ? 0 : 1;
         }
