@@ -245,6 +245,29 @@ final class Tuning {
         return log.stream().allMatch(c -> NOT_ASSEMBLED.contains(c.assignment().key()));
     }
 
+    /**
+     * Refuses changes of anything but numbers and the hold of the breath.
+     *
+     * @throws IllegalArgumentException with one sentence
+     */
+    static void requireNumbers(List<Change> changes) {
+        for (Change change : changes) {
+            String key = change.assignment().key();
+            if (!key.equals("hold") && !Parameter.keys().contains(key)) {
+                throw new IllegalArgumentException(
+                        change.text() + ": found key '" + key + "', expected a parameter or hold");
+            }
+        }
+    }
+
+    /** Gives tissue and action lines the numbers that they were assembled with. */
+    void asAssembled() {
+        tissue.apply(tissue.assembledValues());
+        for (var line : scene.forces().lines()) {
+            line.setRadius(tissue.assembledValues()[Knob.LINE_RADIUS.slot()]);
+        }
+    }
+
     /** Which scheme the settings ask for. */
     IntegratorKind integrator() {
         return settings.integrator();
