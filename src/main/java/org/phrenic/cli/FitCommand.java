@@ -59,14 +59,16 @@ final class FitCommand implements Callable<Integer> {
             names = "--target",
             paramLabel = "PART=FILE",
             required = true,
-            description = "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
-                    + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
+            description =
+                    "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
+                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
     private List<String> targets = new ArrayList<>();
 
     @Option(
             names = "--hold-out",
             paramLabel = "WHAT",
-            description = "Fit without it and report on it: the part of a target, or half, every other square of 40 mm.")
+            description =
+                    "Fit without it and report on it: the part of a target, or half, every other square of 40 mm.")
     private List<String> heldOut = new ArrayList<>();
 
     @Option(
@@ -130,14 +132,17 @@ final class FitCommand implements Callable<Integer> {
                 FitSetup.SIGMA,
                 OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS),
                 OptionNumbers.whole("--evaluations", evaluations, 1, 1_000_000),
-                minutes == null ? Double.POSITIVE_INFINITY : MINUTE_S * OptionNumbers.number("--minutes", minutes, 0, 1e5));
+                minutes == null
+                        ? Double.POSITIVE_INFINITY
+                        : MINUTE_S * OptionNumbers.number("--minutes", minutes, 0, 1e5));
         FitPrinter printer = new FitPrinter(spec.commandLine().getErr(), ProgressPrinter.isTerminal());
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
         printer.end();
         FitReport report = new FitReport(result);
-        List<ReportDocument.Picture> pictures =
-                noPictures ? List.of() : FitPictures.draw(result, out, spec.commandLine().getErr());
+        List<ReportDocument.Picture> pictures = noPictures
+                ? List.of()
+                : FitPictures.draw(result, out, spec.commandLine().getErr());
         report.write(out);
         AtomicFile.write(out.resolve("report.html"), HtmlPage.of(report.document(pictures)));
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.of(report.document(pictures)));
@@ -161,9 +166,10 @@ final class FitCommand implements Callable<Integer> {
             list.add(heldOut.contains(target.part().label()) ? target.weighing(0) : target);
         }
         for (String what : heldOut) {
-            if (!what.equals(HALF) && list.stream().noneMatch(t -> t.part().label().equals(what))) {
-                throw new BadInputException("--hold-out " + what + ": found no such target, expected "
-                        + HALF + " or the part of a --target");
+            if (!what.equals(HALF)
+                    && list.stream().noneMatch(t -> t.part().label().equals(what))) {
+                throw new BadInputException("--hold-out " + what + ": found no such target, expected " + HALF
+                        + " or the part of a --target");
             }
         }
         if (list.stream().allMatch(t -> t.weight() == 0)) {
@@ -177,7 +183,8 @@ final class FitCommand implements Callable<Integer> {
             return FitParameter.usual(base);
         }
         List<FitParameter> list = new ArrayList<>();
-        for (String text : tune.stream().flatMap(t -> OptionNumbers.parts(t).stream()).toList()) {
+        for (String text :
+                tune.stream().flatMap(t -> OptionNumbers.parts(t).stream()).toList()) {
             FitParameter parameter = FitParameter.parse(text, base);
             if (list.stream().anyMatch(p -> p.parameter() == parameter.parameter())) {
                 throw new BadInputException("--tune " + text + ": found it a second time, expected it once");
@@ -193,7 +200,8 @@ final class FitCommand implements Callable<Integer> {
             stdout.print(Json.format(report.values()));
         } else {
             stdout.print(table(FitReport.DISTANCES, report.distances()) + "\n"
-                    + table(FitReport.PARAMETERS, report.parameters()) + "\n" + report.summary() + "\n" + Notice.TEXT + "\n");
+                    + table(FitReport.PARAMETERS, report.parameters()) + "\n" + report.summary() + "\n" + Notice.TEXT
+                    + "\n");
         }
         stdout.flush();
     }

@@ -45,9 +45,9 @@ final class FitPictures {
             round = RANGES[i];
         }
         ColourScale scale = ColourScale.magnitude(round, ColourField.DISTANCE.unit());
-        View[] views = target.target().part().isBase() ? new View[] {View.INFERIOR} : new View[] {
-            View.ANTERIOR, View.INFERIOR
-        };
+        View[] views = target.target().part().isBase()
+                ? new View[] {View.INFERIOR}
+                : new View[] {View.ANTERIOR, View.INFERIOR};
         for (View view : views) {
             one(target.initial(), target.target().name(), "end-expiration", view, scale, folder, pictures);
             one(target.residual(), target.target().name(), "fitted", view, scale, folder, pictures);

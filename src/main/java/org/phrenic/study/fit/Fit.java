@@ -119,9 +119,8 @@ public final class Fit {
     }
 
     private String search(List<Trial> trials, double initial, long begun) {
-        double[] start = setup.parameters().stream()
-                .mapToDouble(p -> p.unit(p.start()))
-                .toArray();
+        double[] start =
+                setup.parameters().stream().mapToDouble(p -> p.unit(p.start())).toArray();
         int population = setup.generation();
         String[] ended = {"the search converged"};
         int patience = 1 + PATIENCE * population;
@@ -144,8 +143,8 @@ public final class Fit {
                     return true;
                 }));
         if (trials.isEmpty()) {
-            throw new IllegalArgumentException("fit: found a budget of " + setup.maxEvaluations()
-                    + " evaluations, expected at least one");
+            throw new IllegalArgumentException(
+                    "fit: found a budget of " + setup.maxEvaluations() + " evaluations, expected at least one");
         }
         return ended[0];
     }

@@ -56,14 +56,13 @@ final class FitJournal implements AutoCloseable {
         CsvTable table = CsvTable.parse(file.toString(), whole);
         List<String> marks = table.has("fit") ? table.texts("fit") : List.of("");
         if (!table.columnNames().equals(columns) || !marks.stream().allMatch(mark::equals)) {
-            throw new BadInputException(file + ": found the evaluations of another fit, expected those of this one or"
-                    + " another folder");
+            throw new BadInputException(
+                    file + ": found the evaluations of another fit, expected those of this one or" + " another folder");
         }
         double[] numbers = table.numbers("evaluation");
         double[] values = table.numbers("distance_mm");
-        double[][] given = parameters.stream()
-                .map(p -> table.numbers(p.parameter().key()))
-                .toArray(double[][]::new);
+        double[][] given =
+                parameters.stream().map(p -> table.numbers(p.parameter().key())).toArray(double[][]::new);
         for (int row = 0; row < numbers.length; row++) {
             double[] point = new double[given.length];
             for (int i = 0; i < point.length; i++) {

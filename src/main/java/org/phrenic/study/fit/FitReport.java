@@ -121,7 +121,8 @@ public final class FitReport {
         FitSetup setup = result.setup();
         ReportDocument page = new ReportDocument(
                 "Fit to a second breath level",
-                "The body " + setup.base().anatomy() + " breathed in and held, with the parameters that bring its surfaces nearest to"
+                "The body " + setup.base().anatomy()
+                        + " breathed in and held, with the parameters that bring its surfaces nearest to"
                         + " those given.");
         page.paragraph(summary());
         page.paragraph("Rigid alignment: " + setup.alignment() + ".");
@@ -134,8 +135,9 @@ public final class FitReport {
                     pictures.toArray(Picture[]::new));
         }
         page.section("Parameters");
-        page.paragraph("A step is a twentieth of the way between the bounds (by the logarithm where they are far apart); distances are"
-                + " the mean that was made small, mm, with that parameter alone moved.");
+        page.paragraph(
+                "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart); distances are"
+                        + " the mean that was made small, mm, with that parameter alone moved.");
         page.table("", PARAMETERS, parameters());
         page.section("The fitted breath");
         page.points(result.observed().entrySet().stream()
@@ -167,9 +169,7 @@ public final class FitReport {
         if (!Double.isNaN(result.cpuPerEvaluationS())) {
             map.put("cpu_per_evaluation_s", result.cpuPerEvaluationS());
         }
-        map.put(
-                "targets",
-                result.targets().stream().map(FitReport::values).toList());
+        map.put("targets", result.targets().stream().map(FitReport::values).toList());
         List<Object> parameters = new ArrayList<>();
         for (int i = 0; i < result.values().length; i++) {
             FitParameter p = setup.parameters().get(i);
@@ -222,7 +222,9 @@ public final class FitReport {
     public void write(Path folder) {
         Json.write(folder.resolve("fit.json"), values());
         CsvWriter.write(
-                folder.resolve("fit.csv"), PARAMETERS.stream().map(Column::heading).toList(), parameters());
+                folder.resolve("fit.csv"),
+                PARAMETERS.stream().map(Column::heading).toList(),
+                parameters());
         YamlWriter.write(folder.resolve("scenario.yaml"), result.scenario().toMap());
     }
 

@@ -109,7 +109,8 @@ public record FitSetup(
                 .append(generation())
                 .append(' ')
                 .append(sigma);
-        double[][] arrays = new double[1 + 3 * targets.size() + thorax.structures().size()][];
+        double[][] arrays =
+                new double[1 + 3 * targets.size() + thorax.structures().size()][];
         int next = 0;
         for (FitTarget target : targets) {
             text.append('\n')
@@ -120,9 +121,7 @@ public record FitSetup(
                     .append(target.weight());
             arrays[next++] = target.from();
             arrays[next++] = target.to();
-            arrays[next++] = target.isPairs()
-                    ? new double[0]
-                    : target.surface().positions();
+            arrays[next++] = target.isPairs() ? new double[0] : target.surface().positions();
         }
         for (var structure : thorax.structures()) {
             arrays[next++] = structure.mesh().positions();

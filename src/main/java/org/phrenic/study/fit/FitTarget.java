@@ -22,8 +22,8 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
 
     public FitTarget {
         if (from.length != to.length || from.length % 3 != 0) {
-            throw new IllegalArgumentException(name + ": found " + from.length + " and " + to.length
-                    + " coordinates, expected pairs of points");
+            throw new IllegalArgumentException(
+                    name + ": found " + from.length + " and " + to.length + " coordinates, expected pairs of points");
         }
         if (surface == null == (from.length == 0)) {
             throw new IllegalArgumentException(name + ": expected a surface or pairs of points");

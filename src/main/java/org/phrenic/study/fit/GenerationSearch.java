@@ -94,29 +94,30 @@ final class GenerationSearch {
         int size = trials.isEmpty() ? 1 : population;
         int[] count = {0};
         try {
-            optimiser().optimize(
-                    new MaxEval(Integer.MAX_VALUE),
-                    new ObjectiveFunction(point -> {
-                        int number = count[0]++;
-                        if (number < trials.size()) {
-                            Trial known = trials.get(number);
-                            if (!Arrays.equals(known.values(), point)) {
-                                throw new IllegalStateException(
-                                        "the search asks for other points than it did, expected the same");
-                            }
-                            return known.value();
-                        }
-                        asked.add(point.clone());
-                        if (asked.size() == size) {
-                            throw new GenerationCompleteException();
-                        }
-                        return 0;
-                    }),
-                    GoalType.MINIMIZE,
-                    new SimpleBounds(new double[dimension], filled(1)),
-                    new InitialGuess(start),
-                    new CMAESOptimizer.Sigma(filled(sigma)),
-                    new CMAESOptimizer.PopulationSize(population));
+            optimiser()
+                    .optimize(
+                            new MaxEval(Integer.MAX_VALUE),
+                            new ObjectiveFunction(point -> {
+                                int number = count[0]++;
+                                if (number < trials.size()) {
+                                    Trial known = trials.get(number);
+                                    if (!Arrays.equals(known.values(), point)) {
+                                        throw new IllegalStateException(
+                                                "the search asks for other points than it did, expected the same");
+                                    }
+                                    return known.value();
+                                }
+                                asked.add(point.clone());
+                                if (asked.size() == size) {
+                                    throw new GenerationCompleteException();
+                                }
+                                return 0;
+                            }),
+                            GoalType.MINIMIZE,
+                            new SimpleBounds(new double[dimension], filled(1)),
+                            new InitialGuess(start),
+                            new CMAESOptimizer.Sigma(filled(sigma)),
+                            new CMAESOptimizer.PopulationSize(population));
         } catch (GenerationCompleteException complete) {
             return asked;
         }

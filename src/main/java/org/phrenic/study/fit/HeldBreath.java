@@ -58,10 +58,11 @@ public final class HeldBreath implements AutoCloseable {
                     "fit: found " + (base.trace().isPresent() ? "a trace" : "preset '" + base.preset() + "'")
                             + ", expected preset deep, quiet or quiet-supine");
         }
-        return base.withChanges(List.of()).with(
-                "rate_per_min=" + 60 * INSPIRATORY_FRACTION / INSPIRATION_S,
-                "inspiratory_fraction=" + INSPIRATORY_FRACTION,
-                "duration_s=" + UNTIL_S);
+        return base.withChanges(List.of())
+                .with(
+                        "rate_per_min=" + 60 * INSPIRATORY_FRACTION / INSPIRATION_S,
+                        "inspiratory_fraction=" + INSPIRATORY_FRACTION,
+                        "duration_s=" + UNTIL_S);
     }
 
     /** The scenario that {@code phrenic run} takes to the same state with these values, each within its bounds. */
