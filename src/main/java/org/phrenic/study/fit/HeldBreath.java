@@ -125,6 +125,11 @@ public final class HeldBreath implements AutoCloseable {
         return surfaces.observe()[Observation.COLUMNS.indexOf(column)];
     }
 
+    /** Into how many parts a step was split at the end. */
+    public int substeps() {
+        return simulation.stepper().substeps();
+    }
+
     /** Hash over the bits of the state. */
     public String stateHash() {
         return simulation.stateHash();
