@@ -41,6 +41,10 @@ final class Tuning {
             Parameter.INSPIRATORY_FRACTION.key(),
             Parameter.CHEST_SHARE.key(),
             Parameter.RIB_ROTATION.key(),
+            Parameter.UPPER_RIB_ROTATION.key(),
+            Parameter.LOWER_RIB_ROTATION.key(),
+            Parameter.RIB_LEFT_OVER_RIGHT.key(),
+            Parameter.PRESSURE_LEFT_OVER_RIGHT.key(),
             Parameter.MUSCLE_ACTIVATION.key(),
             Parameter.MUSCLE_FORCE.key(),
             Parameter.GREATEST_PRESSURE.key());

@@ -36,6 +36,11 @@ class RerunTest {
                 "0:sternum_coupling=1.5",
                 "0:damping_rate_per_s=14",
                 "0:rib_rotation=0.7",
+                "0:front_over_back=1.4",
+                "0:pressure_left_over_right=0.7",
+                "0:upper_rib_rotation=0.8",
+                "0:lower_rib_rotation=1.3",
+                "0:rib_left_over_right=0.9",
                 "40:hold=true");
         Thorax thorax = SimulationRun.thorax(SCENARIO);
         String fresh;
