@@ -1,6 +1,7 @@
 package org.phrenic.study.fit;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.phrenic.format.BadInputException;
 import org.phrenic.simulation.Parameter;
 import org.phrenic.simulation.Scenario;
@@ -29,13 +30,15 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     /**
      * A parameter with its usual bounds, beginning at its value in a scenario.
      *
-     * @throws BadInputException if the scenario does not use it or has a value beyond them
+     * @throws BadInputException if the scenario does not use it, or it says how fast is breathed
      */
     public static FitParameter of(Parameter parameter, Scenario scenario) {
-        double start = scenario.value(parameter);
-        if (Double.isNaN(start)) {
+        double start = parameter == Parameter.CHEST_SHARE && !scenario.isSet(parameter)
+                ? scenario.breathing().parameters().chestShare()
+                : scenario.value(parameter);
+        if (Double.isNaN(start) || parameter == Parameter.RATE || parameter == Parameter.INSPIRATORY_FRACTION) {
             throw new BadInputException("--tune " + parameter.key()
-                    + ": found a parameter that has no value in the scenario, expected one that has");
+                    + ": found a parameter that the breath which is held does not use, expected another");
         }
         double[] usual = usualBounds(parameter);
         return new FitParameter(parameter, Math.min(usual[0], start), Math.max(usual[1], start), start);
@@ -70,14 +73,20 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         }
     }
 
-    /** What is tuned where nothing else is said, with usual bounds. */
+    /** What is tuned where nothing else is said, with usual bounds: drives of muscle, pressure and ribs, their balance by side, group and place, and stiffness. */
     public static List<FitParameter> usual(Scenario scenario) {
-        return java.util.stream.Stream.of(
+        return Stream.of(
                         Parameter.MUSCLE_ACTIVATION,
                         Parameter.LEFT_OVER_RIGHT,
+                        Parameter.FRONT_OVER_BACK,
                         Parameter.GREATEST_PRESSURE,
-                        Parameter.RIB_ROTATION,
+                        Parameter.PRESSURE_LEFT_OVER_RIGHT,
                         Parameter.REST_PRESSURE,
+                        Parameter.CHEST_SHARE,
+                        Parameter.RIB_ROTATION,
+                        Parameter.UPPER_RIB_ROTATION,
+                        Parameter.LOWER_RIB_ROTATION,
+                        Parameter.RIB_LEFT_OVER_RIGHT,
                         Parameter.MUSCLE_STIFFNESS,
                         Parameter.TENDON_RATIO,
                         Parameter.LUNG_STIFFNESS,
@@ -93,7 +102,11 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
             case LEFT_OVER_RIGHT -> new double[] {0.5, 2};
             case GREATEST_PRESSURE -> new double[] {0, 8};
             case REST_PRESSURE -> new double[] {0.05, 1};
-            case MUSCLE_STIFFNESS -> new double[] {100, 700};
+            case FRONT_OVER_BACK, PRESSURE_LEFT_OVER_RIGHT -> new double[] {0.4, 2.5};
+            case CHEST_SHARE -> new double[] {0.3, 0.7};
+            case UPPER_RIB_ROTATION, LOWER_RIB_ROTATION -> new double[] {0.3, 1.7};
+            case RIB_LEFT_OVER_RIGHT -> new double[] {0.6, 1.6};
+            case MUSCLE_STIFFNESS -> new double[] {100, 450};
             case TENDON_RATIO -> new double[] {2, 20};
             case LUNG_STIFFNESS -> new double[] {1, 20};
             case STERNUM_COUPLING -> new double[] {0.3, 3};
