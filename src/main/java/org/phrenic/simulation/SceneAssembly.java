@@ -73,7 +73,8 @@ final class SceneAssembly {
                 value(Parameter.TENDON_RATIO),
                 physical,
                 scenario.linksPerNode(),
-                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
+                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1,
+                physical ? value(Parameter.FRONT_OVER_BACK) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
                 : Optional.empty();
