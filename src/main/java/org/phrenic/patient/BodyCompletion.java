@@ -15,7 +15,7 @@ import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by a similarity, then an affine map, then ever finer smooth warps ({@link WarpField}), each found from the points
+ * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by a similarity, then a stretch along each axis, then ever finer smooth warps ({@link WarpField}), each found from the points
  * of the two surfaces that lie nearest to each other; and lends its other structures. A structure that the scan cuts off is lent too, brought to the part that can be seen.
  */
 public final class BodyCompletion {
@@ -118,7 +118,7 @@ public final class BodyCompletion {
         for (int step = 0; step < STEPS; step++) {
             double[][] pairs = pairs(true);
             move(
-                    step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.affine(pairs[0], pairs[1]),
+                    step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.stretch(pairs[0], pairs[1]),
                     true);
         }
         List<Structure> straight = List.copyOf(template);
