@@ -23,6 +23,7 @@ import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
@@ -38,6 +39,9 @@ final class SceneAssembly {
     private static final int LINK_SWEEPS = 50;
 
     private final Scenario scenario;
+    /** What is fastest for the sheet's springs serves the others too. */
+    private SpringKernel kernel;
+
     private final Thorax thorax;
     private final Workers workers;
     private final SceneParts parts = new SceneParts();
@@ -232,7 +236,7 @@ final class SceneAssembly {
             builder.contractile(parts.diaphragm.share());
         }
         Springs springs = builder.build();
-        springs.useFastestKernel(system.positions(), system.velocities());
+        kernel = springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         if (contractile) {
             drive.drives(springs);
@@ -248,7 +252,7 @@ final class SceneAssembly {
                 .stiffness(parts.passive.stiffness())
                 .rest(parts.passive.rest())
                 .build();
-        springs.useFastestKernel(system.positions(), system.velocities());
+        springs.setKernel(kernel);
         system.add(springs);
         return Optional.of(springs);
     }
