@@ -45,6 +45,25 @@ public interface Constraint {
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}
 
+    /**
+     * Names what this constraint asks of nodes at the state at hand, one equation or inequality after the other, always in the same order; what it kept from its last projection (planes, normals) stays as it is.
+     */
+    default void rows(ParticleSystem system, Rows out) {}
+
+    /** Takes the rows of a constraint. */
+    interface Rows {
+        /**
+         * A row n · (x_a - x_b) = c, or ≥ c.
+         *
+         * @param a internal number of a node
+         * @param b internal number of the other, or -1 for a wall
+         * @param nx direction, of length 1
+         * @param gap n · (x_a - x_b) - c now, mm
+         * @param oneSided whether more than c is free
+         */
+        void add(int a, int b, double nx, double ny, double nz, double gap, boolean oneSided);
+    }
+
     /** How far from holding at these positions, as a relative or absolute measure that the implementation states. */
     double error(ParticleSystem system);
 }

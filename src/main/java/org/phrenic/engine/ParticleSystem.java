@@ -222,6 +222,11 @@ public final class ParticleSystem {
         return List.of(fields);
     }
 
+    /** The constraints switched on, in the order they were added. */
+    public List<Constraint> constraints() {
+        return List.of(constraints);
+    }
+
     /** Whether any field switched on depends on velocity. */
     public boolean velocityDependent() {
         return velocityDependent;

@@ -248,12 +248,19 @@ public final class Simulation implements AutoCloseable {
         tuning = new Tuning(start, scene, stepper, dials);
     }
 
-    /** Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. */
-    public void undoLastChange() {
+    /**
+     * Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. Where that was done already and the scene diverged again, those of
+     * the step before too.
+     *
+     * @return whether there was anything to take back
+     */
+    public boolean undoLastChange() {
         List<Assignment> back = tuning.undo();
-        if (!back.isEmpty()) {
-            tuning.change(back);
+        if (back.isEmpty()) {
+            return false;
         }
+        tuning.change(back);
+        return true;
     }
 
     /** The scenario of the start, without changes. */

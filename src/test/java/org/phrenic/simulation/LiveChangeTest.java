@@ -222,6 +222,30 @@ class LiveChangeTest {
     }
 
     @Test
+    void whatDidNotHelpIsFollowedByTakingBackTheChangesBefore() {
+        Scenario start = Runs.scenario(Runs.sheetAlone());
+        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+            assertThat(simulation.undoLastChange()).isFalse();
+            simulation.change(List.of(Assignment.parse("depth=2"), Assignment.parse("muscle=false")));
+            steps(simulation, 3);
+            simulation.change(Assignment.parse("depth=0.5"));
+            steps(simulation, 3);
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings().value(Parameter.DEPTH)).isEqualTo(2);
+            assertThat(simulation.settings().muscle()).isFalse();
+            steps(simulation, 3);
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings()).isEqualTo(start.with("depth=1"));
+            assertThat(simulation.undoLastChange()).isFalse();
+            // What somebody does after that is again the first to be taken back.
+            steps(simulation, 3);
+            simulation.change(Assignment.parse("muscle=false"));
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings().muscle()).isTrue();
+        }
+    }
+
+    @Test
     void timeIsTheSumOfStepCountsTimesTheirSteps() {
         try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
             steps(simulation, 100);

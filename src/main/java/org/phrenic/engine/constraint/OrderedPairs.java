@@ -163,6 +163,18 @@ public final class OrderedPairs implements Constraint {
         a[n + 2] += inward * nz;
     }
 
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < outer.length; i++) {
+            double gap = -least[i];
+            for (int axis = 0; axis < 3; axis++) {
+                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
+            }
+            out.add(outer[i] / 3, inner[i] / 3, normal[3 * i], normal[3 * i + 1], normal[3 * i + 2], gap, true);
+        }
+    }
+
     /** Largest breach of the least distance, mm, along the normals last taken. */
     @Override
     public double error(ParticleSystem particles) {

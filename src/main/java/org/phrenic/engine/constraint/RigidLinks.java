@@ -383,6 +383,18 @@ public final class RigidLinks implements Constraint {
         pieceError[piece] = worst;
     }
 
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < length.length; i++) {
+            double dx = x[nodeA[i]] - x[nodeB[i]];
+            double dy = x[nodeA[i] + 1] - x[nodeB[i] + 1];
+            double dz = x[nodeA[i] + 2] - x[nodeB[i] + 2];
+            double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            out.add(nodeA[i] / 3, nodeB[i] / 3, dx / l, dy / l, dz / l, l - length[i], false);
+        }
+    }
+
     /** Largest relative length error |l - L| / L. */
     @Override
     public double error(ParticleSystem particles) {

@@ -164,6 +164,18 @@ public final class SlidingContact implements Constraint {
         }
     }
 
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        double elapsed = now - planeTime;
+        for (int i = 0; i < node.length; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            out.add(n / 3, -1, plane[p], plane[p + 1], plane[p + 2], gap - plane[p + 4] * elapsed, !adhering);
+        }
+    }
+
     /** Deepest node beyond its tangent plane, mm. */
     @Override
     public double error(ParticleSystem particles) {
