@@ -5,7 +5,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.rehearsal.AccessMap;
 import org.phrenic.simulation.Surface;
 
-/** An access map as colours on the skin: grey where a target can never be reached, amber where in part of a breath, green where always. */
+/** An access map as colours on the skin: the colour of skin where a target can never be reached, amber where in part of a breath, green where always. */
 public final class AccessField {
     private final String skin;
     private final float[] freePercent;

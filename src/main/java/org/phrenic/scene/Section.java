@@ -73,11 +73,12 @@ public record Section(
         return cut(surfaces, frame, state, middle(state), right, up);
     }
 
-    /** The plane through the tip at a right angle to the needle, seen from the hub: what the needle will meet next. */
+    /** The plane through the tip at a right angle to the needle, seen from the hub: what the needle will meet next; through the target while there is no needle in the body. */
     public static Section ahead(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.unit(Vectors.minus(state.tip(), state.hub()));
         double[] up = flattened(new double[] {0, 0, 1}, needle);
-        return cut(surfaces, frame, state, state.tip(), Vectors.cross(needle, up), up);
+        double[] at = state.placed() ? state.tip() : state.target();
+        return cut(surfaces, frame, state, at, Vectors.cross(needle, up), up);
     }
 
     private static double[] middle(NeedleState state) {

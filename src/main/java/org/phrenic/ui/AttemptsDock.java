@@ -24,7 +24,7 @@ import org.phrenic.ui.clinic.Words;
 
 /** The report card of an attempt, and all attempts of the session to compare. */
 final class AttemptsDock extends JPanel implements RehearsalDoor.Events {
-    private static final String[] COLUMNS = {"", "Exercise", "", "mm off", "s", "Avoid s"};
+    private static final String[] COLUMNS = {"", "Exercise", "Result", "mm off", "s", "no-go s"};
     private static final String[] TIPS = {
         "Number of the attempt",
         "What was rehearsed",
@@ -33,7 +33,7 @@ final class AttemptsDock extends JPanel implements RehearsalDoor.Events {
         "Time from the first contact with the skin, s",
         "Time in what is to be avoided, s"
     };
-    private static final int[] WIDTHS = {24, 150, 52, 50, 44, 52};
+    private static final int[] WIDTHS = {22, 92, 58, 56, 44, 60};
 
     private final transient Session session;
     private final transient AttemptSaver saver;

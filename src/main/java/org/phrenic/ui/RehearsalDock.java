@@ -58,7 +58,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     private final JButton bestOut = new JButton("Best at expiration");
     private final Verdict overBreath = new Verdict();
     private final Verdict now = new Verdict();
-    private final JLabel counts = new JLabel(" ");
+    private final Words counts = Words.quiet("Share of the skin that gives access");
     private final JSlider depth = new JSlider(0, 150, 0);
     private final JLabel depthText = new JLabel("Not in the body");
     private final Words miss = Words.bold("Tip to target");
@@ -347,10 +347,9 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
             size.setValue((int) Math.round(study.get().target().diameterMm()));
             AccessMap map = study.get().map();
             java.util.Map<String, Object> c = map.counts();
-            counts.setText("Free from " + percent(c, "free") + ", in part from " + percent(c, "in_part")
-                    + " of the skin in reach");
+            counts.say("Of the skin in reach " + percent(c, "free") + " is free, " + percent(c, "in_part") + " in part");
         } else {
-            counts.setText(" ");
+            counts.say(" ");
         }
     }
 

@@ -34,10 +34,12 @@ import org.phrenic.scene.NeedleMarks;
 import org.phrenic.scene.Pick;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.scene.Section;
+import org.phrenic.scene.View;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.Watch;
 
 /**
  * The clinician's door: what is rehearsed on the body that breathes in the window. It has the run's first breath looked at, the access map worked out beside the window, and then puts a needle into the run that
@@ -83,6 +85,10 @@ final class RehearsalDoor implements Session.Events {
 
     private static final double MM_A_NOTCH = 2;
     private static final double BEHIND_MM = 35;
+    /** Liver access is from the right. */
+    private static final double FROM_RIGHT_DEG = -52;
+
+    private static final double FROM_ABOVE_DEG = 6;
     private static final double USUAL_TARGET_MM = 20;
     private static final long SEED = 1;
 
@@ -137,6 +143,7 @@ final class RehearsalDoor implements Session.Events {
             stage = Stage.LOADING;
             session.follow();
             view.mark(this::marks);
+            view.setCamera(view.camera().seen(View.ANTERIOR).orbit(FROM_RIGHT_DEG, FROM_ABOVE_DEG));
             session.scene().ifPresentOrElse(this::enter, this::tell);
         }
     }
@@ -262,17 +269,16 @@ final class RehearsalDoor implements Session.Events {
                     }
                 }));
         session.live().setSpeed(Double.POSITIVE_INFINITY);
-        session.live().watch(recorder, recorder);
-        startRun();
+        startRun(recorder, recorder);
         tell();
     }
 
-    /** From the start, breathing. */
-    private void startRun() {
+    /** From the start, breathing, and looked at. */
+    private void startRun(Watch.When when, Watch watch) {
         if (session.scenario().hold()) {
             session.live().change(List.of(new Assignment("window", "hold", "false")));
         }
-        session.live().reset();
+        session.live().restart(when, watch);
         session.live().play();
     }
 
@@ -325,7 +331,7 @@ final class RehearsalDoor implements Session.Events {
         for (org.phrenic.simulation.Surface s : scene.surfaces()) {
             float most =
                     switch (s.kind()) {
-                        case SKIN -> 0.5f;
+                        case SKIN -> 0.36f;
                         case LIVER -> 0.42f;
                         case DIAPHRAGM -> 0.18f;
                         case LUNG -> 0.28f;
@@ -377,12 +383,11 @@ final class RehearsalDoor implements Session.Events {
             }
         });
         SectionFeed feed = sections;
-        session.live().watch(Rehearsal.LOOK_EVERY_S, (frame, label) -> {
+        entry.ifPresent(rehearsal::enterAt);
+        startRun(Watch.When.every(Rehearsal.LOOK_EVERY_S), (frame, label) -> {
             watching.see(frame, label);
             feed.offer(frame, watching.state());
         });
-        entry.ifPresent(rehearsal::enterAt);
-        startRun();
         session.live().setSpeed(session.speed());
         tell();
     }

@@ -89,18 +89,28 @@ public final class LiveRun implements AutoCloseable {
 
     /** Back to the start with what is set now: at once if the scene is assembled the same with it, else it is loaded anew. */
     public void reset() {
+        loop.commands.submit(this::restart);
+    }
+
+    /** As {@link #reset}, and from the start on somebody sees the run at steps of a choice, in place of who did before. */
+    public void restart(Watch.When when, Watch watch) {
         loop.commands.submit(() -> {
-            loop.makeChanges();
-            if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
-                loop.running.wentBack();
-                loop.show(loop.running);
-                loop.settle();
-                loop.startPacing();
-                loop.tell();
-            } else {
-                load(settings.now());
-            }
+            loop.replace(watch, when);
+            restart();
         });
+    }
+
+    private void restart() {
+        loop.makeChanges();
+        if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
+            loop.running.wentBack();
+            loop.show(loop.running);
+            loop.settle();
+            loop.startPacing();
+            loop.tell();
+        } else {
+            load(settings.now());
+        }
     }
 
     /**

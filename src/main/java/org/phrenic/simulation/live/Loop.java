@@ -120,10 +120,15 @@ final class Loop implements Runnable {
         }
     }
 
-    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
-    void show(Watch to, Watch.When at) {
+    /** From the next step on the scene is shown to another watch; null for none. */
+    void replace(Watch to, Watch.When at) {
         watch = to;
         when = at;
+    }
+
+    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
+    void show(Watch to, Watch.When at) {
+        replace(to, at);
         if (running != null) {
             show(running);
         }

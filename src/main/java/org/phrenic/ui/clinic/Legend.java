@@ -19,7 +19,7 @@ public final class Legend extends JPanel {
     public Legend() {
         setOpaque(false);
         getAccessibleContext()
-                .setAccessibleName("Colours of the skin: green free, amber part of the breath, grey never");
+                .setAccessibleName("Colours of the skin: green free, amber part of the breath, plain never");
         setToolTipText(
                 "From where on the skin the target can be reached: green over the whole breath, amber in part of it");
     }
