@@ -90,6 +90,27 @@ public record Goals(boolean hit, Map<String, Double> most) {
         return new Goals(yaml.flag(HIT, false), most);
     }
 
+    /** Plain values, as {@link #read} takes them. */
+    Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        if (hit) {
+            map.put(HIT, true);
+        }
+        map.putAll(most);
+        return map;
+    }
+
+    /** What is asked, in words: "seconds in lung, at most 0". */
+    public List<String> words() {
+        List<String> words = new ArrayList<>();
+        if (hit) {
+            words.add("the target is hit");
+        }
+        most.forEach((key, limit) -> words.add(LABELS.get(key) + " "
+                + (limit == Math.rint(limit) ? String.valueOf(Math.round(limit)) : String.valueOf(limit))));
+        return words;
+    }
+
     /** Each goal held against a record. */
     public List<Outcome> of(AttemptRecord record) {
         List<Outcome> all = new ArrayList<>();

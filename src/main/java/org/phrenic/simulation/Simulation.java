@@ -184,6 +184,11 @@ public final class Simulation implements AutoCloseable {
         return scene.drive().pattern().periodS();
     }
 
+    /** How long it takes to see all of the breathing, s: a period, or what is simulated of a breathing that has none. */
+    public double breathS() {
+        return Double.isInfinite(breathPeriodS()) ? durationS() : breathPeriodS();
+    }
+
     /** Simulated time, s. */
     public double time() {
         return stepper.time();

@@ -94,9 +94,9 @@ public final class PhrenicWindow {
         welcome = new WelcomeCard(this::enter, this::dismissWelcome);
         files = new WindowFiles(frame, session, view, preferences);
         commands = new Commands(session, view, new WindowDesk(this));
-        tools = new ToolBar(commands, session, view);
+        tools = new ToolBar(commands, session, view, this::enter);
         layout = new DockLayout(preferences, new Stage(view, banner, loading, welcome));
-        docks = new Docks(session, looks, layout, preferences);
+        docks = new Docks(session, looks, view, layout, preferences);
         view.onPointed(status::point);
         assemble();
         session.listen(new FromSession());
@@ -147,19 +147,15 @@ public final class PhrenicWindow {
     }
 
     /** Goes through one of the doors. */
-    private void enter(Arrangement arrangement) {
+    void enter(Arrangement arrangement) {
         dismissWelcome();
         preferences.setArrangement(arrangement);
         arrange(arrangement);
-        if (arrangement == Arrangement.CLINICIAN) {
-            session.say(
-                    Session.Message.Kind.NOTE,
-                    "Needle, target and report come with a later version; breathing, organs and views are here.");
-        }
     }
 
     private void arrange(Arrangement arrangement) {
         docks.arrange(arrangement);
+        tools.show(arrangement);
         status.setPhysics(arrangement == Arrangement.RESEARCHER);
         layout.revalidate();
         layout.repaint();
@@ -198,6 +194,7 @@ public final class PhrenicWindow {
         layout.remember();
         frame.dispose();
         log.close();
+        docks.door().end();
         view.close();
         // The simulation ends its step first; nobody needs to wait for that.
         Thread end = new Thread(session::close, "phrenic-end");
