@@ -73,9 +73,11 @@ final class FitSearch {
         long begun = System.nanoTime();
         double[] start =
                 parameters.stream().mapToDouble(p -> p.unit(p.start())).toArray();
+        double[] spread =
+                parameters.stream().mapToDouble(p -> sigma * p.spread()).toArray();
         String[] ended = {"the search converged"};
         int patience = PATIENCE * population;
-        List<Trial> trials = new GenerationSearch(start, population, sigma, seed)
+        List<Trial> trials = new GenerationSearch(start, population, spread, seed)
                 .run((number, points) -> evaluate(number, points, work, told), (soFar, next) -> {
                     if (soFar.size() + next > maxEvaluations) {
                         ended[0] = "the evaluations were used up";

@@ -110,7 +110,7 @@ public record FitSetup(
                 text.append(key).append('=').append(value).append('\n');
             }
         });
-        parameters.forEach(p -> text.append(p).append('\n'));
+        parameters.forEach(p -> text.append(p).append(' ').append(p.spread()).append('\n'));
         text.append(holdOutHalf)
                 .append(' ')
                 .append(seed)
