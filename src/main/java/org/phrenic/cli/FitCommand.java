@@ -21,6 +21,8 @@ import org.phrenic.study.fit.FitReport;
 import org.phrenic.study.fit.FitResult;
 import org.phrenic.study.fit.FitSetup;
 import org.phrenic.study.fit.FitTarget;
+import org.phrenic.study.fit.SyntheticPatient;
+import org.phrenic.study.fit.SyntheticStudy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -38,6 +40,7 @@ import picocli.CommandLine.Spec;
             "  phrenic fit patient --target lungs=inspiration.stl --hold-out half --minutes 5 --out result",
             "  phrenic fit patient --target lung_R=r.vtp --target lung_L=l.vtp --hold-out lung_L --out result",
             "  phrenic fit virtual/adult-male --target liver=points.csv --tune muscle_activation,rib_rotation=0:1 --out result",
+            "  phrenic fit --synthetic 5 --resolution low --evaluations 160 --out known",
             "",
             "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted breath again) and",
             "journal.csv, which keeps every evaluation: the same command goes on from it.",
@@ -51,6 +54,7 @@ final class FitCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Parameters(
+            arity = "0..1",
             paramLabel = "THORAX",
             description = "A thorax folder, virtual/adult-male or virtual/adult-female: the body at end-expiration.")
     private String thorax;
@@ -58,11 +62,15 @@ final class FitCommand implements Callable<Integer> {
     @Option(
             names = "--target",
             paramLabel = "PART=FILE",
-            required = true,
-            description =
-                    "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
-                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
+            description = "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
+                    + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
     private List<String> targets = new ArrayList<>();
+
+    @Option(
+            names = "--synthetic",
+            paramLabel = "N",
+            description = "Instead: fit N (1 to 5) virtual patients whose breath is known, and say what was recovered.")
+    private String synthetic;
 
     @Option(
             names = "--hold-out",
@@ -107,6 +115,9 @@ final class FitCommand implements Callable<Integer> {
     @Option(names = "--population", paramLabel = "N", description = "Breaths a generation (default 4 + 3 ln n).")
     private String population;
 
+    @Option(names = "--no-sensitivity", description = "Do not move each parameter to both sides in the end.")
+    private boolean noSensitivity;
+
     @Option(names = "--json", description = "Print JSON instead of tables.")
     private boolean json;
 
@@ -116,6 +127,14 @@ final class FitCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         OutputFolder.require(out);
+        FitPrinter printer = new FitPrinter(spec.commandLine().getErr(), ProgressPrinter.isTerminal());
+        if (synthetic != null) {
+            return synthetic(printer);
+        }
+        if (thorax == null || targets.isEmpty()) {
+            throw new BadInputException("fit: found no " + (thorax == null ? "THORAX" : "--target")
+                    + ", expected a body and a --target PART=FILE, or --synthetic N");
+        }
         Scenario base = scenario();
         List<FitTarget> read = targets();
         List<FitParameter> parameters = parameters(base);
@@ -127,15 +146,15 @@ final class FitCommand implements Callable<Integer> {
                 parameters,
                 heldOut.contains(HALF),
                 "none: the targets are taken to be in the axes of the body",
-                OptionNumbers.whole("--seed", seed, 0, Integer.MAX_VALUE),
+                seed(),
                 population == null ? 0 : OptionNumbers.whole("--population", population, 4, 1000),
                 FitSetup.SIGMA,
-                OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS),
-                OptionNumbers.whole("--evaluations", evaluations, 1, 1_000_000),
+                threads(),
+                evaluations(),
                 minutes == null
                         ? Double.POSITIVE_INFINITY
-                        : MINUTE_S * OptionNumbers.number("--minutes", minutes, 0, 1e5));
-        FitPrinter printer = new FitPrinter(spec.commandLine().getErr(), ProgressPrinter.isTerminal());
+                        : MINUTE_S * OptionNumbers.number("--minutes", minutes, 0, 1e5),
+                !noSensitivity);
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
         printer.end();
@@ -148,6 +167,44 @@ final class FitCommand implements Callable<Integer> {
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.of(report.document(pictures)));
         print(report);
         return ExitCode.DONE;
+    }
+
+    private int synthetic(FitPrinter printer) {
+        if (thorax != null || !targets.isEmpty() || !heldOut.isEmpty() || !tune.isEmpty() || !settings.isEmpty()) {
+            throw new BadInputException("--synthetic " + synthetic
+                    + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
+        }
+        SyntheticStudy study = SyntheticStudy.run(
+                OptionNumbers.whole("--synthetic", synthetic, 1, SyntheticPatient.five().size()),
+                Scenario.defaults().with("resolution=" + resolution).resolution(),
+                threads(),
+                evaluations(),
+                seed(),
+                out,
+                printer);
+        printer.end();
+        Json.write(out.resolve("synthetic.json"), study.values());
+        AtomicFile.write(out.resolve("synthetic.md"), MarkdownPage.of(study.document()));
+        AtomicFile.write(out.resolve("synthetic.html"), HtmlPage.of(study.document()));
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(
+                json
+                        ? Json.format(study.values())
+                        : table(SyntheticStudy.COLUMNS, study.cells()) + "\n" + Notice.TEXT + "\n");
+        stdout.flush();
+        return ExitCode.DONE;
+    }
+
+    private int threads() {
+        return OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS);
+    }
+
+    private int evaluations() {
+        return OptionNumbers.whole("--evaluations", evaluations, 1, 1_000_000);
+    }
+
+    private int seed() {
+        return OptionNumbers.whole("--seed", seed, 0, Integer.MAX_VALUE);
     }
 
     private Scenario scenario() {

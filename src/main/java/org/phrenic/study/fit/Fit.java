@@ -3,7 +3,6 @@ package org.phrenic.study.fit;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,10 +24,6 @@ import org.phrenic.study.StudyProgress;
 public final class Fit {
     /** What a body that came apart is worth, mm: worse than any that did not. */
     private static final double CAME_APART_MM = 1000;
-    /** A search that gained less than this in {@value #PATIENCE} generations is at its end. */
-    private static final double GAIN_MM = 0.005;
-
-    private static final int PATIENCE = 12;
     private static final double EFFECT_STEP = 0.05;
 
     private final FitSetup setup;
@@ -37,8 +32,6 @@ public final class Fit {
     private final BlockingQueue<Body> bodies;
     private final AtomicLong cpuNanos = new AtomicLong();
     private int made;
-    private double best = Double.POSITIVE_INFINITY;
-    private int done;
 
     /** A body that breathes, and how far it is from its targets. */
     private static final class Body {
@@ -105,88 +98,29 @@ public final class Fit {
                     .forEach(bodies::add);
             Body first = bodies.peek();
             double initial = first.initial(setup.fitted());
-            List<Trial> trials = new ArrayList<>();
-            String ended = search(trials, initial, begun);
-            Trial found = trials.stream()
-                    .min(java.util.Comparator.comparingDouble(Trial::value))
-                    .orElseThrow();
-            double[] values = values(found.values());
-            List<FitResult.Effect> effects = effects(found.values());
-            return result(first, values, found.value(), initial, trials, effects, ended, begun);
+            FitSearch search = new FitSearch(setup.parameters(), journal, setup.threads());
+            FitSearch.Found found = search.run(
+                    setup.generation(),
+                    setup.sigma(),
+                    setup.seed(),
+                    setup.maxEvaluations(),
+                    setup.budgetS(),
+                    this::evaluate,
+                    (count, best) -> progress.tried(count, setup.maxEvaluations(), best, initial));
+            Trial best = found.best();
+            List<FitResult.Effect> effects = setup.sensitivity() ? effects(best.values()) : List.of();
+            return result(
+                    first,
+                    setup.parameters(best.values()),
+                    best.value(),
+                    initial,
+                    found.trials(),
+                    effects,
+                    found.ended(),
+                    begun);
         } finally {
             bodies.forEach(b -> b.breath.close());
         }
-    }
-
-    private String search(List<Trial> trials, double initial, long begun) {
-        double[] start =
-                setup.parameters().stream().mapToDouble(p -> p.unit(p.start())).toArray();
-        int population = setup.generation();
-        String[] ended = {"the search converged"};
-        int patience = 1 + PATIENCE * population;
-        trials.addAll(new GenerationSearch(start, population, setup.sigma(), setup.seed())
-                .run((number, points) -> values(number, points, initial), (soFar, next) -> {
-                    if (soFar.size() + next > setup.maxEvaluations()) {
-                        ended[0] = "the evaluations were used up";
-                        return false;
-                    }
-                    // What is known costs no time and is always gone through.
-                    if (journal.known(soFar.size()) == null && (System.nanoTime() - begun) * 1e-9 > setup.budgetS()) {
-                        ended[0] = "the time was used up";
-                        return false;
-                    }
-                    if (soFar.size() > patience
-                            && best(soFar.subList(0, soFar.size() - patience + 1)) - best(soFar) < GAIN_MM) {
-                        ended[0] = "nothing was gained any more";
-                        return false;
-                    }
-                    return true;
-                }));
-        if (trials.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "fit: found a budget of " + setup.maxEvaluations() + " evaluations, expected at least one");
-        }
-        return ended[0];
-    }
-
-    private static double best(List<Trial> trials) {
-        return trials.stream().mapToDouble(Trial::value).min().orElse(Double.POSITIVE_INFINITY);
-    }
-
-    private double[] values(double[] unit) {
-        return IntStream.range(0, unit.length)
-                .mapToDouble(i -> setup.parameters().get(i).at(unit[i]))
-                .toArray();
-    }
-
-    /** Values of a generation, from the journal or worked out. */
-    private double[] values(int number, List<double[]> points, double initial) {
-        List<Jobs.Job<Double>> jobs = new ArrayList<>();
-        for (int i = 0; i < points.size(); i++) {
-            int which = number + i;
-            double[] values = values(points.get(i));
-            jobs.add(new Jobs.Job<>("evaluation", () -> {
-                Trial known = journal.known(which);
-                if (known != null && !Arrays.equals(known.values(), values)) {
-                    throw new IllegalStateException(
-                            "the journal holds other points than the search asks for, expected the same");
-                }
-                Trial trial = known != null ? known : new Trial(values, evaluate(values));
-                if (known == null) {
-                    journal.add(which, trial);
-                }
-                tell(trial.value(), initial);
-                return trial.value();
-            }));
-        }
-        return Jobs.run(jobs, setup.threads(), silent()).stream()
-                .mapToDouble(v -> v)
-                .toArray();
-    }
-
-    private synchronized void tell(double value, double initial) {
-        best = Math.min(best, value);
-        progress.tried(++done, setup.maxEvaluations(), best, initial);
     }
 
     private double evaluate(double[] values) {
@@ -211,7 +145,7 @@ public final class Fit {
                 double[] moved = unit.clone();
                 moved[i] += side * EFFECT_STEP;
                 boolean within = moved[i] >= 0 && moved[i] <= 1;
-                jobs.add(new Jobs.Job<>("effect", () -> within ? evaluate(values(moved)) : Double.NaN));
+                jobs.add(new Jobs.Job<>("effect", () -> within ? evaluate(setup.parameters(moved)) : Double.NaN));
             }
         }
         progress.note("Moving each parameter to both sides");

@@ -17,6 +17,8 @@ import org.phrenic.simulation.Scenario;
 public record FitParameter(Parameter parameter, double minimum, double maximum, double start) {
     /** Bounds farther apart than by this factor are searched by the logarithm. */
     private static final double WIDE = 4;
+    /** Of those that only bend what the three main ones do. */
+    private static final double NARROW = 0.4;
 
     public FitParameter {
         if (!(minimum < maximum) || !(start >= minimum && start <= maximum)) {
@@ -111,6 +113,17 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
             case LUNG_STIFFNESS -> new double[] {1, 20};
             case STERNUM_COUPLING -> new double[] {0.3, 3};
             default -> new double[] {parameter.minimum(), parameter.maximum()};
+        };
+    }
+
+    /**
+     * How widely it is searched at first beside others: what says how far muscle and ribs go on the whole is looked for widely, what only bends that less so, or its scatter would drown
+     * the rest in the first generations.
+     */
+    double spread() {
+        return switch (parameter) {
+            case MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, RIB_ROTATION -> 1;
+            default -> NARROW;
         };
     }
 

@@ -81,16 +81,21 @@ public final class FitReport {
         List<List<String>> rows = new ArrayList<>();
         for (int i = 0; i < result.values().length; i++) {
             FitParameter p = result.setup().parameters().get(i);
-            FitResult.Effect e = result.sensitivity().get(i);
-            rows.add(List.of(
+            List<String> row = new ArrayList<>(List.of(
                     p.parameter().key(),
                     p.parameter().unit(),
                     number(p.minimum()) + " to " + number(p.maximum()),
                     number(p.start()),
-                    number(result.values()[i]),
-                    number(e.step()),
-                    Double.isNaN(e.belowMm()) ? "bound" : mm(e.belowMm()),
-                    Double.isNaN(e.aboveMm()) ? "bound" : mm(e.aboveMm())));
+                    number(result.values()[i])));
+            if (result.sensitivity().isEmpty()) {
+                row.addAll(List.of("", "", ""));
+            } else {
+                FitResult.Effect e = result.sensitivity().get(i);
+                row.add(number(e.step()));
+                row.add(Double.isNaN(e.belowMm()) ? "bound" : mm(e.belowMm()));
+                row.add(Double.isNaN(e.aboveMm()) ? "bound" : mm(e.aboveMm()));
+            }
+            rows.add(row);
         }
         return rows;
     }
@@ -173,7 +178,6 @@ public final class FitReport {
         List<Object> parameters = new ArrayList<>();
         for (int i = 0; i < result.values().length; i++) {
             FitParameter p = setup.parameters().get(i);
-            FitResult.Effect e = result.sensitivity().get(i);
             Map<String, Object> row = new LinkedHashMap<>();
             row.put("key", p.parameter().key());
             row.put("unit", p.parameter().unit());
@@ -181,9 +185,12 @@ public final class FitReport {
             row.put("maximum", p.maximum());
             row.put("start", p.start());
             row.put("fitted", result.values()[i]);
-            row.put("step", e.step());
-            row.put("with_a_step_less_mm", Double.isNaN(e.belowMm()) ? null : e.belowMm());
-            row.put("with_a_step_more_mm", Double.isNaN(e.aboveMm()) ? null : e.aboveMm());
+            if (!result.sensitivity().isEmpty()) {
+                FitResult.Effect e = result.sensitivity().get(i);
+                row.put("step", e.step());
+                row.put("with_a_step_less_mm", Double.isNaN(e.belowMm()) ? null : e.belowMm());
+                row.put("with_a_step_more_mm", Double.isNaN(e.aboveMm()) ? null : e.aboveMm());
+            }
             parameters.add(row);
         }
         map.put("parameters", parameters);

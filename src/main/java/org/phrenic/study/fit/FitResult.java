@@ -13,7 +13,7 @@ import org.phrenic.simulation.Scenario;
  * @param initialMm the same of the body at end-expiration
  * @param untunedMm the same with the parameters where the search began
  * @param targets each target before and after
- * @param sensitivity what each parameter does near the values found
+ * @param sensitivity what each parameter does near the values found; empty if that was not asked for
  * @param observed what the fitted body does: observables by their names
  * @param scenario takes the body to the same state, as {@code phrenic run} does
  * @param reproduced whether it was run and gave the same state bit by bit

@@ -20,6 +20,7 @@ import org.phrenic.simulation.Scenario;
  * @param threads bodies that are breathed side by side; the result does not depend on it
  * @param maxEvaluations bound on the evaluations of the search
  * @param budgetS no generation is begun after so many seconds; infinite for no such bound
+ * @param sensitivity whether each parameter is moved to both sides in the end, two evaluations each
  */
 public record FitSetup(
         Scenario base,
@@ -33,7 +34,8 @@ public record FitSetup(
         double sigma,
         int threads,
         int maxEvaluations,
-        double budgetS) {
+        double budgetS,
+        boolean sensitivity) {
     /** Standard deviation of the first generation where nothing else is said. */
     public static final double SIGMA = 0.2;
 
@@ -63,7 +65,8 @@ public record FitSetup(
                 SIGMA,
                 1,
                 maxEvaluations,
-                Double.POSITIVE_INFINITY);
+                Double.POSITIVE_INFINITY,
+                true);
     }
 
     /** The same on so many threads. */
@@ -80,12 +83,18 @@ public record FitSetup(
                 sigma,
                 count,
                 maxEvaluations,
-                budgetS);
+                budgetS,
+                sensitivity);
     }
 
     /** Points a generation. */
     int generation() {
         return population > 0 ? population : GenerationSearch.usualPopulation(parameters.size());
+    }
+
+    /** Values of the parameters at a place of the unit cube. */
+    double[] parameters(double[] unit) {
+        return FitSearch.values(parameters, unit);
     }
 
     /** Which half of the surfaces is fitted to. */
@@ -101,7 +110,7 @@ public record FitSetup(
                 text.append(key).append('=').append(value).append('\n');
             }
         });
-        parameters.forEach(p -> text.append(p).append('\n'));
+        parameters.forEach(p -> text.append(p).append(' ').append(p.spread()).append('\n'));
         text.append(holdOutHalf)
                 .append(' ')
                 .append(seed)

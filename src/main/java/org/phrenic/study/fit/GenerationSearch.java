@@ -21,7 +21,7 @@ import org.apache.commons.math3.random.MersenneTwister;
 final class GenerationSearch {
     private final int dimension;
     private final int population;
-    private final double sigma;
+    private final double[] sigma;
     private final long seed;
     private final double[] start;
 
@@ -53,13 +53,13 @@ final class GenerationSearch {
      *
      * @param start where it begins, each from 0 to 1
      * @param population points a generation
-     * @param sigma standard deviation of the first generation, a share of the cube
+     * @param sigma standard deviation of the first generation along each axis
      */
-    GenerationSearch(double[] start, int population, double sigma, long seed) {
+    GenerationSearch(double[] start, int population, double[] sigma, long seed) {
         this.start = start.clone();
         dimension = start.length;
         this.population = population;
-        this.sigma = sigma;
+        this.sigma = sigma.clone();
         this.seed = seed;
     }
 
@@ -116,7 +116,7 @@ final class GenerationSearch {
                             GoalType.MINIMIZE,
                             new SimpleBounds(new double[dimension], filled(1)),
                             new InitialGuess(start),
-                            new CMAESOptimizer.Sigma(filled(sigma)),
+                            new CMAESOptimizer.Sigma(sigma),
                             new CMAESOptimizer.PopulationSize(population));
         } catch (GenerationCompleteException complete) {
             return asked;

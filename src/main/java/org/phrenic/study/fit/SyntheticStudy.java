@@ -89,7 +89,8 @@ public final class SyntheticStudy {
                     FitSetup.SIGMA,
                     threads,
                     evaluations,
-                    Double.POSITIVE_INFINITY);
+                    Double.POSITIVE_INFINITY,
+                    false);
             FitResult result = Fit.run(setup, folder.resolve("journal-" + (i + 1) + ".csv"), progress);
             study.cases.add(new Case(patient, truth, result));
         }

@@ -19,7 +19,7 @@ import org.phrenic.simulation.Surface;
  * Where a synthetic patient is at the second breath level, as a scan would show it. What made it is not what is fitted: the body is meshed otherwise, its central tendon is another one (all above a plane), two rigid links a node, a
  * sternum that moves as one body, and the breath is taken at a breath's own pace; the surfaces are halved and each vertex is moved along its normal by noise.
  *
- * @param targets both lungs
+ * @param targets the parts that are seen
  * @param domeRightMm height of the right dome from end-expiration
  * @param domeLeftMm that of the left
  * @param floorMm mean distance, both ways by area, of the targets from themselves without noise and not halved: no fit can be expected to come nearer
@@ -29,13 +29,19 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
     private static final long STEPS = 3200;
 
     /**
-     * Breathes.
+     * Breathes, and shows both lungs.
      *
      * @param resolution of the truth
      * @param noiseMm standard deviation of the noise
      * @param seed of the noise
      */
     public static SyntheticTruth of(SyntheticPatient patient, Resolution resolution, double noiseMm, long seed) {
+        return of(patient, resolution, List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT), noiseMm, seed);
+    }
+
+    /** Breathes, and shows these parts; parameters as for the other. */
+    static SyntheticTruth of(
+            SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
         List<String> settings = new ArrayList<>(List.of(
                 "preset=deep",
                 "rate_per_min=12",
@@ -55,14 +61,15 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
             while (simulation.steps() < STEPS) {
                 simulation.step();
             }
-            return seen(surfaces, noiseMm, new Random(seed));
+            return seen(surfaces, parts, noiseMm, new Random(seed));
         }
     }
 
-    private static SyntheticTruth seen(SceneSurfaces surfaces, double noiseMm, Random random) {
+    private static SyntheticTruth seen(
+            SceneSurfaces surfaces, List<FitPart> parts, double noiseMm, Random random) {
         List<FitTarget> targets = new ArrayList<>();
         double floor = 0;
-        for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
+        for (FitPart part : parts) {
             List<Surface> all = surfaces.surfaces();
             for (int i = 0; i < all.size(); i++) {
                 if (part.has(all.get(i))) {
@@ -70,7 +77,7 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
                     TriangleMesh seen = noisy(
                             Decimator.toVertexCount(exact, exact.vertexCount() / 2, noiseMm), noiseMm, random);
                     targets.add(FitTarget.of(part, seen));
-                    floor += SurfaceComparison.of(exact, seen).byArea().mean() / 2;
+                    floor += SurfaceComparison.of(exact, seen).byArea().mean() / parts.size();
                 }
             }
         }

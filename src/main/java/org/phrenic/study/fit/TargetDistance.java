@@ -36,7 +36,7 @@ final class TargetDistance {
         this.target = target;
         List<Surface> all = scene.surfaces();
         for (int i = 0; i < all.size(); i++) {
-            if (target.part().has(all.get(i))) {
+            if (target.part().has(all.get(i)) && all.get(i).motion() != Surface.Motion.STILL) {
                 surfaces.add(i);
             }
         }

@@ -69,7 +69,7 @@ class GenerationSearchTest {
     }
 
     private static List<Trial> search(int n, GenerationSearch.Going going) {
-        return new GenerationSearch(filled(n, 0.4), POPULATION, SIGMA, SEED)
+        return new GenerationSearch(filled(n, 0.4), POPULATION, filled(n, SIGMA), SEED)
                 .run((first, points) -> valuesBackwards(points), going);
     }
 
