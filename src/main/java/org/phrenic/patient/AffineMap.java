@@ -11,17 +11,11 @@ final class AffineMap implements PointMap {
         m = rows.clone();
     }
 
-    /** Moves the middle of one box to that of another and scales by their sizes, the same in all directions. */
+    /** Moves the middle of one box to that of another and scales each axis by their sizes. */
     static AffineMap ofBoxes(double[] from, double[] to) {
-        double a = 0;
-        double b = 0;
-        for (int k = 0; k < 3; k++) {
-            a += from[3 + k] - from[k];
-            b += to[3 + k] - to[k];
-        }
-        double scale = b / a;
         double[] rows = new double[12];
         for (int k = 0; k < 3; k++) {
+            double scale = (to[3 + k] - to[k]) / (from[3 + k] - from[k]);
             rows[5 * k] = scale;
             rows[4 * k + 3] = (to[k] + to[3 + k]) / 2 - scale * (from[k] + from[3 + k]) / 2;
         }
@@ -57,7 +51,10 @@ final class AffineMap implements PointMap {
         return new AffineMap(rows);
     }
 
-    /** The stretch along the axes of the body nearest to the pairs: x' = diag(s) x + t. A freer map would shear: lungs hardly tell the slope of ribs from the slant of their own fronts. */
+    /**
+     * The stretch across and from front to back, with a shift, nearest to the pairs: x' = diag(s1, s2, 1) x + t. The height stays, for points that lie nearest say little of it along a wall; and a freer map would shear: lungs hardly
+     * tell the slope of ribs from the slant of their own fronts.
+     */
     static AffineMap stretch(double[] from, double[] to) {
         double[] p = centroid(from);
         double[] q = centroid(to);
@@ -70,7 +67,7 @@ final class AffineMap implements PointMap {
         }
         double[] rows = new double[12];
         for (int k = 0; k < 3; k++) {
-            double scale = square[k] > 0 ? along[k] / square[k] : 1;
+            double scale = k < 2 && square[k] > 0 ? along[k] / square[k] : 1;
             rows[5 * k] = scale;
             rows[4 * k + 3] = q[k] - scale * p[k];
         }

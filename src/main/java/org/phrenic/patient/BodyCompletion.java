@@ -15,11 +15,11 @@ import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by a similarity, then a stretch along each axis, then ever finer smooth warps ({@link WarpField}), each found from the points
+ * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by the box about them (which gives the height), then stretches across and from front to back, then ever finer smooth warps ({@link WarpField}), each found from the points
  * of the two surfaces that lie nearest to each other; and lends its other structures. A structure that the scan cuts off is lent too, brought to the part that can be seen.
  */
 public final class BodyCompletion {
-    private static final int STEPS = 40;
+    private static final int STEPS = 20;
     /** Radii of the warps that bones follow, and of those of soft organs between them. */
     private static final double[] BONE_RADII_MM = {160, 120, 90};
 
@@ -117,9 +117,7 @@ public final class BodyCompletion {
                 true);
         for (int step = 0; step < STEPS; step++) {
             double[][] pairs = pairs(true);
-            move(
-                    step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.stretch(pairs[0], pairs[1]),
-                    true);
+            move(AffineMap.stretch(pairs[0], pairs[1]), true);
         }
         List<Structure> straight = List.copyOf(template);
         warp(BONE_RADII_MM, true);

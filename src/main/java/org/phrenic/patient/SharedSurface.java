@@ -4,6 +4,7 @@ import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.SurfaceDistance;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
@@ -21,6 +22,8 @@ final class SharedSurface {
     private final boolean guidesBones;
     private final boolean whole;
     private final boolean[] atCut;
+    private final boolean[] atScanBorder;
+    private final boolean[] atTemplateBorder;
     private TriangleMesh template;
     private final TriangleTree templateTree;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -40,6 +43,25 @@ final class SharedSurface {
         atCut = atCut(organ, scan);
         this.template = template;
         templateTree = new TriangleTree(template);
+        atScanBorder = atBorder(scan, guidesBones);
+        atTemplateBorder = atBorder(template, guidesBones);
+    }
+
+    /** Which triangles lie at the border of an open surface: what is nearest to them lies beyond, and belongs to nothing of it. Lungs end at their base where breath has left it, not where bones do. */
+    private static boolean[] atBorder(TriangleMesh mesh, boolean counts) {
+        boolean[] at = new boolean[mesh.triangleCount()];
+        if (counts) {
+            boolean[] border = new boolean[mesh.vertexCount()];
+            for (int[] loop : new MeshTopology(mesh).boundaryLoops()) {
+                for (int v : loop) {
+                    border[v] = true;
+                }
+            }
+            for (int i = 0; i < mesh.triangles().length; i++) {
+                at[i / 3] |= border[mesh.triangles()[i]];
+            }
+        }
+        return at;
     }
 
     /** Which vertices lie at the end of the scan. */
@@ -90,7 +112,9 @@ final class SharedSurface {
         double[] s = scan.positions();
         int step = Math.max(1, scan.vertexCount() / POINTS);
         for (int v = 0; v < scan.vertexCount(); v += step) {
-            if (!atCut[v] && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)) {
+            if (!atCut[v]
+                    && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)
+                    && !atTemplateBorder[hit.triangle]) {
                 from.add(new double[] {hit.x, hit.y, hit.z});
                 to.add(new double[] {s[3 * v], s[3 * v + 1], s[3 * v + 2]});
             }
@@ -98,7 +122,7 @@ final class SharedSurface {
         double[] t = template.positions();
         step = Math.max(1, template.vertexCount() / POINTS);
         for (int v = 0; whole && v < template.vertexCount(); v += step) {
-            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit)) {
+            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {
                 from.add(new double[] {t[3 * v], t[3 * v + 1], t[3 * v + 2]});
                 to.add(new double[] {hit.x, hit.y, hit.z});
             }
