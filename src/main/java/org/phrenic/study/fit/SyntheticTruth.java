@@ -25,6 +25,7 @@ import org.phrenic.simulation.Surface;
  * @param floorMm mean distance, both ways by area, of the targets from themselves without noise and not halved: no fit can be expected to come nearer
  */
 public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double domeLeftMm, double floorMm) {
+    private static final double STEP_S = 1e-3;
     private static final long STOP_STEP = 2150;
     private static final long STEPS = 3200;
 
@@ -44,6 +45,7 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
             SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
         List<String> settings = new ArrayList<>(List.of(
                 "preset=deep",
+                "time_step_s=" + STEP_S,
                 "rate_per_min=12",
                 "inspiratory_fraction=0.45",
                 "tendon=plane",
