@@ -62,8 +62,9 @@ final class FitCommand implements Callable<Integer> {
     @Option(
             names = "--target",
             paramLabel = "PART=FILE",
-            description = "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
-                    + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
+            description =
+                    "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
+                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
     private List<String> targets = new ArrayList<>();
 
     @Option(
@@ -175,7 +176,8 @@ final class FitCommand implements Callable<Integer> {
                     + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
         }
         SyntheticStudy study = SyntheticStudy.run(
-                OptionNumbers.whole("--synthetic", synthetic, 1, SyntheticPatient.five().size()),
+                OptionNumbers.whole(
+                        "--synthetic", synthetic, 1, SyntheticPatient.five().size()),
                 Scenario.defaults().with("resolution=" + resolution).resolution(),
                 threads(),
                 evaluations(),

@@ -347,7 +347,8 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
             size.setValue((int) Math.round(study.get().target().diameterMm()));
             AccessMap map = study.get().map();
             java.util.Map<String, Object> c = map.counts();
-            counts.say("Of the skin in reach " + percent(c, "free") + " is free, " + percent(c, "in_part") + " in part");
+            counts.say(
+                    "Of the skin in reach " + percent(c, "free") + " is free, " + percent(c, "in_part") + " in part");
         } else {
             counts.say(" ");
         }

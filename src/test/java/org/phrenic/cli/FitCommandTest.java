@@ -21,11 +21,9 @@ class FitCommandTest {
     @BeforeEach
     void write() {
         Path file = folder.resolve("lung_R.ply");
-        MeshFiles.write(
-                file,
-                new TriangleMesh(
-                        new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9},
-                        new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+        MeshFiles.write(file, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9}, new int[] {
+            0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3
+        }));
         mesh = file.toString();
     }
 
@@ -50,7 +48,13 @@ class FitCommandTest {
         assertBad("found no folder 'nobody'", "nobody", "--target", mesh);
         assertBad("no such file", body, "--target", "lungs=none.ply");
         assertBad("found part 'spleen', expected PART=FILE with one of lungs,", body, "--target", "spleen=" + mesh);
-        assertBad("found an unknown parameter 'muscle_activatoin', did you mean", body, "--target", mesh, "--tune", "muscle_activatoin");
+        assertBad(
+                "found an unknown parameter 'muscle_activatoin', did you mean",
+                body,
+                "--target",
+                mesh,
+                "--tune",
+                "muscle_activatoin");
         assertBad("found bounds 1.0 to 0.5", body, "--target", mesh, "--tune", "rib_rotation=1:0.5");
         assertBad("expected 0 to 1.5", body, "--target", mesh, "--tune", "rib_rotation=0:5");
         assertBad("found no number", body, "--target", mesh, "--tune", "rib_rotation=0:x");

@@ -24,6 +24,7 @@ import org.phrenic.study.StudyProgress;
 public final class Fit {
     /** What a body that came apart is worth, mm: worse than any that did not. */
     private static final double CAME_APART_MM = 1000;
+
     private static final double EFFECT_STEP = 0.05;
 
     private final FitSetup setup;

@@ -71,8 +71,7 @@ final class FitSearch {
                     "fit: found a budget of " + maxEvaluations + " evaluations, expected at least one");
         }
         long begun = System.nanoTime();
-        double[] start =
-                parameters.stream().mapToDouble(p -> p.unit(p.start())).toArray();
+        double[] start = parameters.stream().mapToDouble(p -> p.unit(p.start())).toArray();
         double[] spread =
                 parameters.stream().mapToDouble(p -> sigma * p.spread()).toArray();
         String[] ended = {"the search converged"};
@@ -90,7 +89,8 @@ final class FitSearch {
                         ended[0] = "the time was used up";
                         return false;
                     }
-                    if (soFar.size() > patience && best(soFar.subList(0, soFar.size() - patience)) - best(soFar) < GAIN_MM) {
+                    if (soFar.size() > patience
+                            && best(soFar.subList(0, soFar.size() - patience)) - best(soFar) < GAIN_MM) {
                         ended[0] = "nothing was gained any more";
                         return false;
                     }

@@ -19,13 +19,7 @@ import org.phrenic.simulation.SimulationRun;
  * @param hidden how it breathes: values of parameters, as {@code key=value}
  */
 public record SyntheticPatient(
-        String name,
-        String anatomy,
-        double width,
-        double depth,
-        double height,
-        double tilt,
-        List<String> hidden) {
+        String name, String anatomy, double width, double depth, double height, double tilt, List<String> hidden) {
 
     public SyntheticPatient {
         hidden = List.copyOf(hidden);
@@ -98,12 +92,9 @@ public record SyntheticPatient(
 
     /** The body at a resolution: meshes of two resolutions share no vertex. */
     public Thorax body(Resolution resolution) {
-        Thorax grown = SimulationRun.thorax(
-                Scenario.defaults().with("anatomy=" + anatomy, "resolution=" + resolution.name().toLowerCase(java.util.Locale.ROOT)));
-        return new Thorax(
-                name,
-                grown.structures().stream().map(this::shaped).toList(),
-                grown.notes());
+        Thorax grown = SimulationRun.thorax(Scenario.defaults()
+                .with("anatomy=" + anatomy, "resolution=" + resolution.name().toLowerCase(java.util.Locale.ROOT)));
+        return new Thorax(name, grown.structures().stream().map(this::shaped).toList(), grown.notes());
     }
 
     private Structure shaped(Structure structure) {

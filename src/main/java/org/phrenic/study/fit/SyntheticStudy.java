@@ -76,7 +76,10 @@ public final class SyntheticStudy {
             progress.note((i + 1) + " of " + count + ": " + patient.name());
             SyntheticTruth truth = SyntheticTruth.of(patient, other(resolution), NOISE_MM, seed);
             Scenario base = Scenario.defaults()
-                    .with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=" + resolution.name().toLowerCase(Locale.ROOT));
+                    .with(
+                            "preset=deep",
+                            "anatomy=" + patient.anatomy(),
+                            "resolution=" + resolution.name().toLowerCase(Locale.ROOT));
             FitSetup setup = new FitSetup(
                     base,
                     patient.body(resolution),

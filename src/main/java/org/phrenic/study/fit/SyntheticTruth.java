@@ -67,8 +67,7 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
         }
     }
 
-    private static SyntheticTruth seen(
-            SceneSurfaces surfaces, List<FitPart> parts, double noiseMm, Random random) {
+    private static SyntheticTruth seen(SceneSurfaces surfaces, List<FitPart> parts, double noiseMm, Random random) {
         List<FitTarget> targets = new ArrayList<>();
         double floor = 0;
         for (FitPart part : parts) {
@@ -76,8 +75,8 @@ public record SyntheticTruth(List<FitTarget> targets, double domeRightMm, double
             for (int i = 0; i < all.size(); i++) {
                 if (part.has(all.get(i))) {
                     TriangleMesh exact = surfaces.mesh(i);
-                    TriangleMesh seen = noisy(
-                            Decimator.toVertexCount(exact, exact.vertexCount() / 2, noiseMm), noiseMm, random);
+                    TriangleMesh seen =
+                            noisy(Decimator.toVertexCount(exact, exact.vertexCount() / 2, noiseMm), noiseMm, random);
                     targets.add(FitTarget.of(part, seen));
                     floor += SurfaceComparison.of(exact, seen).byArea().mean() / parts.size();
                 }

@@ -78,7 +78,9 @@ class FitSearchTest {
             });
             assertSame(resumed, whole);
             // What another thread was about to write when it was killed may be lost.
-            assertThat(again.get()).isBetween(whole.trials().size() - killedAfter, whole.trials().size() - killedAfter + 1);
+            assertThat(again.get())
+                    .isBetween(
+                            whole.trials().size() - killedAfter, whole.trials().size() - killedAfter + 1);
         }
     }
 

@@ -41,7 +41,12 @@ class FitTest {
                 1.05,
                 1,
                 -0.05,
-                List.of("muscle_activation=0.4", "left_over_right=0.9", "rib_rotation=0.6", "lungs=off", "liver=false"));
+                List.of(
+                        "muscle_activation=0.4",
+                        "left_over_right=0.9",
+                        "rib_rotation=0.6",
+                        "lungs=off",
+                        "liver=false"));
         truth = SyntheticTruth.of(patient, Resolution.MEDIUM, List.of(FitPart.DIAPHRAGM), 1, 1);
         base = Scenario.defaults().with(SHEET_ALONE);
         body = patient.body(Resolution.LOW);
@@ -85,7 +90,8 @@ class FitTest {
             }
             TriangleMesh rest = breath.surfaces().surfaces().get(sheet).rest();
             TargetDistance distance = new TargetDistance(target, breath.surfaces());
-            DistanceSummary compared = SurfaceComparison.of(rest, target.surface()).byArea();
+            DistanceSummary compared =
+                    SurfaceComparison.of(rest, target.surface()).byArea();
             assertThat(distance.atRest(FitHalf.ALL).mean()).isCloseTo(compared.mean(), offset(1e-9));
             assertThat(distance.atRest(FitHalf.ALL).summary().percentile95())
                     .isCloseTo(compared.percentile95(), offset(1e-9));
@@ -98,8 +104,7 @@ class FitTest {
             // Off the surface, a point keeps its way from it.
             from[0] += 0.5;
             to[0] += 0.5;
-            TargetDistance pairs =
-                    new TargetDistance(FitTarget.pairs(FitPart.DIAPHRAGM, from, to), breath.surfaces());
+            TargetDistance pairs = new TargetDistance(FitTarget.pairs(FitPart.DIAPHRAGM, from, to), breath.surfaces());
             assertThat(pairs.atRest(FitHalf.ALL).mean()).isGreaterThan(0.1);
             assertThat(pairs.of(breath, FitHalf.ALL).mean()).isCloseTo(0, offset(0.02));
         }
@@ -107,7 +112,8 @@ class FitTest {
 
     private static double weight(TargetDistance distance, FitHalf half) {
         FitDistances d = distance.atRest(half);
-        return Arrays.stream(d.modelWeights()).sum() + Arrays.stream(d.targetWeights()).sum();
+        return Arrays.stream(d.modelWeights()).sum()
+                + Arrays.stream(d.targetWeights()).sum();
     }
 
     @Test
