@@ -100,14 +100,16 @@ public record Goals(boolean hit, Map<String, Double> most) {
         return map;
     }
 
-    /** What is asked, in words: "seconds in lung, at most 0". */
+    /** What is asked, in words: "attempts: at most 1", "seconds in lung: none". */
     public List<String> words() {
         List<String> words = new ArrayList<>();
         if (hit) {
             words.add("the target is hit");
         }
-        most.forEach((key, limit) -> words.add(LABELS.get(key) + " "
-                + (limit == Math.rint(limit) ? String.valueOf(Math.round(limit)) : String.valueOf(limit))));
+        most.forEach((key, limit) -> words.add(LABELS.get(key).replace(", at most", "")
+                + (limit == 0
+                        ? ": none"
+                        : ": at most " + (limit == Math.rint(limit) ? "" + Math.round(limit) : "" + limit))));
         return words;
     }
 

@@ -172,11 +172,11 @@ public final class LiveRehearsal implements Watch {
         steps.held(timeS, on);
     }
 
-    /** Holds the breath when it next comes to its end, of expiration or inspiration, or lets it go on. */
+    /** Holds the breath when it next comes to its end, of expiration or inspiration; without one lets it go on. A breath that is held goes on first. */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         asked.add(() -> {
             holdAt = end.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
-            if (end.isEmpty() && run.scenario().hold()) {
+            if (run.scenario().hold()) {
                 held(false);
             }
         });

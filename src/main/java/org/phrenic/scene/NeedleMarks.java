@@ -1,5 +1,12 @@
 package org.phrenic.scene;
 
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +29,8 @@ public record NeedleMarks(NeedleState state, PathAdvice.Level level) {
     private static final String TARGET = Markers.MOVING + "target";
     private static final String WAY = Markers.MOVING + "way_";
     private static final String ENTRY = Markers.MOVING + "entry_";
+    private static final Color TARGET_LINE = new Color(0xb38f00);
+    private static final Color NEEDLE_LINE = new Color(0x1f4e79);
     private static final double NEEDLE_MM = 1.2;
     private static final double HUB_MM = 2.6;
     private static final double HUB_LENGTH_MM = 18;
@@ -67,6 +76,53 @@ public record NeedleMarks(NeedleState state, PathAdvice.Level level) {
             }
         }
         return style.withLooks(looks);
+    }
+
+    /**
+     * Draws outlines of target, way and needle over a picture, so that they are seen through whatever lies before them.
+     *
+     * @param width of the picture, in pixels of {@code graphics}
+     * @param height as above
+     */
+    public void outline(Graphics2D graphics, Camera camera, int width, int height) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        double[] at = new double[2];
+        double[] target = state.target();
+        if (camera.project(target[0], target[1], target[2], width, height, at)) {
+            double r = state.targetRadiusMm() / camera.mmPerPixel(height);
+            line(g, new Ellipse2D.Double(at[0] - r, at[1] - r, 2 * r, 2 * r), TARGET_LINE, 2, false);
+        }
+        if (state.entry().isPresent()) {
+            double[] entry = state.entry().get();
+            double[] end = ahead(entry, state.tip(), state.hub(), state.aimedMm());
+            segment(camera, entry, end, width, height)
+                    .ifPresent(s -> line(g, s, new Color(rgb(level)), 2, true));
+            if (state.placed()) {
+                segment(camera, state.hub(), state.tip(), width, height)
+                        .ifPresent(s -> line(g, s, NEEDLE_LINE, 2.5f, false));
+            }
+        }
+        g.dispose();
+    }
+
+    private static Optional<Line2D> segment(Camera camera, double[] a, double[] b, int width, int height) {
+        double[] from = new double[2];
+        double[] to = new double[2];
+        boolean seen = camera.project(a[0], a[1], a[2], width, height, from)
+                && camera.project(b[0], b[1], b[2], width, height, to);
+        return seen ? Optional.of(new Line2D.Double(from[0], from[1], to[0], to[1])) : Optional.empty();
+    }
+
+    private static void line(Graphics2D g, Shape shape, Color colour, float width, boolean dashed) {
+        float[] dashes = dashed ? new float[] {7, 5} : null;
+        g.setColor(new Color(255, 255, 255, 150));
+        g.setStroke(new BasicStroke(width + 2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
+        g.draw(shape);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
+        g.draw(shape);
     }
 
     private static double[] ahead(double[] from, double[] tip, double[] hub, double mm) {

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.scene.Background;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.live.LiveScene;
@@ -92,7 +93,7 @@ public final class PhrenicWindow {
         view = new SceneView(session, looks);
         loading = new LoadingCard(() -> session.live().cancelLoading());
         welcome = new WelcomeCard(this::enter, this::dismissWelcome);
-        files = new WindowFiles(frame, session, view, preferences);
+        files = new WindowFiles(frame, session, view, preferences, this::rehearse);
         commands = new Commands(session, view, new WindowDesk(this));
         tools = new ToolBar(commands, session, view, this::enter);
         layout = new DockLayout(preferences, new Stage(view, banner, loading, welcome));
@@ -151,6 +152,12 @@ public final class PhrenicWindow {
         dismissWelcome();
         preferences.setArrangement(arrangement);
         arrange(arrangement);
+    }
+
+    /** Opens a plan behind the clinician's door. */
+    void rehearse(RehearsalPlan plan) {
+        enter(Arrangement.CLINICIAN);
+        docks.door().open(plan);
     }
 
     private void arrange(Arrangement arrangement) {

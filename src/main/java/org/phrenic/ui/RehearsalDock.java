@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.awt.BorderLayout;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -27,6 +28,7 @@ import org.phrenic.rehearsal.TargetStudy;
 import org.phrenic.simulation.Observation;
 import org.phrenic.simulation.live.History;
 import org.phrenic.simulation.live.Status;
+import org.phrenic.ui.clinic.Legend;
 import org.phrenic.ui.clinic.Verdict;
 import org.phrenic.ui.clinic.Words;
 
@@ -46,8 +48,8 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     private final PhaseBar bar = new PhaseBar();
     private final JToggleButton quiet = new JToggleButton("Quiet");
     private final JToggleButton deep = new JToggleButton("Deep");
-    private final JToggleButton holdOut = new JToggleButton("Hold at expiration");
-    private final JToggleButton holdIn = new JToggleButton("Hold at inspiration");
+    private final JToggleButton holdOut = new JToggleButton("Hold at exp.");
+    private final JToggleButton holdIn = new JToggleButton("Hold at insp.");
     private final Words moves = Words.bold("How far the target moves");
     private final Words moves3 = Words.quiet("In which direction it moves");
     private final JProgressBar progress = new JProgressBar(0, 100);
@@ -58,7 +60,9 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     private final JButton bestOut = new JButton("Best at expiration");
     private final Verdict overBreath = new Verdict();
     private final Verdict now = new Verdict();
-    private final Words counts = Words.quiet("Share of the skin that gives access");
+    private final Legend legend = new Legend();
+    private final JPanel ownTarget =
+            new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][][60!][]"));
     private final JSlider depth = new JSlider(0, 150, 0);
     private final JLabel depthText = new JLabel("Not in the body");
     private final Words miss = Words.bold("Tip to target");
@@ -69,7 +73,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     private final JButton sample = new JButton("Take sample");
     private final JButton out = new JButton("Take out");
     private final JComboBox<Double> speed = new JComboBox<>(SPEEDS);
-    private final transient List<RehearsalPlan> exercises = RehearsalPlan.exercises();
+    private final transient List<RehearsalPlan> exercises = new ArrayList<>(RehearsalPlan.exercises());
     private boolean showing;
 
     /** @param breathing told by which preset to breathe */
@@ -100,7 +104,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
 
     private void exercise(JPanel body) {
         exercise.addItem("Practice: a target of your own");
-        exercises.forEach(plan -> exercise.addItem(plan.title() + " (" + plan.difficulty() + ")"));
+        exercises.forEach(this::list);
         named(exercise, "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
         exercise.addActionListener(e -> pickExercise());
         body.add(exercise, "wmin 0");
@@ -110,6 +114,10 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         begin.addActionListener(e -> door.retry());
         show.addActionListener(e -> door.demonstrate());
         body.add(row(begin, show), "wmin 0");
+    }
+
+    private void list(RehearsalPlan plan) {
+        exercise.addItem(plan.title() + (plan.difficulty().isEmpty() ? "" : " (" + plan.difficulty() + ")"));
     }
 
     private void pickExercise() {
@@ -124,8 +132,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     }
 
     private void breath(JPanel body) {
-        heading(body, "Breath");
-        body.add(bar);
+        body.add(bar, "gaptop 4");
         named(quiet, "Breathe quietly", "Quiet breathing (Q)");
         named(deep, "Breathe deeply", "Deep breathing (D)");
         named(holdOut, "Hold at expiration", "Hold the breath when air has flowed out; press again to breathe on (H)");
@@ -134,8 +141,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         deep.addActionListener(e -> breathe("deep"));
         holdOut.addActionListener(e -> hold(holdOut, BreathEvent.Kind.END_EXPIRATION));
         holdIn.addActionListener(e -> hold(holdIn, BreathEvent.Kind.END_INSPIRATION));
-        body.add(row(quiet, deep), "wmin 0");
-        body.add(row(holdOut, holdIn), "wmin 0");
+        body.add(row(quiet, deep, holdOut, holdIn), "wmin 0");
     }
 
     private void breathe(String preset) {
@@ -144,11 +150,13 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     }
 
     private void hold(JToggleButton button, BreathEvent.Kind end) {
+        for (JToggleButton other : List.of(holdOut, holdIn)) {
+            other.setSelected(other == button && button.isSelected());
+        }
         door.hold(button.isSelected() ? Optional.of(end) : Optional.empty());
     }
 
     private void target(JPanel body) {
-        heading(body, "Target");
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName("What is being worked out");
         body.add(progress);
@@ -168,36 +176,27 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
                 door.setTargetMm(((Number) size.getValue()).doubleValue());
             }
         });
-        JPanel row = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][][60!][]"));
-        row.add(setTarget);
-        row.add(new JLabel("Size"));
-        row.add(size, "growx");
-        row.add(new JLabel("mm"));
-        body.add(row, "wmin 0");
+        ownTarget.add(setTarget);
+        ownTarget.add(new JLabel("Size"));
+        ownTarget.add(size, "growx");
+        ownTarget.add(new JLabel("mm"));
+        body.add(ownTarget, "wmin 0");
     }
 
     private void wayIn(JPanel body) {
-        heading(body, "Way in");
         named(setEntry, "Set entry", "Then click on the skin where the needle goes in (E)");
         named(best, "Best path", "The entry that is free longest, with room, on the shortest way (B)");
         named(bestOut, "Best at expiration", "The best entry for a breath held at the end of expiration");
         setEntry.addActionListener(e -> door.choose(RehearsalDoor.Choosing.ENTRY));
         best.addActionListener(e -> door.enterAtBest(false));
         bestOut.addActionListener(e -> door.enterAtBest(true));
-        JPanel row =
-                new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][grow, fill][grow, fill]"));
-        row.add(setEntry, "wmin 0");
-        row.add(best, "wmin 0");
-        row.add(bestOut, "wmin 0");
-        body.add(row, "wmin 0");
-        body.add(new org.phrenic.ui.clinic.Legend());
-        body.add(counts, "wmin 0");
+        body.add(row(setEntry, best, bestOut), "wmin 0, gaptop 4");
+        body.add(legend);
         body.add(overBreath, "wmin 0");
         body.add(now, "wmin 0");
     }
 
     private void needle(JPanel body) {
-        heading(body, "Needle");
         named(
                 depth,
                 "Depth of the tip",
@@ -207,7 +206,10 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
                 door.moveTo(depth.getValue());
             }
         });
-        body.add(depthText, "wmin 0");
+        JPanel first = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, 0::][]"));
+        first.add(depthText, "wmin 0");
+        first.add(speed);
+        body.add(first, "wmin 0, gaptop 4");
         body.add(depth, "wmin 0");
         named(insert, "Insert", "2 mm deeper (I, or the wheel)");
         named(withdraw, "Withdraw", "2 mm back (W, or the wheel)");
@@ -225,15 +227,9 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         aim.addActionListener(e -> door.aim());
         sample.addActionListener(e -> door.sample());
         out.addActionListener(e -> door.moveTo(0));
-        body.add(row(insert, withdraw), "wmin 0");
-        body.add(row(toTarget, speed), "wmin 0");
+        body.add(row(insert, withdraw, toTarget), "wmin 0");
         body.add(miss, "wmin 0");
-        JPanel row =
-                new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][grow, fill][grow, fill]"));
-        row.add(aim, "wmin 0");
-        row.add(sample, "wmin 0");
-        row.add(out, "wmin 0");
-        body.add(row, "wmin 0");
+        body.add(row(aim, sample, out), "wmin 0");
     }
 
     private static final class SpeedText extends javax.swing.DefaultListCellRenderer {
@@ -245,16 +241,11 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         }
     }
 
-    private static void heading(JPanel body, String text) {
-        JLabel label = new JLabel(text);
-        label.putClientProperty("FlatLaf.styleClass", "h4");
-        body.add(label, "gaptop 4");
-    }
-
-    private static JPanel row(JComponent a, JComponent b) {
-        JPanel row = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, sg][grow, fill, sg]"));
-        row.add(a, "wmin 0");
-        row.add(b, "wmin 0");
+    private static JPanel row(JComponent... controls) {
+        JPanel row = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding"));
+        for (JComponent control : controls) {
+            row.add(control, "growx, pushx, wmin 0");
+        }
         return row;
     }
 
@@ -275,10 +266,10 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         showing = true;
         boolean ready = door.stage() == RehearsalDoor.Stage.READY;
         Optional<RehearsalPlan> chosen = door.exercise();
-        exercise.setSelectedIndex(
-                1 + chosen.map(plan -> exercises.indexOf(plan)).orElse(-1));
+        exercise.setSelectedIndex(1 + chosen.map(this::number).orElse(-1));
+        ownTarget.setVisible(chosen.isEmpty());
         about.say(
-                chosen.map(RehearsalDock::words)
+                chosen.map(this::words)
                         .orElse(
                                 "Press T and click on the liver for a target, E and click on the skin for an entry, or take the best path. Scroll to insert."));
         setTarget.setSelected(door.choosing() == RehearsalDoor.Choosing.TARGET);
@@ -288,7 +279,8 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         advised();
         boolean studied = door.study().isPresent();
         begin.setEnabled(studied && (ready || door.stage() == RehearsalDoor.Stage.SHOWING));
-        show.setEnabled(begin.isEnabled() && chosen.isPresent());
+        show.setEnabled(begin.isEnabled()
+                && chosen.filter(plan -> !plan.steps().isEmpty()).isPresent());
         setTarget.setEnabled(ready && chosen.isEmpty());
         size.setEnabled(ready && chosen.isEmpty());
         for (JComponent control : new JComponent[] {
@@ -301,9 +293,23 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         needleNow();
     }
 
-    private static String words(RehearsalPlan plan) {
-        return plan.description() + " Done when: "
-                + String.join("; ", plan.goals().words()) + ".";
+    /** Which of the exercises it is; one of another file is listed from now on. */
+    private int number(RehearsalPlan plan) {
+        for (int i = 0; i < exercises.size(); i++) {
+            if (exercises.get(i).title().equals(plan.title())
+                    && exercises.get(i).file().equals(plan.file())) {
+                return i;
+            }
+        }
+        exercises.add(plan);
+        list(plan);
+        return exercises.size() - 1;
+    }
+
+    /** What it is, until an entry is chosen, and what counts as done. */
+    private String words(RehearsalPlan plan) {
+        String description = door.advice().isPresent() ? "" : plan.description() + " ";
+        return description + "Done when: " + String.join("; ", plan.goals().words()) + ".";
     }
 
     private void progress() {
@@ -337,7 +343,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
                 there
                         ? String.format(
                                 Locale.ROOT,
-                                "Up and down %.0f mm, front to back %.0f mm, side to side %.0f mm. It is %.0f mm wide.",
+                                "%.0f up-down, %.0f front-back, %.0f sideways; %.0f mm wide",
                                 range[2],
                                 range[1],
                                 range[0],
@@ -347,16 +353,15 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
             size.setValue((int) Math.round(study.get().target().diameterMm()));
             AccessMap map = study.get().map();
             java.util.Map<String, Object> c = map.counts();
-            counts.say(
-                    "Of the skin in reach " + percent(c, "free") + " is free, " + percent(c, "in_part") + " in part");
+            legend.show(percent(c, "free"), percent(c, "in_part"));
         } else {
-            counts.say(" ");
+            legend.show(-1, -1);
         }
     }
 
-    private static String percent(java.util.Map<String, Object> counts, String key) {
+    private static long percent(java.util.Map<String, Object> counts, String key) {
         int reach = Math.max(1, (Integer) counts.get("in_reach"));
-        return Math.round(100.0 * (Integer) counts.get(key) / reach) + " %";
+        return Math.round(100.0 * (Integer) counts.get(key) / reach);
     }
 
     private void advised() {
@@ -387,7 +392,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
                 placed
                         ? String.format(
                                 Locale.ROOT,
-                                "Depth %.0f mm of %.0f mm to the target",
+                                "Depth %.0f of %.0f mm",
                                 state.get().depthMm(),
                                 state.get().aimedMm())
                         : "Not in the body");
@@ -406,12 +411,12 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
     private static String words(Miss miss) {
         return String.format(
                 Locale.ROOT,
-                "Tip to target %.1f mm: %.1f mm %s, %.1f mm aside%s",
+                "Tip to target %.1f mm: %.1f %s, %.1f aside%s",
                 miss.distanceMm(),
                 Math.abs(miss.axialMm()),
                 miss.axialMm() < 0 ? "too deep" : "to go",
                 miss.lateralMm(),
-                miss.hit() ? " - in the target" : "");
+                miss.hit() ? ", in it" : "");
     }
 
     private void sayNow(NeedleState state) {

@@ -143,7 +143,6 @@ final class RehearsalDoor implements Session.Events {
             stage = Stage.LOADING;
             session.follow();
             view.mark(this::marks);
-            view.setCamera(view.camera().seen(View.ANTERIOR).orbit(FROM_RIGHT_DEG, FROM_ABOVE_DEG));
             session.scene().ifPresentOrElse(this::enter, this::tell);
         }
     }
@@ -218,6 +217,11 @@ final class RehearsalDoor implements Session.Events {
     private void enter(LiveScene now) {
         stage = Stage.LOADING;
         leaveRun();
+        if (scene == null) {
+            // The view has taken the scene over by then.
+            SwingUtilities.invokeLater(
+                    () -> view.setCamera(view.camera().seen(View.ANTERIOR).orbit(FROM_RIGHT_DEG, FROM_ABOVE_DEG)));
+        }
         scene = now;
         cycle = List.of();
         study = Optional.empty();
@@ -435,7 +439,11 @@ final class RehearsalDoor implements Session.Events {
 
     private void refuse(long mine, String sentence) {
         if (mine == asked) {
-            if (stage == Stage.LOADING || (stage == Stage.MAPPING && study.isEmpty())) {
+            if (stage == Stage.MAPPING && exercise.isPresent()) {
+                exercise = Optional.empty();
+                study = Optional.empty();
+                map();
+            } else if (stage == Stage.LOADING || (stage == Stage.MAPPING && study.isEmpty())) {
                 stage = Stage.IMPOSSIBLE;
                 doing = sentence;
             } else if (stage == Stage.MAPPING) {

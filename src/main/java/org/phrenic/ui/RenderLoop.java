@@ -247,7 +247,7 @@ final class RenderLoop implements AutoCloseable {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.read(context, canvas);
         });
-        viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), renderer.cost()));
+        viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), marked, renderer.cost()));
         return true;
     }
 

@@ -291,6 +291,9 @@ final class SceneView extends JPanel {
             place.scale(fit, fit);
             g.drawImage(image, place, null);
         }
+        if (same) {
+            now.marks().ifPresent(marks -> marks.outline(g, now.wanted().camera(), getWidth(), getHeight()));
+        }
         annotations.draw(g, this, marks(now.moment()), now.wanted().camera());
     }
 

@@ -11,9 +11,9 @@ import org.phrenic.scene.Section;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
 
-/** Cuts the body along and across the needle, ten times a second at most, on a thread of its own. */
+/** Cuts the body along and across the needle, seven times a second at most, on a thread of its own. */
 final class SectionFeed implements AutoCloseable {
-    private static final long LEAST_NS = 100_000_000;
+    private static final long LEAST_NS = 150_000_000;
 
     private final ExecutorService thread = Executors.newSingleThreadExecutor(r -> {
         Thread made = new Thread(r, "phrenic-section");

@@ -11,17 +11,26 @@ import org.phrenic.scene.ColourMap;
 
 /** What the colours of the skin mean. */
 public final class Legend extends JPanel {
-    private static final String[] NAMES = {"free", "part of the breath", "never"};
+    private static final String[] NAMES = {"free", "in part", "never"};
     private static final double[] SHARES = {1, 0.6, 0};
     private static final int SIDE = 12;
     private static final int GAP = 6;
+
+    private final String[] shares = {"", "", ""};
 
     public Legend() {
         setOpaque(false);
         getAccessibleContext()
                 .setAccessibleName("Colours of the skin: green free, amber part of the breath, plain never");
         setToolTipText(
-                "From where on the skin the target can be reached: green over the whole breath, amber in part of it");
+                "From where on the skin the target can be reached: green over the whole breath, amber in part of it; shares of the skin that the needle reaches from");
+    }
+
+    /** Says how much of the skin in reach is free and free in part, per cent; less than 0 for not known. */
+    public void show(long free, long part) {
+        shares[0] = free < 0 ? "" : " " + free + " %";
+        shares[1] = part < 0 ? "" : " " + part + " %";
+        repaint();
     }
 
     @Override
@@ -49,8 +58,9 @@ public final class Legend extends JPanel {
             g.fill(new RoundRectangle2D.Double(x, (getHeight() - SIDE) / 2.0, SIDE, SIDE, 4, 4));
             x += SIDE + 4;
             g.setColor(Tone.quiet());
-            g.drawString(NAMES[i], x, baseline);
-            x += g.getFontMetrics().stringWidth(NAMES[i]) + 2 * GAP;
+            String text = NAMES[i] + shares[i];
+            g.drawString(text, x, baseline);
+            x += g.getFontMetrics().stringWidth(text) + 2 * GAP;
         }
         g.dispose();
     }

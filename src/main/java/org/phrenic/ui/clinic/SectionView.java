@@ -176,26 +176,40 @@ public final class SectionView extends JPanel {
         g.setFont(getFont());
         g.setColor(Tone.ink());
         int height = g.getFontMetrics().getAscent();
-        g.drawString(title, MARGIN, MARGIN + height);
+        text(g, title, MARGIN, MARGIN + height);
         if (section == null) {
             g.setColor(Tone.quiet());
             int y = MARGIN + 3 * height;
             for (String line : hint.lines().toList()) {
-                g.drawString(line, MARGIN, y);
+                text(g, line, MARGIN, y);
                 y += g.getFontMetrics().getHeight();
             }
             return;
         }
         g.setFont(getFont().deriveFont(java.awt.Font.BOLD));
         int middle = (getHeight() + height) / 2;
-        g.drawString(section.right(), getWidth() - MARGIN - g.getFontMetrics().stringWidth(section.right()), middle);
+        text(g, section.right(), getWidth() - MARGIN - g.getFontMetrics().stringWidth(section.right()), middle);
         String left = opposite(section.right());
-        g.drawString(left, MARGIN, middle);
+        text(g, left, MARGIN, middle);
         String up = section.up();
-        g.drawString(up, (getWidth() - g.getFontMetrics().stringWidth(up)) / 2, MARGIN + 2 * height + 2);
+        text(g, up, (getWidth() - g.getFontMetrics().stringWidth(up)) / 2, MARGIN + 2 * height + 2);
         String down = opposite(up);
-        g.drawString(down, (getWidth() - g.getFontMetrics().stringWidth(down)) / 2, getHeight() - MARGIN);
+        text(g, down, (getWidth() - g.getFontMetrics().stringWidth(down)) / 2, getHeight() - MARGIN);
         ruler(g);
+    }
+
+    /** Text that can be read on whatever lies behind it. */
+    private static void text(Graphics2D g, String words, int x, int y) {
+        Color ink = g.getColor();
+        Color behind = Tone.panel();
+        g.setColor(new Color(behind.getRed(), behind.getGreen(), behind.getBlue(), 170));
+        Shape outline = g.getFont()
+                .createGlyphVector(g.getFontRenderContext(), words)
+                .getOutline(x, y);
+        g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(outline);
+        g.setColor(ink);
+        g.drawString(words, x, y);
     }
 
     private void ruler(Graphics2D g) {
@@ -209,7 +223,7 @@ public final class SectionView extends JPanel {
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Line2D.Double(x, y, x + w, y));
         String text = (int) mm + " mm";
-        g.drawString(text, x + w - g.getFontMetrics().stringWidth(text), y - 4);
+        text(g, text, x + w - g.getFontMetrics().stringWidth(text), y - 4);
     }
 
     private static String opposite(String letters) {
