@@ -1,5 +1,7 @@
 package org.phrenic.engine;
 
+import java.util.stream.IntStream;
+
 /** Something that positions must obey, put right after each step; velocities are corrected by the same shift over h. */
 public interface Constraint {
 
@@ -13,6 +15,9 @@ public interface Constraint {
      * @param h the step just taken, s
      */
     void project(ParticleSystem system, double h);
+
+    /** The nodes that it may move, internal numbers times 3: what no other constraint moves needs no second sweep. */
+    IntStream nodes();
 
     /**
      * Takes away what velocities have against the constraint after a step's last forces were added to them, at the positions at hand (the second half of RATTLE: Andersen 1983, doi

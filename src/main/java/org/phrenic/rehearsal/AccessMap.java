@@ -162,6 +162,11 @@ public final class AccessMap {
         return targets[moment].clone();
     }
 
+    /** How the target moves over the breath. */
+    public TargetMotion motion() {
+        return new TargetMotion(List.of(targets));
+    }
+
     /** Whether the path from a vertex of the skin is free at a moment. */
     public boolean isFree(int moment, int vertex) {
         return (touched[moment][vertex] & avoidedBits) == 0;

@@ -6,7 +6,7 @@ import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 
-/** One breath at evenly spaced moments. */
+/** One breath at evenly spaced moments. {@link CycleRecorder} gathers the same from a run that is watched. */
 public final class BreathCycle {
     /** Moments of a breath unless it is said otherwise. */
     public static final int PHASES = 20;
@@ -22,19 +22,21 @@ public final class BreathCycle {
      * @param phases how many moments, the first now, the last one interval before the end
      */
     public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
-        double period = simulation.breathPeriodS();
-        double length = Math.min(Double.isInfinite(period) ? simulation.durationS() : period, LONGEST_S);
         double start = simulation.time();
         List<BreathMoment> moments = new ArrayList<>();
         Frame frame = surfaces.newFrame();
         for (int i = 0; i < phases; i++) {
-            while (simulation.time()
-                    < start + length * i / phases - 0.5 * simulation.stepper().dt()) {
+            while (!isDue(simulation.time() - start, simulation.stepper().dt(), simulation.breathS(), i, phases)) {
                 simulation.step();
             }
             surfaces.capture(frame);
             moments.add(new BreathMoment(frame.copy(), simulation.breathLabel()));
         }
         return moments;
+    }
+
+    /** Whether a moment has come, so many seconds after the first. */
+    static boolean isDue(double sinceS, double dtS, double breathS, int moment, int phases) {
+        return sinceS >= Math.min(breathS, LONGEST_S) * moment / phases - 0.5 * dtS;
     }
 }

@@ -90,6 +90,29 @@ public record Goals(boolean hit, Map<String, Double> most) {
         return new Goals(yaml.flag(HIT, false), most);
     }
 
+    /** Plain values, as {@link #read} takes them. */
+    Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        if (hit) {
+            map.put(HIT, true);
+        }
+        map.putAll(most);
+        return map;
+    }
+
+    /** What is asked, in words: "attempts: at most 1", "seconds in lung: none". */
+    public List<String> words() {
+        List<String> words = new ArrayList<>();
+        if (hit) {
+            words.add("the target is hit");
+        }
+        most.forEach((key, limit) -> words.add(LABELS.get(key).replace(", at most", "")
+                + (limit == 0
+                        ? ": none"
+                        : ": at most " + (limit == Math.rint(limit) ? "" + Math.round(limit) : "" + limit))));
+        return words;
+    }
+
     /** Each goal held against a record. */
     public List<Outcome> of(AttemptRecord record) {
         List<Outcome> all = new ArrayList<>();

@@ -66,6 +66,17 @@ public final class MovingScene {
         return structures;
     }
 
+    /** For people: what a margin was taken from, as {@link PathReader#nearest} names it. */
+    String labelOf(String nearest) {
+        boolean border = nearest.startsWith(PathReader.VESSELS);
+        String name = border ? nearest.substring(PathReader.VESSELS.length()) : nearest;
+        return structures.stream()
+                .filter(s -> s.surface().name().equals(name))
+                .map(s -> (border ? "the vessels below " : "") + s.label())
+                .findFirst()
+                .orElse("");
+    }
+
     /** What a needle should not touch. */
     List<MovingStructure> hazards() {
         return hazards;

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import org.phrenic.geometry.Vectors;
 
 /**
  * One path over a whole breath: at each moment from the same point of the skin to where the target is then.
@@ -68,26 +67,9 @@ public record PathCycle(
         return count;
     }
 
-    /** Greatest distance between two places of the target over the breath, mm: "the target moves X mm". */
-    public double targetMovesMm() {
-        double most = 0;
-        for (double[] a : targets) {
-            for (double[] b : targets) {
-                most = Math.max(most, Vectors.distance(a, b));
-            }
-        }
-        return most;
-    }
-
-    /** Range of the target over the breath in x, y, z (to the left, backwards, upwards), mm. */
-    public double[] targetRangeMm() {
-        double[] range = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            int k = axis;
-            range[axis] = targets.stream().mapToDouble(t -> t[k]).max().orElse(0)
-                    - targets.stream().mapToDouble(t -> t[k]).min().orElse(0);
-        }
-        return range;
+    /** How the target moves. */
+    public TargetMotion motion() {
+        return new TargetMotion(targets);
     }
 
     /** Closest approach to each structure over the breath, by name. */
@@ -103,8 +85,8 @@ public record PathCycle(
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("moments", readings.size());
         map.put("free_moments", freeMoments());
-        map.put("target_moves_mm", targetMovesMm());
-        map.put("target_range_lr_ap_si_mm", targetRangeMm());
+        map.put("target_moves_mm", motion().mostMm());
+        map.put("target_range_lr_ap_si_mm", motion().rangeMm());
         map.put("at_end_expiration", readings.get(0).toMap());
         List<Map<String, Object>> rows = new ArrayList<>();
         for (int m = 0; m < readings.size(); m++) {

@@ -22,6 +22,9 @@ public final class PathReader {
     /** Structures farther than this from a path are not listed, mm. */
     public static final double REACH_MM = 40;
 
+    /** What {@link #nearest} begins with where it is the lower border of a rib. */
+    static final String VESSELS = "vessels_";
+
     private final MovingScene scene;
     private final double radius;
     private final SegmentProbe probe = new SegmentProbe();
@@ -155,7 +158,7 @@ public final class PathReader {
                 double d = b.distance(entry, end, probe, margin + RibBorder.ZONE_MM);
                 if (d < margin + RibBorder.ZONE_MM) {
                     margin = d - RibBorder.ZONE_MM;
-                    nearest = "vessels_" + b.rib().surface().name();
+                    nearest = VESSELS + b.rib().surface().name();
                 }
             }
         }

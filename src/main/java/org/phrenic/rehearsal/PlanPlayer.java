@@ -94,7 +94,7 @@ public final class PlanPlayer {
             if (first) {
                 needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
             }
-            return !needle.isMoving();
+            return !advance.awaited() || !needle.isMoving();
         } else {
             needle.sample();
         }

@@ -31,8 +31,9 @@ public sealed interface PlanStep {
      * Moves the tip until it is there.
      *
      * @param depthMm below the skin; empty for as deep as the needle was aimed
+     * @param awaited whether the next step waits until it is there
      */
-    record Advance(String place, Optional<Double> depthMm, double speedMmPerS) implements PlanStep {}
+    record Advance(String place, Optional<Double> depthMm, double speedMmPerS, boolean awaited) implements PlanStep {}
 
     /** Takes a sample. */
     record Sample(String place) implements PlanStep {}

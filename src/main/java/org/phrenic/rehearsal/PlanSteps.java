@@ -1,7 +1,9 @@
 package org.phrenic.rehearsal;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.YamlMap;
@@ -10,7 +12,10 @@ import org.phrenic.format.YamlMap;
 final class PlanSteps {
     private static final List<String> KINDS =
             List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw");
+    private static final List<String> MOVE_KEYS = List.of("depth_mm", "speed_mm_per_s", "wait");
     private static final double SPEED_MM_PER_S = 50;
+    private static final String AIM = "target";
+    private static final String AIM_AT_REST = "target-at-end-expiration";
     private static final String BEST = "best";
     private static final String BEST_AT_REST = "best-at-end-expiration";
 
@@ -49,14 +54,15 @@ final class PlanSteps {
             }
             case "advance" -> {
                 YamlMap map = step.map(kind);
-                map.requireOnly(List.of("depth_mm", "speed_mm_per_s"));
+                map.requireOnly(MOVE_KEYS);
                 Optional<Double> depth = map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty();
-                yield new PlanStep.Advance(place, depth, speed(map));
+                yield new PlanStep.Advance(place, depth, speed(map), map.flag("wait", true));
             }
             case "withdraw" -> {
                 YamlMap map = step.map(kind);
-                map.requireOnly(List.of("depth_mm", "speed_mm_per_s"));
-                yield new PlanStep.Advance(place, Optional.of(map.number("depth_mm", 0)), speed(map));
+                map.requireOnly(MOVE_KEYS);
+                yield new PlanStep.Advance(
+                        place, Optional.of(map.number("depth_mm", 0)), speed(map), map.flag("wait", true));
             }
             default -> {
                 if (!step.text(kind).equals("now")) {
@@ -65,6 +71,45 @@ final class PlanSteps {
                 yield new PlanStep.Sample(place);
             }
         };
+    }
+
+    /** Plain values of steps, as {@link #read} takes them. */
+    static List<Map<String, Object>> plain(List<PlanStep> steps) {
+        return steps.stream().map(PlanSteps::plain).toList();
+    }
+
+    private static Map<String, Object> plain(PlanStep step) {
+        if (step instanceof PlanStep.WaitSeconds wait) {
+            return Map.of("wait", wait.seconds());
+        } else if (step instanceof PlanStep.WaitFor wait) {
+            return Map.of("wait", wait.event().text());
+        } else if (step instanceof PlanStep.HoldBreath hold) {
+            return Map.of("hold_breath", hold.held());
+        } else if (step instanceof PlanStep.Place place) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put(
+                    "entry",
+                    place.entryRest().isPresent()
+                            ? place.entryRest().get()
+                            : place.atEndExpiration() ? BEST_AT_REST : BEST);
+            map.put("aim", plain(place.aim()));
+            return Map.of("place", map);
+        } else if (step instanceof PlanStep.Redirect redirect) {
+            return Map.of("redirect", Map.of("aim", plain(redirect.aim())));
+        } else if (step instanceof PlanStep.Advance advance) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            advance.depthMm().ifPresent(depth -> map.put("depth_mm", depth));
+            map.put("speed_mm_per_s", advance.speedMmPerS());
+            if (!advance.awaited()) {
+                map.put("wait", false);
+            }
+            return Map.of("advance", map);
+        }
+        return Map.of("sample", "now");
+    }
+
+    private static Object plain(PlanStep.Aim aim) {
+        return aim.point().isPresent() ? aim.point().get() : aim.atRest() ? AIM_AT_REST : AIM;
     }
 
     private static PlanStep wait(YamlMap step, String place) {
@@ -100,8 +145,8 @@ final class PlanSteps {
             return new PlanStep.Aim(Optional.of(point(map, "aim")), false);
         }
         return switch (map.text("aim")) {
-            case "target" -> new PlanStep.Aim(Optional.empty(), false);
-            case "target-at-end-expiration" -> new PlanStep.Aim(Optional.empty(), true);
+            case AIM -> new PlanStep.Aim(Optional.empty(), false);
+            case AIM_AT_REST -> new PlanStep.Aim(Optional.empty(), true);
             default ->
                 throw map.bad(
                         "aim",

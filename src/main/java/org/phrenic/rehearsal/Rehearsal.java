@@ -1,6 +1,5 @@
 package org.phrenic.rehearsal;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -21,9 +20,7 @@ import org.phrenic.simulation.Surface;
  *
  * @param plan what was played
  * @param surfaces of the body
- * @param target it was about
- * @param map from where the target can be reached
- * @param spaces the map by intercostal space
+ * @param study the target it was about, and from where that can be reached
  * @param path the planned path over the breath; empty where nothing was placed
  * @param record of the attempt
  * @param views what to make pictures of, in order
@@ -32,9 +29,7 @@ import org.phrenic.simulation.Surface;
 public record Rehearsal(
         RehearsalPlan plan,
         List<Surface> surfaces,
-        Target target,
-        AccessMap map,
-        List<SpaceTable.Row> spaces,
+        TargetStudy study,
         Optional<PathCycle> path,
         AttemptRecord record,
         List<NeedleView> views,
@@ -78,11 +73,10 @@ public record Rehearsal(
                     map.counts().get("in_reach"),
                     cycle.size(),
                     1e-9 * (System.nanoTime() - begun)));
-            List<SpaceTable.Row> spaces = SpaceTable.of(scene, map, plan.needle());
-            Optional<PathCycle> path = firstEntry(plan, map)
-                    .map(entry -> PathCycle.of(scene, cycle, entry, target, plan.needle(), plan.avoided()));
+            TargetStudy study = new TargetStudy(target, map, SpaceTable.of(scene, map, plan.needle()));
+            Optional<PathCycle> path = plannedPath(plan, study, scene);
             if (simulation.restart()) {
-                return attempt(plan, simulation, surfaces, frame, scene, target, map, spaces, path, progress);
+                return attempt(plan, simulation, surfaces, frame, scene, study, path, progress);
             }
         }
         throw new BadInputException(
@@ -96,50 +90,30 @@ public record Rehearsal(
             SceneSurfaces surfaces,
             Frame frame,
             MovingScene scene,
-            Target target,
-            AccessMap map,
-            List<SpaceTable.Row> spaces,
+            TargetStudy study,
             Optional<PathCycle> path,
             SimulationRun.Progress progress) {
-        NeedleSession needle = new NeedleSession(scene, target, plan.needle(), plan.avoided());
+        NeedleSession needle = new NeedleSession(scene, study.target(), plan.needle(), plan.avoided());
         PlanPlayer player = new PlanPlayer(
                 plan,
                 needle,
-                map,
+                study.map(),
                 (held, origin) -> simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
-        List<NeedleView> views = new ArrayList<>();
-        int samples = 0;
+        NeedleViews views = new NeedleViews();
         boolean done = false;
-        boolean wasPlaced = false;
         long begun = System.nanoTime();
         while (!done) {
             surfaces.capture(frame);
             BreathLabel label = simulation.breathLabel();
             needle.take(frame, label);
             done = player.look(label, 1 + (int) frame.values()[BREATH]);
-            if (needle.isPlaced() && !wasPlaced) {
-                views.add(NeedleView.of("placed", needle, frame, label));
-            }
-            wasPlaced = needle.isPlaced();
-            int taken = needle.record().samples().size();
-            if (taken > samples) {
-                views.add(NeedleView.of(taken == 1 ? "sample" : "sample_" + taken, needle, frame, label));
-            }
-            samples = taken;
+            views.look(needle, frame, label);
             step(simulation, done);
             double perS = simulation.steps() / (1e-9 * (System.nanoTime() - begun));
             progress.at(simulation.time(), Math.max(simulation.time(), simulation.durationS()), perS);
         }
         return new Rehearsal(
-                plan,
-                surfaces.surfaces(),
-                target,
-                map,
-                spaces,
-                path,
-                needle.record(),
-                List.copyOf(views),
-                simulation.stateHash());
+                plan, surfaces.surfaces(), study, path, needle.record(), views.all(), simulation.stateHash());
     }
 
     private static void step(Simulation simulation, boolean done) {
@@ -167,11 +141,24 @@ public record Rehearsal(
         }
     }
 
-    private static Optional<double[]> firstEntry(RehearsalPlan plan, AccessMap map) {
+    /** The path from where a plan enters first, over the breath; empty where nothing is placed. Afterwards the scene shows the last moment of the breath. */
+    public static Optional<PathCycle> plannedPath(RehearsalPlan plan, TargetStudy study, MovingScene scene) {
         return plan.steps().stream()
                 .filter(PlanStep.Place.class::isInstance)
-                .map(step -> PlanPlayer.entry((PlanStep.Place) step, map))
-                .findFirst();
+                .map(step -> PlanPlayer.entry((PlanStep.Place) step, study.map()))
+                .findFirst()
+                .map(entry ->
+                        PathCycle.of(scene, study.map().cycle(), entry, study.target(), plan.needle(), plan.avoided()));
+    }
+
+    /** The target it was about. */
+    public Target target() {
+        return study.target();
+    }
+
+    /** From where the target can be reached. */
+    public AccessMap map() {
+        return study.map();
     }
 
     /** Whether what counts as done was reached; true where the plan asks for nothing. */

@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -23,6 +25,7 @@ import org.phrenic.simulation.Scenario;
  *
  * @param title what it is
  * @param description for whom and why, in a sentence or two; may be empty
+ * @param difficulty easy, medium or hard; empty where it is not said
  * @param scenario body and breathing
  * @param targetRestMm middle of the target at end-expiration; empty for one at random
  * @param seed of a target at random
@@ -37,6 +40,7 @@ import org.phrenic.simulation.Scenario;
 public record RehearsalPlan(
         String title,
         String description,
+        String difficulty,
         Scenario scenario,
         Optional<double[]> targetRestMm,
         OptionalLong seed,
@@ -51,6 +55,7 @@ public record RehearsalPlan(
     private static final List<String> KEYS = List.of(
             "title",
             "description",
+            "difficulty",
             "scenario",
             "set",
             "target",
@@ -60,9 +65,11 @@ public record RehearsalPlan(
             "give_up_after_s",
             "done_when",
             "steps");
+    private static final List<String> DIFFICULTIES = List.of("easy", "medium", "hard");
+    private static final List<String> SHIPPED =
+            List.of("1-large-target.yaml", "2-dome-target.yaml", "3-held-breath.yaml");
     private static final List<String> TARGET_KEYS = List.of("rest_mm", "seed", "diameter_mm");
     private static final List<String> NEEDLE_KEYS = List.of("gauge", "length_mm");
-    private static final String SHIPPED = "/org/phrenic/data/exercises/";
     private static final int MOST_PHASES = 100;
     private static final double GIVE_UP_S = 60;
 
@@ -72,43 +79,45 @@ public record RehearsalPlan(
      * @throws BadInputException with one sentence that names file, line and key
      */
     public static RehearsalPlan read(Path file) {
-        return read(YamlDocument.read(file), file);
+        return of(YamlDocument.read(file), file);
     }
 
-    /**
-     * Reads an exercise that comes with the program.
-     *
-     * @param name of its file, without ending
-     * @param set what is set over the plan, as {@code key=value}
-     * @throws BadInputException with one sentence, if there is none of this name or something set cannot be
-     */
-    public static RehearsalPlan shipped(String name, List<String> set) {
-        Path file = Path.of(name + ".yaml");
-        try (InputStream in = RehearsalPlan.class.getResourceAsStream(SHIPPED + file)) {
+    /** The exercises that come with the program, from easy to hard. */
+    public static List<RehearsalPlan> exercises() {
+        return SHIPPED.stream().map(RehearsalPlan::shipped).toList();
+    }
+
+    /** The same on another body or breath: with keys of a scenario, as {@code key=value}, set over its own. */
+    public RehearsalPlan with(List<String> set) {
+        return new RehearsalPlan(
+                title,
+                description,
+                difficulty,
+                scenario.with(set.toArray(String[]::new)),
+                targetRestMm,
+                seed,
+                diameterMm,
+                needle,
+                avoided,
+                phases,
+                giveUpAfterS,
+                goals,
+                steps,
+                file);
+    }
+
+    private static RehearsalPlan shipped(String name) {
+        try (InputStream in = RehearsalPlan.class.getResourceAsStream("/org/phrenic/data/exercises/" + name)) {
             if (in == null) {
-                throw new BadInputException("exercise '" + name + "': found none of this name in the program");
+                throw new IllegalStateException("the exercise " + name + " is missing from the program");
             }
-            RehearsalPlan plan = read(YamlDocument.read(file.toString(), in), file);
-            return new RehearsalPlan(
-                    plan.title,
-                    plan.description,
-                    plan.scenario.with(set.toArray(String[]::new)),
-                    plan.targetRestMm,
-                    plan.seed,
-                    plan.diameterMm,
-                    plan.needle,
-                    plan.avoided,
-                    plan.phases,
-                    plan.giveUpAfterS,
-                    plan.goals,
-                    plan.steps,
-                    plan.file);
+            return of(YamlDocument.read(name, in), Path.of(name));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    private static RehearsalPlan read(YamlMap yaml, Path file) {
+    private static RehearsalPlan of(YamlMap yaml, Path file) {
         yaml.requireOnly(KEYS);
         YamlMap target = yaml.map("target");
         target.requireOnly(TARGET_KEYS);
@@ -124,6 +133,7 @@ public record RehearsalPlan(
         return new RehearsalPlan(
                 yaml.text("title", file.getFileName().toString().replaceFirst("\\.[^.]*$", "")),
                 yaml.text("description", ""),
+                difficulty(yaml),
                 scenario(yaml, file),
                 target.has("rest_mm") ? Optional.of(PlanSteps.point(target, "rest_mm")) : Optional.empty(),
                 target.has("seed") ? OptionalLong.of(target.integer("seed")) : OptionalLong.empty(),
@@ -135,6 +145,14 @@ public record RehearsalPlan(
                 Goals.read(yaml.mapOrEmpty("done_when")),
                 yaml.has("steps") ? PlanSteps.read(yaml.maps("steps"), file.toString()) : List.of(),
                 file.toString());
+    }
+
+    private static String difficulty(YamlMap yaml) {
+        String difficulty = yaml.text("difficulty", "");
+        if (!difficulty.isEmpty() && !DIFFICULTIES.contains(difficulty)) {
+            throw yaml.bad("difficulty", "found '" + difficulty + "', expected " + String.join(", ", DIFFICULTIES));
+        }
+        return difficulty;
     }
 
     private static double within(YamlMap yaml, String key, double value, double low, double high) {
@@ -187,8 +205,83 @@ public record RehearsalPlan(
         return avoided;
     }
 
+    /** The same with other steps and a target at a place: what was done by hand. */
+    RehearsalPlan done(Target target, List<PlanStep> done, double lastS) {
+        return new RehearsalPlan(
+                title,
+                description,
+                difficulty,
+                scenario,
+                Optional.of(target.restMm()),
+                OptionalLong.empty(),
+                target.diameterMm(),
+                needle,
+                avoided,
+                phases,
+                Math.max(giveUpAfterS, Math.ceil(lastS + 1)),
+                goals,
+                List.copyOf(done),
+                file);
+    }
+
+    /**
+     * Plain values of a plan with a target at a place, as {@link #read} takes them.
+     *
+     * @param scenarioFile where the scenario lies, from the folder of the plan
+     */
+    public Map<String, Object> toMap(String scenarioFile) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("title", title);
+        map.put("description", description);
+        if (!difficulty.isEmpty()) {
+            map.put("difficulty", difficulty);
+        }
+        map.put("scenario", scenarioFile);
+        Map<String, Object> target = new LinkedHashMap<>();
+        targetRestMm.ifPresent(at -> target.put("rest_mm", at));
+        seed.ifPresent(number -> target.put("seed", number));
+        if (!Double.isNaN(diameterMm)) {
+            target.put("diameter_mm", diameterMm);
+        }
+        map.put("target", target);
+        Map<String, Object> used = new LinkedHashMap<>();
+        used.put("gauge", needle.gauge());
+        used.put("length_mm", needle.lengthMm());
+        map.put("needle", used);
+        map.put("avoid", avoided.stream().sorted().map(NoGo::key).toList());
+        map.put("phases", phases);
+        map.put("give_up_after_s", giveUpAfterS);
+        map.put("done_when", goals.toMap());
+        map.put("steps", PlanSteps.plain(steps));
+        return map;
+    }
+
+    /**
+     * A plan without steps: practice on a body as it breathes now.
+     *
+     * @param scenario body and breathing
+     * @param target where it is
+     */
+    public static RehearsalPlan practice(Scenario scenario, Target target, Needle needle) {
+        return new RehearsalPlan(
+                "Practice",
+                "A target and an entry of one's own choice.",
+                "",
+                scenario,
+                Optional.of(target.restMm()),
+                OptionalLong.empty(),
+                target.diameterMm(),
+                needle,
+                NoGo.usual(),
+                BreathCycle.PHASES,
+                GIVE_UP_S,
+                Goals.none(),
+                List.of(),
+                "practice");
+    }
+
     /** The target in a body. */
-    Target target(MovingScene scene) {
+    public Target target(MovingScene scene) {
         try {
             return targetRestMm.isPresent()
                     ? Target.at(scene, targetRestMm.get(), diameterMm)

@@ -59,7 +59,7 @@ public final class RehearsalReport {
             }
             access.put("best", best);
         });
-        access.put("by_space", SpaceTable.plain(rehearsal.spaces()));
+        access.put("by_space", SpaceTable.plain(rehearsal.study().spaces()));
         return access;
     }
 
@@ -108,7 +108,7 @@ public final class RehearsalReport {
                 + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)."
                 + rehearsal
                         .path()
-                        .map(p -> " The target moves " + mm(p.targetMovesMm()) + " mm in a breath.")
+                        .map(p -> " The target moves " + mm(p.motion().mostMm()) + " mm in a breath.")
                         .orElse("");
     }
 
@@ -226,7 +226,7 @@ public final class RehearsalReport {
         document.table(
                 "Points in reach, by where their path passes the cage at end-expiration",
                 List.of(Column.text("Where"), Column.number("Free"), Column.number("In part"), Column.number("Never")),
-                rehearsal.spaces().stream()
+                rehearsal.study().spaces().stream()
                         .map(r -> List.of(r.space(), "" + r.free(), "" + r.part(), "" + r.never()))
                         .toList());
     }

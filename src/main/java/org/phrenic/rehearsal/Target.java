@@ -2,8 +2,10 @@ package org.phrenic.rehearsal;
 
 import java.util.Random;
 import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.SegmentProbe;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.geometry.Vectors;
 
 /**
  * A spherical lesion in the liver.
@@ -20,6 +22,7 @@ public record Target(double[] restMm, double diameterMm) {
     public static final double SMALLEST_MM = 5;
 
     public static final double LARGEST_MM = 80;
+    private static final double BEHIND_MM = 400;
     private static final double SMALLEST_DRAWN_MM = 8;
     private static final double LARGEST_DRAWN_MM = 50;
     private static final int MOST_DRAWS = 100_000;
@@ -49,6 +52,30 @@ public record Target(double[] restMm, double diameterMm) {
                     Math.sqrt(hit.distanceSquared)));
         }
         return new Target(restMm.clone(), diameterMm);
+    }
+
+    /**
+     * A target behind a place of the liver's surface.
+     *
+     * @param onLiverRest that place at end-expiration
+     * @param direction unit vector of the line of sight
+     * @param depthMm how far behind; in a thinner part of the liver, in its middle
+     * @throws BadInputException with one sentence, as {@link #at}
+     */
+    public static Target behind(
+            MovingScene scene, double[] onLiverRest, double[] direction, double depthMm, double diameterMm) {
+        SegmentProbe probe = new SegmentProbe();
+        double[] far = Vectors.add(onLiverRest, direction, BEHIND_MM);
+        double[] near = Vectors.add(onLiverRest, direction, -1);
+        probe.set(near[0], near[1], near[2], far[0], far[1], far[2]);
+        int count = probe.pierce(new TriangleTree(scene.liver().surface().rest()));
+        double through = 2 * depthMm;
+        for (int i = count - 1; i >= 0; i--) {
+            if (probe.facing(i) < 0 && probe.depth(i) > 2) {
+                through = probe.depth(i) - 1;
+            }
+        }
+        return at(scene, Vectors.add(onLiverRest, direction, Math.min(depthMm, 0.5 * through)), diameterMm);
     }
 
     /**

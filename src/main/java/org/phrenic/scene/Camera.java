@@ -120,6 +120,13 @@ public record Camera(
         return turned(targetX, targetY, targetZ, view.azimuthDeg(), view.elevationDeg(), heightMm, orthographic);
     }
 
+    /** The same camera looking along a unit direction at a point. */
+    public Camera along(double[] direction, double[] at) {
+        double azimuth = Math.toDegrees(Math.atan2(-direction[0], direction[1]));
+        double elevation = Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, -direction[2]))));
+        return turned(at[0], at[1], at[2], azimuth, elevation, heightMm, orthographic);
+    }
+
     /** The viewer walks about the target: {@code dAzimuthDeg} towards the patient's left when in front, {@code dElevationDeg} upwards, ending at the poles. */
     public Camera orbit(double dAzimuthDeg, double dElevationDeg) {
         return turned(

@@ -14,7 +14,11 @@ public enum ColourMap {
     /** From blue over light grey to red; zero belongs in the middle. */
     COOL_WARM("3b4cc0445acc4e68d75875e16282ea6c8ef1779af782a5fb8db0fe98b9ffa3c2ff"
             + "aec9fdb8d0f9c2d5f4ccd9eed5dbe6dddddde5d8d1ecd3c6f1ccb9f5c4adf7bba0"
-            + "f7b194f7a687f49a7bf18d6fec7f63e57057de614cd55042cb3e38c0282fb40426");
+            + "f7b194f7a687f49a7bf18d6fec7f63e57057de614cd55042cb3e38c0282fb40426"),
+    /** How far something is free: the colour of skin for never, light to deep amber for in part, bluish green for always. Told apart with any colour vision by lightness and hue. */
+    FREEDOM("dbb9a2f6d56bf5d268f4cf65f3cc62f2c95ef1c65bf0c358efc055eebc52edb94e"
+            + "ecb64bebb348eab045e9ad42e8aa3fe8a73ce7a438e6a135e59e32e49b2fe3982c"
+            + "e29528e19225e08e22df8b1fde881cdd8519dc8216db7f12da7c0fd9790c108a7c");
 
     private static final int DIGITS = 6;
 

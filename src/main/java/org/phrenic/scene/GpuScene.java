@@ -26,7 +26,8 @@ final class GpuScene {
 
     GpuScene(GL3 gl, GlObjects objects, List<Surface> scene, List<Overlay> over) {
         this.objects = objects;
-        Openness openness = new Openness(scene);
+        Openness openness = new Openness(
+                scene.stream().filter(s -> !Markers.moves(s.name())).toList());
         for (int i = 0; i < scene.size(); i++) {
             surfaces.add(new SurfaceBuffers(gl, objects, scene.get(i), i, openness));
         }
@@ -61,6 +62,18 @@ final class GpuScene {
             }
         }
         shown = wanted;
+    }
+
+    /** Puts surfaces that stand still where they are said to be. */
+    void place(Map<String, float[]> placed) {
+        if (!placed.isEmpty()) {
+            surfaces.forEach(s -> {
+                float[] pose = placed.get(s.surface().name());
+                if (pose != null) {
+                    s.place(pose);
+                }
+            });
+        }
     }
 
     private void sendNodes(GL3 gl, float[] at) {

@@ -3,6 +3,7 @@ package org.phrenic.scene;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Surface;
 
 /** Things that are no part of a body, as surfaces that stand still: a ball, a rod. */
@@ -10,6 +11,58 @@ final class Markers {
     private static final int AROUND = 24;
 
     private Markers() {}
+
+    /** Markers that move rest out here, where nothing shades them. */
+    private static final double[] AWAY = {0, 0, -5000};
+
+    /** What names of markers that move begin with. */
+    static final String MOVING = "marker_";
+
+    /** Whether a surface is a marker that moves. */
+    static boolean moves(String name) {
+        return name.startsWith(MOVING);
+    }
+
+    /** A ball of radius 1 that {@link #ballAt} puts somewhere. */
+    static Surface movingBall(String name) {
+        return ball(name, AWAY, 1);
+    }
+
+    /** A rod of length and radius 1 that {@link #rodAt} puts somewhere. */
+    static Surface movingRod(String name) {
+        return rod(name, AWAY, new double[] {AWAY[0], AWAY[1], AWAY[2] + 1}, 1);
+    }
+
+    /** Pose of a moving ball, three rows of four. */
+    static float[] ballAt(double[] middle, double radius) {
+        return pose(new double[][] {{radius, 0, 0}, {0, radius, 0}, {0, 0, radius}}, middle);
+    }
+
+    /** Pose of a moving rod, three rows of four. */
+    static float[] rodAt(double[] from, double[] to, double radius) {
+        double[] along = Vectors.minus(to, from);
+        double[] w = Vectors.unit(along);
+        double[] u = across(w);
+        double[] v = Vectors.cross(w, u);
+        return pose(
+                new double[][] {
+                    {radius * u[0], radius * v[0], along[0]},
+                    {radius * u[1], radius * v[1], along[1]},
+                    {radius * u[2], radius * v[2], along[2]}
+                },
+                from);
+    }
+
+    private static float[] pose(double[][] m, double[] at) {
+        float[] pose = new float[12];
+        for (int row = 0; row < 3; row++) {
+            for (int k = 0; k < 3; k++) {
+                pose[4 * row + k] = (float) m[row][k];
+            }
+            pose[4 * row + 3] = (float) (at[row] - Vectors.dot(m[row], AWAY));
+        }
+        return pose;
+    }
 
     /** A ball. */
     static Surface ball(String name, double[] middle, double radius) {

@@ -24,15 +24,22 @@ public final class NeedlePictures implements AutoCloseable {
     /** Drawn thicker than it is, so that it is seen. */
     private static final double DRAWN_RADIUS_MM = 1.2;
 
-    private static final Look NEEDLE_LOOK = Look.of(0x1f4e79, 1);
-    private static final Look TARGET_LOOK = Look.of(0xf2c500, 1);
+    static final Look NEEDLE_LOOK = Look.of(0x1f4e79, 1);
+    static final Look TARGET_LOOK = Look.of(0xf2c500, 1);
 
     private final OffscreenGl gl;
     private final List<Surface> body;
+    private final boolean own;
 
-    private NeedlePictures(OffscreenGl gl, List<Surface> body) {
+    private NeedlePictures(OffscreenGl gl, List<Surface> body, boolean own) {
         this.gl = gl;
         this.body = body;
+        this.own = own;
+    }
+
+    /** Draws with what draws already, on its thread. */
+    public static NeedlePictures with(OffscreenGl gl, List<Surface> body) {
+        return new NeedlePictures(gl, body, false);
     }
 
     /**
@@ -43,7 +50,7 @@ public final class NeedlePictures implements AutoCloseable {
      */
     public static NeedlePictures open(List<Surface> body) throws NoGraphicsException {
         System.setProperty("java.awt.headless", "true");
-        return new NeedlePictures(OffscreenGl.open(), body);
+        return new NeedlePictures(OffscreenGl.open(), body, true);
     }
 
     /**
@@ -184,6 +191,8 @@ public final class NeedlePictures implements AutoCloseable {
 
     @Override
     public void close() {
-        gl.close();
+        if (own) {
+            gl.close();
+        }
     }
 }

@@ -13,8 +13,19 @@ import org.phrenic.simulation.Surface;
  * @param y as above
  * @param z as above
  * @param vertex its vertex nearest to that place
+ * @param rest where that place of the surface is at end-expiration; three numbers, not to be written to
+ * @param sight direction of the line of sight; three numbers, not to be written to
  */
-public record Pick(int index, Surface surface, String name, double x, double y, double z, int vertex) {
+public record Pick(
+        int index,
+        Surface surface,
+        String name,
+        double x,
+        double y,
+        double z,
+        int vertex,
+        double[] rest,
+        double[] sight) {
     /** The place in a clinician's words: {@code R 42 P 12 S 130 mm}. */
     public String place() {
         return place(x, y, z);

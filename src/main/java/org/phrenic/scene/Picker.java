@@ -28,6 +28,8 @@ public final class Picker {
     private double along;
     private double farthest = Double.POSITIVE_INFINITY;
     private int vertex;
+    private int triangle;
+    private final double[] weights = new double[3];
 
     public Picker(List<Surface> surfaces) {
         this.surfaces = List.copyOf(surfaces);
@@ -101,7 +103,28 @@ public final class Picker {
                 sight[0] + along * sight[3],
                 sight[1] + along * sight[4],
                 sight[2] + along * sight[5],
-                vertex));
+                vertex,
+                restPlace(s.rest()),
+                new double[] {sight[3], sight[4], sight[5]}));
+    }
+
+    /** The same place of the triangle where the surface rests. */
+    private double[] restPlace(TriangleMesh mesh) {
+        double[] at = new double[3];
+        for (int k = 0; k < 3; k++) {
+            int corner = mesh.triangles()[3 * triangle + k];
+            for (int i = 0; i < 3; i++) {
+                at[i] += weights[k] * mesh.positions()[3 * corner + i];
+            }
+        }
+        return at;
+    }
+
+    private void keep(int triangleFound, double a, double b, double c) {
+        triangle = triangleFound;
+        weights[0] = a;
+        weights[1] = b;
+        weights[2] = c;
     }
 
     private void throughTree(int surface, float[] pose, double[] sight) {
@@ -116,6 +139,7 @@ public final class Picker {
             TriangleMesh mesh = trees[surface].mesh();
             int corner = nearestCorner(hit.weightA, hit.weightB, hit.weightC);
             vertex = mesh.triangles()[3 * hit.triangle + corner];
+            keep(hit.triangle, hit.weightA, hit.weightB, hit.weightC);
         }
     }
 
@@ -165,6 +189,7 @@ public final class Picker {
                 along = far;
                 found = surface;
                 vertex = triangles[t + nearestCorner(1 - v - w, v, w)];
+                keep(t / 3, 1 - v - w, v, w);
             }
         }
     }

@@ -30,6 +30,7 @@ public final class Renderer {
     private final List<Surface> surfaces;
     private final List<Overlay> overlays;
     private final Map<String, Box> boxes = new LinkedHashMap<>();
+    private final Map<String, float[]> placed = new LinkedHashMap<>();
     private final Map<String, float[]> given = new LinkedHashMap<>();
     private int givenCount;
     private final GlObjects objects = new GlObjects();
@@ -69,6 +70,7 @@ public final class Renderer {
         int scale = peeled && style.samples() > 1 ? 2 : 1;
         size(gl, tile, scale, samples < 2 ? 0 : samples);
         scene.take(gl, frame, style, given, givenCount);
+        scene.place(placed);
         listener.done(gl, "upload");
         Sight sight = Sight.of(camera, tile, scale);
         gl.glDepthMask(true);
@@ -241,10 +243,7 @@ public final class Renderer {
      * @throws IllegalArgumentException if there is no such structure or it has another count of vertices
      */
     public void setField(String structure, float[] valuePerVertex) {
-        Surface surface = surfaces.stream()
-                .filter(s -> s.name().equals(structure))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("found no structure '" + structure + "' in the scene"));
+        Surface surface = surface(structure);
         int expected = surface.rest().vertexCount();
         if (valuePerVertex.length != expected) {
             throw new IllegalArgumentException(
@@ -252,6 +251,27 @@ public final class Renderer {
         }
         given.put(structure, valuePerVertex.clone());
         givenCount++;
+    }
+
+    /**
+     * Puts a surface that stands still somewhere else, from the next picture on.
+     *
+     * @param pose three rows of four: x' = M x + t
+     * @throws IllegalArgumentException if there is no such structure
+     */
+    void place(String structure, float[] pose) {
+        Surface surface = surface(structure);
+        placed.put(structure, pose.clone());
+        double[] moved = new double[surface.rest().positions().length];
+        Frame.move(pose, surface.rest().positions(), moved);
+        boxes.put(structure, Box.of(surface.rest().withPositions(moved)));
+    }
+
+    private Surface surface(String structure) {
+        return surfaces.stream()
+                .filter(s -> s.name().equals(structure))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("found no structure '" + structure + "' in the scene"));
     }
 
     /** Gives everything back that the graphics card holds for it. */

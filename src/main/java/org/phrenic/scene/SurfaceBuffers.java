@@ -124,14 +124,18 @@ final class SurfaceBuffers {
                 objects.refill(gl, normalBuffer, packed);
             }
             case RIGID -> {
-                float[] rows = frame.pose(index);
-                for (int i = 0; i < Frame.POSE_LENGTH; i++) {
-                    pose[4 * (i % 4) + i / 4] = rows[i];
-                }
+                place(frame.pose(index));
             }
             case STILL -> {
                 // It is where it was.
             }
+        }
+    }
+
+    /** Puts it somewhere by three rows of four. */
+    void place(float[] rows) {
+        for (int i = 0; i < Frame.POSE_LENGTH; i++) {
+            pose[4 * (i % 4) + i / 4] = rows[i];
         }
     }
 

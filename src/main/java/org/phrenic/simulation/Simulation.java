@@ -37,7 +37,7 @@ public final class Simulation implements AutoCloseable {
     private final Workers workers;
     private final double settledBy;
     private final StabilityLimit firstLimit;
-    private final List<Change> scheduled;
+    private List<Change> scheduled;
     private Scenario start;
     private Tuning tuning;
     private int nextScheduled;
@@ -184,6 +184,11 @@ public final class Simulation implements AutoCloseable {
         return scene.drive().pattern().periodS();
     }
 
+    /** How long it takes to see all of the breathing, s: a period, or what is simulated of a breathing that has none. */
+    public double breathS() {
+        return Double.isInfinite(breathPeriodS()) ? durationS() : breathPeriodS();
+    }
+
     /** Simulated time, s. */
     public double time() {
         return stepper.time();
@@ -216,6 +221,27 @@ public final class Simulation implements AutoCloseable {
             return false;
         }
         start = tuning.settings();
+        begin();
+        return true;
+    }
+
+    /**
+     * Back to the start as it was put together, to breathe with other changes; the bits that follow are those of a new simulation of its scenario with them. Costs no assembly, and so serves who asks for
+     * many breaths of one scene.
+     *
+     * @param changes in the order of their steps, instead of those of the scenario and those made since
+     * @throws IllegalArgumentException if one of them, or one made since, changes anything but {@link Parameter}s and {@code hold}
+     */
+    public void rerun(List<Change> changes) {
+        Tuning.requireNumbers(tuning.log());
+        Tuning.requireNumbers(changes);
+        tuning.asAssembled();
+        scheduled = start.withChanges(changes).changes();
+        nextScheduled = 0;
+        begin();
+    }
+
+    private void begin() {
         // The cage keeps the pose of the last time it was asked for: none that comes again.
         scene.pose().update(-1);
         Dials dials = new Dials(start);
@@ -225,7 +251,6 @@ public final class Simulation implements AutoCloseable {
         system().forget();
         stepper.restart(start.integrator().on(system()), firstLimit);
         tuning = new Tuning(start, scene, stepper, dials);
-        return true;
     }
 
     /**

@@ -41,6 +41,10 @@ final class Tuning {
             Parameter.INSPIRATORY_FRACTION.key(),
             Parameter.CHEST_SHARE.key(),
             Parameter.RIB_ROTATION.key(),
+            Parameter.UPPER_RIB_ROTATION.key(),
+            Parameter.LOWER_RIB_ROTATION.key(),
+            Parameter.RIB_LEFT_OVER_RIGHT.key(),
+            Parameter.PRESSURE_LEFT_OVER_RIGHT.key(),
             Parameter.MUSCLE_ACTIVATION.key(),
             Parameter.MUSCLE_FORCE.key(),
             Parameter.GREATEST_PRESSURE.key());
@@ -264,6 +268,29 @@ final class Tuning {
     /** Whether what was changed since the start leaves the scene as it was assembled, so that it can begin anew as it is. */
     boolean isAsAssembled() {
         return log.stream().allMatch(c -> NOT_ASSEMBLED.contains(c.assignment().key()));
+    }
+
+    /**
+     * Refuses changes of anything but numbers and the hold of the breath.
+     *
+     * @throws IllegalArgumentException with one sentence
+     */
+    static void requireNumbers(List<Change> changes) {
+        for (Change change : changes) {
+            String key = change.assignment().key();
+            if (!key.equals("hold") && !Parameter.keys().contains(key)) {
+                throw new IllegalArgumentException(
+                        change.text() + ": found key '" + key + "', expected a parameter or hold");
+            }
+        }
+    }
+
+    /** Gives tissue and action lines the numbers that they were assembled with. */
+    void asAssembled() {
+        tissue.apply(tissue.assembledValues());
+        for (var line : scene.forces().lines()) {
+            line.setRadius(tissue.assembledValues()[Knob.LINE_RADIUS.slot()]);
+        }
     }
 
     /** Which scheme the settings ask for. */

@@ -94,7 +94,7 @@ public final class BreathDock extends JPanel implements Session.Events {
     }
 
     /** A pressed button stands out as a selected row of a list does. */
-    private static JToggleButton marked(JToggleButton button) {
+    static JToggleButton marked(JToggleButton button) {
         button.putClientProperty(
                 "FlatLaf.style",
                 "selectedBackground: $List.selectionBackground; selectedForeground: $List.selectionForeground");
@@ -179,11 +179,16 @@ public final class BreathDock extends JPanel implements Session.Events {
         trace.setText(file.map(f -> f.getFileName().toString()).orElse("Breath by preset"));
         trace.setToolTipText(file.map(Path::toString).orElse("No recorded breath"));
         dropTrace.setVisible(file.isPresent());
+        shares(bar, scenario);
+    }
+
+    /** Gives a bar the shares of the breath that a scenario has. */
+    static void shares(PhaseBar bar, Scenario scenario) {
         BreathingParameters p = scenario.breathing().parameters();
         bar.setShares(
                 Settings.value(scenario, Parameter.INSPIRATORY_FRACTION),
                 p.pauseFraction(),
-                file.isEmpty() && PLAIN.contains(scenario.preset()));
+                scenario.trace().isEmpty() && PLAIN.contains(scenario.preset()));
     }
 
     @Override

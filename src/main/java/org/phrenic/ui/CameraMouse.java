@@ -41,6 +41,9 @@ final class CameraMouse extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
+        if (view.tool().isPresent() && view.tool().get().turned(e)) {
+            return;
+        }
         double factor = Math.pow(ENLARGE_A_NOTCH, -e.getPreciseWheelRotation());
         view.setCamera(view.camera().zoom(factor, e.getX(), e.getY(), view.getWidth(), view.getHeight()));
     }
@@ -48,7 +51,7 @@ final class CameraMouse extends MouseAdapter {
     @Override
     public void mouseClicked(MouseEvent e) {
         if (SwingUtilities.isLeftMouseButton(e)) {
-            view.pick(e.getX(), e.getY(), e.getClickCount() == 2);
+            view.click(e.getX(), e.getY(), e.getClickCount() == 2);
         }
     }
 }

@@ -46,6 +46,27 @@ final class Choosers {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
+    /** Asks for a folder to write into, one that is there or a new one; empty if it was called off. */
+    static Optional<Path> folder(Component parent, String title) {
+        JFileChooser chooser =
+                new JFileChooser(WindowPreferences.ofUser().folder().toFile());
+        chooser.setDialogTitle(title);
+        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        File chosen = chooser.getSelectedFile();
+        remember(chosen);
+        boolean write = !new File(chosen, "report.json").exists()
+                || JOptionPane.showConfirmDialog(
+                                parent,
+                                "Replace the report in " + chosen.getName() + "?",
+                                title,
+                                JOptionPane.OK_CANCEL_OPTION)
+                        == JOptionPane.OK_OPTION;
+        return write ? Optional.of(chosen.toPath()) : Optional.empty();
+    }
+
     private static JFileChooser chooser(String title, String... suffixes) {
         JFileChooser chooser =
                 new JFileChooser(WindowPreferences.ofUser().folder().toFile());

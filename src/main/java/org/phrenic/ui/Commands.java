@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.phrenic.scene.View;
-import org.phrenic.simulation.Assignment;
 
 /** Everything that can be done from the menus: the one table from which menus, toolbar, keys and the table of keys are made. */
 final class Commands {
+    private static final double STEP_MM = 2;
+    private static final double FAR_MM = 10;
+
     /** What commands need of the window. */
     interface Desk {
         void open();
@@ -33,6 +35,12 @@ final class Commands {
         void quit();
 
         void breathe(String preset);
+
+        void hold();
+
+        void back();
+
+        RehearsalDoor door();
     }
 
     final Command play;
@@ -50,6 +58,7 @@ final class Commands {
     final Command copy;
     final Command quit;
     final List<Command> views = new ArrayList<>();
+    final List<Command> needle = new ArrayList<>();
     final List<Command> docks = new ArrayList<>();
     final List<Command> help = new ArrayList<>();
 
@@ -78,17 +87,12 @@ final class Commands {
                 .withIcon(Icons.STEP);
         reset = new Command("Back to the start", "Begin anew with what is set now", "R", () -> {
                     session.follow();
-                    session.live().reset();
+                    desk.back();
                 })
                 .withIcon(Icons.RESET);
         quiet = new Command("Quiet", "Breathe quietly", "Q", () -> desk.breathe("quiet"));
         deep = new Command("Deep", "Breathe deeply", "D", () -> desk.breathe("deep"));
-        hold = new Command("Hold", "Hold the breath where it is, or let it go on", "H", () -> {
-            boolean on = !session.scenario().hold();
-            session.change(
-                    on ? "Hold of the breath" : "End of the hold",
-                    new Assignment("window", "hold", String.valueOf(on)));
-        });
+        hold = new Command("Hold", "Hold the breath where it is, or let it go on", "H", desk::hold);
         theme = new Command("Light or dark", "Change between a light and a dark window", "menu L", desk::toggleTheme)
                 .withIcon(Icons.THEME);
         look(view, View.ANTERIOR, "From the front", "1");
@@ -104,6 +108,7 @@ final class Commands {
                 () -> view.setCamera(view.camera().withProjection(!view.camera().orthographic()))));
         views.add(new Command("Whole thorax", "The view as it was at first", "0", view::resetCamera));
         views.add(new Command("Plot this point", "Plot how the point last clicked moves", "P", desk::plotPicked));
+        needle(desk);
         dock(desk, DockLayout.Place.LEFT, "Organs", "menu 1");
         dock(desk, DockLayout.Place.RIGHT, "Controls", "menu 2");
         dock(desk, DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
@@ -120,6 +125,30 @@ final class Commands {
                 () -> view.setCamera(view.camera().seen(from))));
     }
 
+    private void needle(Desk desk) {
+        needle("Set target", "Then click on the liver", "T", () -> desk.door().choose(RehearsalDoor.Choosing.TARGET));
+        needle("Set entry", "Then click on the skin", "E", () -> desk.door().choose(RehearsalDoor.Choosing.ENTRY));
+        needle("Best path", "The best entry of the access map", "B", () -> desk.door()
+                .enterAtBest(false));
+        needle("Insert", "2 mm deeper; with Shift 10 mm", "I", () -> desk.door().moveBy(STEP_MM));
+        needle("Insert far", "10 mm deeper", "shift I", () -> desk.door().moveBy(FAR_MM));
+        needle("Withdraw", "2 mm back; with Shift 10 mm", "W", () -> desk.door().moveBy(-STEP_MM));
+        needle("Withdraw far", "10 mm back", "shift W", () -> desk.door().moveBy(-FAR_MM));
+        needle("Go to target", "As deep as the target lies", "G", () -> desk.door()
+                .moveToTarget());
+        needle("Aim again", "Point the needle at where the target is now", "A", () -> desk.door()
+                .aim());
+        needle("Take sample", "Where the tip is", "X", () -> desk.door().sample());
+        needle("Take out", "Withdraw the needle all the way", "O", () -> desk.door()
+                .moveTo(0));
+        needle("Look along the needle", "The view from the hub towards the tip", "N", () -> desk.door()
+                .lookAlong());
+    }
+
+    private void needle(String name, String tip, String key, Runnable what) {
+        needle.add(new Command(name, tip, key, what));
+    }
+
     private void dock(Desk desk, DockLayout.Place place, String name, String key) {
         docks.add(new Command(
                 name, "Show or put away: " + name.toLowerCase(java.util.Locale.ROOT), key, () -> desk.toggle(place)));
@@ -129,6 +158,7 @@ final class Commands {
     List<Command> all() {
         return Stream.of(
                         List.of(open, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold),
+                        needle,
                         views,
                         docks,
                         List.of(theme),

@@ -7,6 +7,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import org.phrenic.rehearsal.Rehearsal;
 
 /** The docks about the view, arranged for a clinician or for a researcher, each place shown or put away. */
 final class Docks {
@@ -24,8 +25,12 @@ final class Docks {
     private final SettingsDock settings;
     private final PlotDock plots;
     private final TimelineDock timeline;
+    private final RehearsalDoor door;
+    private final RehearsalDock rehearse;
+    private final AttemptsDock attempts;
+    private final SectionDock sections;
 
-    Docks(Session session, Looks looks, DockLayout layout, WindowPreferences preferences) {
+    Docks(Session session, Looks looks, SceneView view, DockLayout layout, WindowPreferences preferences) {
         this.layout = layout;
         this.preferences = preferences;
         organs = new OrgansDock(session, looks);
@@ -36,6 +41,16 @@ final class Docks {
         settings = new SettingsDock(session);
         plots = new PlotDock(session);
         timeline = new TimelineDock(session);
+        door = new RehearsalDoor(session, looks, view);
+        rehearse = new RehearsalDock(session, door, breath::choose);
+        attempts = new AttemptsDock(session, door, view, null);
+        sections = new SectionDock(door);
+        door.listen(new RehearsalDoor.Events() {
+            @Override
+            public void onAttempt(Rehearsal rehearsal) {
+                right.setSelectedIndex(right.indexOfComponent(attempts));
+            }
+        });
         docks.put(DockLayout.Place.LEFT, left);
         docks.put(DockLayout.Place.RIGHT, right);
         docks.put(DockLayout.Place.BOTTOM, bottom);
@@ -54,34 +69,56 @@ final class Docks {
     void arrange(Arrangement arrangement) {
         boolean research = arrangement == Arrangement.RESEARCHER;
         left.removeAll();
-        left.addTab("Organs", null, DockBody.scroll(organs), "What is shown of the body, and how");
         right.removeAll();
+        bottom.removeAll();
         if (research) {
+            door.close();
+            left.addTab("Organs", null, DockBody.scroll(organs), "What is shown of the body, and how");
             left.addTab("Show", null, DockBody.scroll(show), "The model over the surfaces, colours, clip plane");
             right.addTab("Parameters", null, parameters, "Every number that can be tuned");
-        }
-        right.addTab("Breath", null, breath, "How it breathes");
-        if (research) {
+            right.addTab("Breath", null, breath, "How it breathes");
             right.addTab("Forces", null, forces, "Forces on and off one by one");
             right.addTab("Settings", null, settings, "Settings kept by name");
-        }
-        bottom.removeAll();
-        bottom.add(timeline, BorderLayout.SOUTH);
-        if (research) {
+            bottom.add(timeline, BorderLayout.SOUTH);
             bottom.add(plots, BorderLayout.CENTER);
+        } else {
+            left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
+            left.addTab("Organs", null, DockBody.scroll(organs), "What is shown of the body, and how");
+            right.addTab("Rehearse", null, rehearse, "Exercise, breath, target, way in, needle");
+            right.addTab("Report", null, attempts, "The report card and the attempts of this session");
+            door.open();
         }
         for (DockLayout.Place place : DockLayout.Place.values()) {
             boolean shown = preferences.flag("shown." + place, true);
-            layout.setFixed(place, place == DockLayout.Place.BOTTOM && !research);
-            layout.put(place, shown ? docks.get(place) : null);
+            boolean filled = research || place != DockLayout.Place.BOTTOM;
+            layout.put(place, shown && filled ? docks.get(place) : null);
         }
     }
 
-    /** Shows a place, or puts it away. */
+    /** Shows a place, or puts it away; an empty one stays so. */
     void toggle(DockLayout.Place place) {
+        if (place == DockLayout.Place.BOTTOM && door.isOpen()) {
+            return;
+        }
         boolean shown = layout.component(place) == null;
         preferences.setFlag("shown." + place, shown);
         layout.put(place, shown ? docks.get(place) : null);
+    }
+
+    RehearsalDoor door() {
+        return door;
+    }
+
+    AttemptsDock attempts() {
+        return attempts;
+    }
+
+    RehearsalDock rehearse() {
+        return rehearse;
+    }
+
+    SectionDock sections() {
+        return sections;
     }
 
     BreathDock breath() {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.scene.AccessField;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.Look;
 import org.phrenic.scene.SceneStyle;
@@ -60,14 +61,29 @@ final class Looks {
     private List<Surface> surfaces = List.of();
     private SceneStyle style = SceneStyle.atlas(List.of());
     private Optional<DistanceField> reference = Optional.empty();
+    private Optional<AccessField> access = Optional.empty();
+    private UnaryOperator<SceneStyle> dress = UnaryOperator.identity();
 
     /** Told after every change. */
     void onChange(Runnable listener) {
         listeners.add(listener);
     }
 
+    /** As it is seen: as it was chosen, and dressed over that. */
     SceneStyle style() {
-        return style;
+        return dress.apply(style);
+    }
+
+    /** Dresses the style for a purpose, over what is chosen; nothing of that is lost. */
+    void dress(UnaryOperator<SceneStyle> over, Optional<AccessField> colours) {
+        dress = over;
+        access = colours;
+        changed();
+    }
+
+    /** The map that colours the skin; empty for none. */
+    Optional<AccessField> access() {
+        return access;
     }
 
     /** What distances are measured from; empty for nothing. */

@@ -38,6 +38,7 @@ final class Menus extends JMenuBar {
                 "Breath",
                 'B',
                 List.of(commands.play, commands.step, commands.reset, commands.quiet, commands.deep, commands.hold));
+        menu("Needle", 'N', commands.needle);
         JMenu view = menu("View", 'V', commands.views);
         view.addSeparator();
         commands.docks.forEach(view::add);

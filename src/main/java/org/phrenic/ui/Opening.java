@@ -4,13 +4,31 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.format.BadInputException;
+import org.phrenic.format.YamlDocument;
+import org.phrenic.format.YamlMap;
+import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Scenario;
 
 /** What was dropped or opened: a scenario, a thorax folder or a recorded trace. */
 final class Opening {
     private Opening() {}
+
+    /**
+     * The plan of a needle that a file holds; empty if it is none.
+     *
+     * @throws BadInputException with one sentence, if it is a plan that cannot be
+     */
+    static Optional<RehearsalPlan> plan(Path file) {
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        if (!Files.isRegularFile(file) || !(name.endsWith(".yaml") || name.endsWith(".yml"))) {
+            return Optional.empty();
+        }
+        YamlMap yaml = YamlDocument.read(file);
+        return yaml.has("target") || yaml.has("steps") ? Optional.of(RehearsalPlan.read(file)) : Optional.empty();
+    }
 
     /**
      * The scenario that a file makes of the present one.

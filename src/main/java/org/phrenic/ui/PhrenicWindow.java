@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.scene.Background;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.live.LiveScene;
@@ -92,11 +93,11 @@ public final class PhrenicWindow {
         view = new SceneView(session, looks);
         loading = new LoadingCard(() -> session.live().cancelLoading());
         welcome = new WelcomeCard(this::enter, this::dismissWelcome);
-        files = new WindowFiles(frame, session, view, preferences);
+        files = new WindowFiles(frame, session, view, preferences, this::rehearse);
         commands = new Commands(session, view, new WindowDesk(this));
-        tools = new ToolBar(commands, session, view);
+        tools = new ToolBar(commands, session, view, this::enter);
         layout = new DockLayout(preferences, new Stage(view, banner, loading, welcome));
-        docks = new Docks(session, looks, layout, preferences);
+        docks = new Docks(session, looks, view, layout, preferences);
         view.onPointed(status::point);
         assemble();
         session.listen(new FromSession());
@@ -147,19 +148,21 @@ public final class PhrenicWindow {
     }
 
     /** Goes through one of the doors. */
-    private void enter(Arrangement arrangement) {
+    void enter(Arrangement arrangement) {
         dismissWelcome();
         preferences.setArrangement(arrangement);
         arrange(arrangement);
-        if (arrangement == Arrangement.CLINICIAN) {
-            session.say(
-                    Session.Message.Kind.NOTE,
-                    "Needle, target and report come with a later version; breathing, organs and views are here.");
-        }
+    }
+
+    /** Opens a plan behind the clinician's door. */
+    void rehearse(RehearsalPlan plan) {
+        enter(Arrangement.CLINICIAN);
+        docks.door().open(plan);
     }
 
     private void arrange(Arrangement arrangement) {
         docks.arrange(arrangement);
+        tools.show(arrangement);
         status.setPhysics(arrangement == Arrangement.RESEARCHER);
         layout.revalidate();
         layout.repaint();
@@ -198,6 +201,7 @@ public final class PhrenicWindow {
         layout.remember();
         frame.dispose();
         log.close();
+        docks.door().end();
         view.close();
         // The simulation ends its step first; nobody needs to wait for that.
         Thread end = new Thread(session::close, "phrenic-end");

@@ -2,16 +2,21 @@ package org.phrenic.ui;
 
 import java.awt.image.BufferedImage;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import org.phrenic.scene.AccessField;
 import org.phrenic.scene.Annotations;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.GraphicsInfo;
+import org.phrenic.scene.NeedleMarks;
 import org.phrenic.scene.NoGraphicsException;
 import org.phrenic.scene.OffscreenGl;
 import org.phrenic.scene.Pick;
@@ -19,6 +24,7 @@ import org.phrenic.scene.Picker;
 import org.phrenic.scene.Renderer;
 import org.phrenic.scene.SceneStyle;
 import org.phrenic.simulation.Frame;
+import org.phrenic.simulation.Surface;
 import org.phrenic.simulation.live.History;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
@@ -42,6 +48,11 @@ final class RenderLoop implements AutoCloseable {
     /** Of what the distances are that the renderer holds. */
     private record Measured(long scene, long step, DistanceField from, String structure) {}
 
+    /** What is shown besides the scene; asked on the drawing thread before each picture. */
+    interface Marks {
+        Optional<NeedleMarks> now();
+    }
+
     private static final int MOST_PER_S = 60;
     private static final long LEAST_NS = 1_000_000_000L / MOST_PER_S;
     private static final long NEWS_NS = 5_000_000;
@@ -52,6 +63,7 @@ final class RenderLoop implements AutoCloseable {
 
     private final LiveRun live;
     private final Viewer viewer;
+    private volatile Marks marks = Optional::empty;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
     private final Queue<Consumer<OffscreenGl>> tasks = new ArrayDeque<>();
@@ -65,6 +77,8 @@ final class RenderLoop implements AutoCloseable {
     private Picker picker;
     private Frame frame;
     private Measured measured;
+    private Optional<NeedleMarks> marked = Optional.empty();
+    private Optional<AccessField> coloured = Optional.empty();
     private int scrubbed = -1;
     private long drawn;
     private long leastNs = LEAST_NS;
@@ -87,24 +101,35 @@ final class RenderLoop implements AutoCloseable {
         });
     }
 
+    /** From now on shows what this says besides the scene. */
+    void mark(Marks with) {
+        tell(() -> marks = with);
+    }
+
+    /** Does something with what draws, on the drawing thread. */
+    void work(Consumer<OffscreenGl> what) {
+        tell(() -> tasks.add(what));
+    }
+
     /** Makes a picture of the frame at hand of any size; {@code done} is told on the drawing thread. */
     void still(Camera camera, SceneStyle style, int width, int height, Consumer<BufferedImage> done) {
         tell(() -> tasks.add(gl -> {
             if (renderer != null) {
-                done.accept(gl.picture(renderer, frame, camera, style, width, height));
+                done.accept(
+                        gl.picture(renderer, frame, camera, NeedleMarks.place(marked, renderer, style), width, height));
             }
         }));
     }
 
-    /** Looks for what lies under a pixel; {@code done} is told on the drawing thread. */
-    void pick(double px, double py, Wanted at, Consumer<Optional<Pick>> done) {
+    /** Looks for what lies under a pixel, as opaque as it is said to be; {@code done} is told on the drawing thread. */
+    void pick(double px, double py, Wanted at, ToDoubleFunction<Surface> opacity, Consumer<Optional<Pick>> done) {
         tell(() -> tasks.add(gl -> {
             if (scene != null && scene.id() == at.scene().id()) {
                 if (picker == null) {
                     picker = new Picker(scene.surfaces());
                 }
                 double[] sight = at.camera().ray(px, py, at.width(), at.height());
-                done.accept(picker.pick(frame, sight, surface -> Looks.opacity(at.style(), surface)));
+                done.accept(picker.pick(frame, sight, opacity));
             }
         }));
     }
@@ -188,7 +213,10 @@ final class RenderLoop implements AutoCloseable {
             if (renderer != null) {
                 gl.release(renderer);
             }
-            renderer = new Renderer(scene.surfaces(), scene.overlays());
+            List<Surface> all = new ArrayList<>(scene.surfaces());
+            all.addAll(NeedleMarks.surfaces());
+            renderer = new Renderer(all, scene.overlays());
+            coloured = Optional.empty();
             picker = null;
             frame = scene.newFrame().get();
         }
@@ -200,18 +228,26 @@ final class RenderLoop implements AutoCloseable {
                 ? live.takeFrame(frame)
                 : wanted.scrubbed() != scrubbed && recorded(wanted.scrubbed());
         scrubbed = wanted.scrubbed();
-        if (!fresh && !asAsked) {
+        Optional<NeedleMarks> now = scrubbed < 0 ? marks.now() : Optional.empty();
+        boolean same = now.equals(marked);
+        marked = now;
+        if (!fresh && !asAsked && same) {
             canvases.giveBack(canvas);
             return false;
         }
         if (wanted.style().field() == ColourField.DISTANCE) {
             wanted.distances().ifPresent(field -> measure(field, wanted.style().fieldOn()));
         }
+        if (!wanted.access().equals(coloured)) {
+            coloured = wanted.access();
+            coloured.ifPresent(field -> field.colour(renderer));
+        }
+        SceneStyle style = NeedleMarks.place(marked, renderer, wanted.style());
         gl.run(context -> {
-            renderer.draw(context, frame, wanted.camera(), wanted.style(), wanted.width(), wanted.height());
+            renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.read(context, canvas);
         });
-        viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), renderer.cost()));
+        viewer.drawn(new Picture(canvas, wanted, frame.step(), moment(wanted), marked, renderer.cost()));
         return true;
     }
 

@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
@@ -18,6 +19,7 @@ import org.phrenic.scene.Background;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.GraphicsInfo;
+import org.phrenic.scene.OffscreenGl;
 import org.phrenic.scene.Pick;
 import org.phrenic.scene.SceneBounds;
 import org.phrenic.scene.SceneStyle;
@@ -40,6 +42,7 @@ final class SceneView extends JPanel {
     private transient LiveScene scene;
     private transient Picture picture;
     private transient Consumer<String> pointed = text -> {};
+    private transient Optional<Tool> tool = Optional.empty();
     private String placeholder = "Building the thorax";
     private boolean impossible;
     private transient Optional<Pick> picked = Optional.empty();
@@ -121,6 +124,7 @@ final class SceneView extends JPanel {
                 camera,
                 looks.style(),
                 looks.reference(),
+                looks.access(),
                 (int) Math.round(getWidth() * scale),
                 (int) Math.round(getHeight() * scale),
                 session.scrubbed().orElse(-1));
@@ -138,16 +142,67 @@ final class SceneView extends JPanel {
         }
     }
 
+    /** What the mouse does besides turning, moving and naming. */
+    interface Tool {
+        /** Whether the next click is for this. */
+        boolean isAwaiting();
+
+        /** How well a surface catches a click that is awaited; 0 for not at all. */
+        double catches(Surface surface);
+
+        /** What was clicked on; empty for nothing of what is sought. */
+        void clicked(Optional<Pick> found);
+
+        /** The wheel was turned; says whether that was for this. */
+        boolean turned(MouseWheelEvent e);
+    }
+
+    void setTool(Optional<Tool> with) {
+        tool = with;
+    }
+
+    Optional<Tool> tool() {
+        return tool;
+    }
+
+    /** Shows needle and target from now on. */
+    void mark(RenderLoop.Marks marks) {
+        loop.mark(marks);
+    }
+
+    /** Does something with what draws, on the drawing thread. */
+    void work(Consumer<OffscreenGl> what) {
+        loop.work(what);
+    }
+
+    /** A click: for the tool if that awaits one, else it names. */
+    void click(int x, int y, boolean twice) {
+        if (tool.isPresent() && tool.get().isAwaiting() && scene != null) {
+            Tool awaiting = tool.get();
+            double scale = scale();
+            loop.pick(
+                    x * scale,
+                    y * scale,
+                    wanted(),
+                    awaiting::catches,
+                    found -> SwingUtilities.invokeLater(() -> awaiting.clicked(found)));
+        } else {
+            pick(x, y, twice);
+        }
+    }
+
     /** Says what lies under a pixel; turns about it from now on if {@code turnAbout}. */
     void pick(int x, int y, boolean turnAbout) {
         if (scene == null) {
             return;
         }
         double scale = scale();
+        SceneStyle seen = looks.style();
         loop.pick(
                 x * scale,
                 y * scale,
                 wanted(),
+                surface -> Looks.opacity(seen, surface),
                 found -> SwingUtilities.invokeLater(() -> {
                     picked = found;
                     pointed.accept(found.map(pick -> pick.name() + "   " + pick.place())
@@ -235,6 +290,9 @@ final class SceneView extends JPanel {
             AffineTransform place = AffineTransform.getTranslateInstance((getWidth() - fit * image.getWidth()) / 2, 0);
             place.scale(fit, fit);
             g.drawImage(image, place, null);
+        }
+        if (same) {
+            now.marks().ifPresent(marks -> marks.outline(g, now.wanted().camera(), getWidth(), getHeight()));
         }
         annotations.draw(g, this, marks(now.moment()), now.wanted().camera());
     }

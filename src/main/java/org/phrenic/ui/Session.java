@@ -69,6 +69,7 @@ public final class Session implements AutoCloseable {
     private Scenario asked;
     private int scrubbed = -1;
     private boolean playAfterScrub;
+    private double speed = 1;
 
     /** Starts to load a scenario, and to play it once it is there. */
     public Session(Scenario first) {
@@ -187,6 +188,17 @@ public final class Session implements AutoCloseable {
     /** The recorded frame that is looked at; empty for the present. */
     public OptionalInt scrubbed() {
         return scrubbed < 0 ? OptionalInt.empty() : OptionalInt.of(scrubbed);
+    }
+
+    /** How fast simulated time may go: what was chosen, whatever is needed for a while. */
+    public void setSpeed(double factor) {
+        speed = factor;
+        live.setSpeed(factor);
+    }
+
+    /** As chosen last. */
+    public double speed() {
+        return speed;
     }
 
     /** Plays or pauses; leaves a recorded frame for the present. */

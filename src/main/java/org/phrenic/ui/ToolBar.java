@@ -1,6 +1,9 @@
 package org.phrenic.ui;
 
 import java.awt.Dimension;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Consumer;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -25,7 +28,10 @@ final class ToolBar extends JToolBar {
     private final JToggleButton deep;
     private final JComboBox<Speed> speed = new JComboBox<>(Speed.values());
 
-    ToolBar(Commands commands, Session session, SceneView view) {
+    private final Map<Arrangement, JToggleButton> doors = new EnumMap<>(Arrangement.class);
+
+    /** @param enter told for whom the window is to be arranged */
+    ToolBar(Commands commands, Session session, SceneView view, Consumer<Arrangement> enter) {
         setFloatable(false);
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
@@ -38,7 +44,7 @@ final class ToolBar extends JToolBar {
         speed.setSelectedItem(Speed.REAL);
         speed.setToolTipText("How fast simulated time may go against real time");
         speed.getAccessibleContext().setAccessibleName("Speed");
-        speed.addActionListener(e -> session.live().setSpeed(((Speed) speed.getSelectedItem()).factor()));
+        speed.addActionListener(e -> session.setSpeed(((Speed) speed.getSelectedItem()).factor()));
         fixed(speed);
         separator();
         quiet = text(commands.quiet);
@@ -53,6 +59,17 @@ final class ToolBar extends JToolBar {
         gap();
         button(new JButton(), commands.picture);
         add(Box.createHorizontalGlue());
+        for (Arrangement arrangement : Arrangement.values()) {
+            JToggleButton door = new JToggleButton(arrangement.label());
+            BreathDock.marked(door);
+            door.setName("toolbar." + arrangement.label());
+            door.setToolTipText("Arrange the window for this: " + arrangement.label());
+            door.getAccessibleContext().setAccessibleName("Arrange for: " + arrangement.label());
+            door.addActionListener(e -> enter.accept(arrangement));
+            doors.put(arrangement, door);
+            add(door);
+        }
+        separator();
         button(new JButton(), commands.theme);
     }
 
@@ -98,6 +115,11 @@ final class ToolBar extends JToolBar {
         setBorder(BorderFactory.createCompoundBorder(
                 BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.line()),
                 BorderFactory.createEmptyBorder(3, 8, 3, 8)));
+    }
+
+    /** Shows for whom the window is arranged. */
+    void show(Arrangement arrangement) {
+        doors.forEach((one, button) -> button.setSelected(one == arrangement));
     }
 
     /** Shows how things are, whoever changed them. */

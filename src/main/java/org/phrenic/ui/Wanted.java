@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.util.Optional;
+import org.phrenic.scene.AccessField;
 import org.phrenic.scene.Camera;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.SceneStyle;
@@ -13,6 +14,7 @@ import org.phrenic.simulation.live.LiveScene;
  * @param camera from where
  * @param style how
  * @param distances what distances are measured from; empty for nothing
+ * @param access map that colours the skin; empty for none
  * @param width of the picture, pixels of the device
  * @param height as above
  * @param scrubbed frame of the history; -1 for the present
@@ -22,6 +24,7 @@ record Wanted(
         Camera camera,
         SceneStyle style,
         Optional<DistanceField> distances,
+        Optional<AccessField> access,
         int width,
         int height,
         int scrubbed) {}

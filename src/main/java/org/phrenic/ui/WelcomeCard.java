@@ -20,14 +20,17 @@ final class WelcomeCard extends JPanel {
         super(new MigLayout("insets 8 12 8 8, gap 8 2, novisualpadding", "[0::, sg, fill][0::, sg, fill]push[]", ""));
         setName("welcome");
         getAccessibleContext().setAccessibleName("Welcome");
-        JButton liver = door(Arrangement.CLINICIAN, "Quiet, deep and held breaths, without terms of physics", enter);
+        JButton liver = door(
+                Arrangement.CLINICIAN,
+                "A needle to a target in a liver that moves with the breath, without terms of physics",
+                enter);
         JButton tune = door(Arrangement.RESEARCHER, "Every parameter, force and plot", enter);
         JButton close = new JButton(Icons.CLOSE);
         close.putClientProperty("JButton.buttonType", "toolBarButton");
         close.setToolTipText("Close this card");
         close.getAccessibleContext().setAccessibleName("Close this card");
         close.addActionListener(e -> dismiss.run());
-        JLabel underLiver = new JLabel("Plain words; needle in a later version");
+        JLabel underLiver = new JLabel("Needle, target, exercises, report card");
         JLabel underTune = new JLabel("Parameters, forces, live plots");
         JLabel notice = new JLabel(Notice.TEXT);
         notice.setName("notice");

@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import java.util.Optional;
+import org.phrenic.simulation.Assignment;
 
 /** What commands do to the window. */
 final class WindowDesk implements Commands.Desk {
@@ -72,6 +73,33 @@ final class WindowDesk implements Commands.Desk {
     @Override
     public void quit() {
         window.close();
+    }
+
+    @Override
+    public void hold() {
+        Session session = window.session();
+        boolean on = !session.scenario().hold();
+        if (door().isOpen()) {
+            door().toggleHold();
+        } else {
+            session.change(
+                    on ? "Hold of the breath" : "End of the hold",
+                    new Assignment("window", "hold", String.valueOf(on)));
+        }
+    }
+
+    @Override
+    public void back() {
+        if (door().isOpen()) {
+            door().retry();
+        } else {
+            window.session().live().reset();
+        }
+    }
+
+    @Override
+    public RehearsalDoor door() {
+        return window.docks().door();
     }
 
     @Override

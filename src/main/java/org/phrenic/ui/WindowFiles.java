@@ -5,11 +5,13 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.SwingWorker;
 import org.phrenic.format.YamlWriter;
+import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.scene.PngFile;
 import org.phrenic.simulation.Scenario;
 
@@ -21,18 +23,31 @@ final class WindowFiles {
     private final Session session;
     private final SceneView view;
     private final WindowPreferences preferences;
+    private final Consumer<RehearsalPlan> rehearse;
 
-    WindowFiles(JFrame frame, Session session, SceneView view, WindowPreferences preferences) {
+    /** @param rehearse told of a plan that was opened */
+    WindowFiles(
+            JFrame frame,
+            Session session,
+            SceneView view,
+            WindowPreferences preferences,
+            Consumer<RehearsalPlan> rehearse) {
+        this.rehearse = rehearse;
         this.frame = frame;
         this.session = session;
         this.view = view;
         this.preferences = preferences;
     }
 
-    /** Opens a file or folder; what is no scenario, thorax or trace is refused in a sentence. */
+    /** Opens a file or folder; what is no scenario, plan of a needle, thorax or trace is refused in a sentence. */
     void open(Path file) {
         preferences.addRecent(file);
-        session.load(file);
+        new Reading<>(
+                        file,
+                        () -> Opening.plan(file),
+                        plan -> plan.ifPresentOrElse(rehearse, () -> session.load(file)),
+                        sentence -> session.say(Session.Message.Kind.REFUSED, sentence))
+                .execute();
     }
 
     /** Asks for a file or folder and opens it. */

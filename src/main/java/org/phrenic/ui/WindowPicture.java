@@ -37,7 +37,7 @@ public final class WindowPicture {
         view = new SceneView(session, looks);
         StatusLine status = new StatusLine();
         DockLayout layout = new DockLayout(preferences, view);
-        new Docks(session, looks, layout, preferences).arrange(Arrangement.RESEARCHER);
+        new Docks(session, looks, view, layout, preferences).arrange(Arrangement.RESEARCHER);
         content.add(layout, BorderLayout.CENTER);
         content.add(status, BorderLayout.SOUTH);
         content.setSize(WIDTH, HEIGHT);

@@ -23,8 +23,9 @@ final class AccessMapBenchmark {
     public static void main(String[] arguments) {
         int threads = arguments.length > 0 ? Integer.parseInt(arguments[0]) : 2;
         double length = arguments.length > 1 ? Double.parseDouble(arguments[1]) : 210;
-        RehearsalPlan plan = RehearsalPlan.shipped(
-                "1-large-target", List.of("lungs=embedded", "sternum=kinematic", "threads=" + threads));
+        RehearsalPlan plan = RehearsalPlan.exercises()
+                .get(0)
+                .with(List.of("lungs=embedded", "sternum=kinematic", "threads=" + threads));
         Scenario scenario = plan.scenario();
         OperatingSystemMXBean system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.thorax(scenario));

@@ -1,5 +1,7 @@
 package org.phrenic.engine.constraint;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
@@ -67,6 +69,11 @@ public final class OrderedPairs implements Constraint {
     @Override
     public void forget() {
         now = Double.NaN;
+    }
+
+    @Override
+    public IntStream nodes() {
+        return IntStream.concat(Arrays.stream(outer), Arrays.stream(inner));
     }
 
     public int count() {

@@ -2,6 +2,7 @@ package org.phrenic.engine.constraint;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
@@ -240,6 +241,11 @@ public final class RigidLinks implements Constraint {
             }
         }
         worstLast = worst;
+    }
+
+    @Override
+    public IntStream nodes() {
+        return IntStream.concat(Arrays.stream(nodeA), Arrays.stream(nodeB));
     }
 
     @Override

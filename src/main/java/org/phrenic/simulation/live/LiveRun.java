@@ -89,17 +89,28 @@ public final class LiveRun implements AutoCloseable {
 
     /** Back to the start with what is set now: at once if the scene is assembled the same with it, else it is loaded anew. */
     public void reset() {
+        loop.commands.submit(this::restart);
+    }
+
+    /** As {@link #reset}, and from the start on somebody sees the run at steps of a choice, in place of who did before. */
+    public void restart(Watch.When when, Watch watch) {
         loop.commands.submit(() -> {
-            loop.makeChanges();
-            if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
-                loop.running.wentBack();
-                loop.settle();
-                loop.startPacing();
-                loop.tell();
-            } else {
-                load(settings.now());
-            }
+            loop.replace(watch, when);
+            restart();
         });
+    }
+
+    private void restart() {
+        loop.makeChanges();
+        if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
+            loop.running.wentBack();
+            loop.show(loop.running);
+            loop.settle();
+            loop.startPacing();
+            loop.tell();
+        } else {
+            load(settings.now());
+        }
     }
 
     /**
@@ -252,6 +263,11 @@ public final class LiveRun implements AutoCloseable {
         return now == null ? null : now.history;
     }
 
+    /** How long it takes to see all of what is breathed now, s; see {@link org.phrenic.simulation.Simulation#breathS}. 0 before the first scene. */
+    public double breathS() {
+        return loop.commands.ask(() -> loop.running == null ? 0 : loop.running.simulation.breathS());
+    }
+
     /**
      * From now on somebody sees the run at the steps that are whole multiples of an interval of simulated time, in place of who did before; also after a reset and in another scene.
      *
@@ -259,12 +275,17 @@ public final class LiveRun implements AutoCloseable {
      * @param watch who sees it, on the simulation's thread
      */
     public void watch(double everyS, Watch watch) {
-        loop.commands.submit(() -> loop.show(watch, everyS));
+        watch(Watch.When.every(everyS), watch);
     }
 
-    /** Nobody sees the run at even intervals any more. */
+    /** As {@link #watch(double, Watch)}, at steps of another choice. */
+    public void watch(Watch.When when, Watch watch) {
+        loop.commands.submit(() -> loop.show(watch, when));
+    }
+
+    /** Nobody sees the run between its steps any more. */
     public void unwatch() {
-        loop.commands.submit(() -> loop.show(null, 1));
+        loop.commands.submit(() -> loop.show(null, null));
     }
 
     /** Ends all threads. */

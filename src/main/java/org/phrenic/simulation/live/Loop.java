@@ -24,7 +24,7 @@ final class Loop implements Runnable {
     volatile boolean behind;
     volatile Status status = Status.NOTHING;
     private Watch watch;
-    private double watchEveryS;
+    private Watch.When when;
     private final Settings settings;
     private final LiveRun.Listener listener;
     private Scenario followed;
@@ -73,9 +73,7 @@ final class Loop implements Runnable {
         try {
             for (long i = 0; i < most; i++) {
                 now.step();
-                if (watch != null) {
-                    now.showTo(watch, watchEveryS);
-                }
+                show(now);
                 if (System.nanoTime() >= untilNs || pacer.waitNs(now.simulation.time()) > 0) {
                     return;
                 }
@@ -122,12 +120,24 @@ final class Loop implements Runnable {
         }
     }
 
-    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
-    void show(Watch to, double everyS) {
+    /** From the next step on the scene is shown to another watch; null for none. */
+    void replace(Watch to, Watch.When at) {
         watch = to;
-        watchEveryS = everyS;
-        if (to != null && running != null) {
-            running.showTo(to, everyS);
+        when = at;
+    }
+
+    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
+    void show(Watch to, Watch.When at) {
+        replace(to, at);
+        if (running != null) {
+            show(running);
+        }
+    }
+
+    /** Shows the step at hand to the watch if it is one of its steps, and makes the changes that it asks for. */
+    void show(Running now) {
+        if (watch != null && now.showTo(watch, when)) {
+            makeChanges();
         }
     }
 

@@ -81,14 +81,16 @@ final class Running implements AutoCloseable {
         }
     }
 
-    /** Shows the scene to a watch if this is one of its steps. */
-    void showTo(Watch watch, double everyS) {
-        long every = Math.max(1, Math.round(everyS / simulation.stepper().dt()));
-        if (simulation.steps() % every == 0) {
+    /** Shows the scene to a watch if this is one of its steps; says whether it was. */
+    boolean showTo(Watch watch, Watch.When when) {
+        boolean due = when.isDue(
+                simulation.steps(), simulation.time(), simulation.stepper().dt());
+        if (due) {
             watched = watched == null ? surfaces.newFrame() : watched;
             surfaces.capture(watched);
             watch.see(watched, simulation.breathLabel());
         }
+        return due;
     }
 
     private void sample() {

@@ -64,7 +64,11 @@ record RegressionAttempt(String name, String exercise, List<String> settings, do
     }
 
     private RehearsalPlan plan() {
-        return RehearsalPlan.shipped(exercise, settings);
+        return RehearsalPlan.exercises().stream()
+                .filter(plan -> plan.file().equals(exercise + ".yaml"))
+                .findFirst()
+                .orElseThrow(() -> new BadInputException("found no exercise '" + exercise + "' in the program"))
+                .with(settings);
     }
 
     /** Exercise and settings in one line: references of another line are of another attempt. */

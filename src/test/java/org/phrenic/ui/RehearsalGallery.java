@@ -1,0 +1,87 @@
+package org.phrenic.ui;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
+import javax.imageio.ImageIO;
+import org.phrenic.rehearsal.RehearsalPlan;
+import org.phrenic.simulation.Scenario;
+
+/** Leaves pictures of liver access being rehearsed, light and dark, large and small. Needs a display. Arguments: folder, then those of {@code light-large light-small dark-large dark-small} that are wanted. */
+public final class RehearsalGallery {
+    private RehearsalGallery() {}
+
+    public static void main(String[] arguments) throws Exception {
+        int code = 1;
+        try {
+            Path folder = Files.createDirectories(Path.of(arguments[0]));
+            for (int i = 1; i < arguments.length; i++) {
+                boolean large = arguments[i].endsWith("large");
+                show(folder, arguments[i], large ? 1600 : 1280, large ? 1000 : 800, arguments[i].startsWith("dark"));
+            }
+            code = 0;
+        } finally {
+            System.exit(code);
+        }
+    }
+
+    private static void show(Path folder, String name, int width, int height, boolean dark) throws Exception {
+        java.util.prefs.Preferences node =
+                java.util.prefs.Preferences.userRoot().node("org/phrenic/rehearsal-gallery");
+        node.clear();
+        node.putInt("width", width);
+        node.putInt("height", height);
+        node.putInt("x", 0);
+        node.putInt("y", 0);
+        node.putBoolean("dark", dark);
+        Session session = new Session(Scenario.defaults());
+        PhrenicWindow window = Edt.get(() -> {
+            PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
+            made.show();
+            made.enter(Arrangement.CLINICIAN);
+            return made;
+        });
+        RehearsalDoor door = window.docks().door();
+        until(() -> door.stage() == RehearsalDoor.Stage.READY && door.state().isPresent());
+        Edt.run(() -> door.open(RehearsalPlan.exercises().get(0)));
+        until(() -> door.stage() != RehearsalDoor.Stage.READY);
+        until(() -> door.stage() == RehearsalDoor.Stage.READY && door.state().isPresent());
+        Edt.run(() -> door.enterAtBest(false));
+        until(() -> door.advice().isPresent() && door.state().get().hasNeedle());
+        Thread.sleep(1500);
+        picture(window, folder.resolve(name + "-entry.png"));
+        Edt.run(() -> door.moveTo(58));
+        until(() -> door.state().get().depthMm() > 57);
+        Thread.sleep(1200);
+        picture(window, folder.resolve(name + "-in.png"));
+        Edt.run(door::moveToTarget);
+        Thread.sleep(1000);
+        Edt.run(door::sample);
+        until(() -> door.state().get().samples() > 0);
+        Edt.run(() -> door.moveTo(0));
+        until(() -> !window.docks().attempts().attempts().isEmpty());
+        Thread.sleep(1500);
+        picture(window, folder.resolve(name + "-report.png"));
+        Edt.run(window::close);
+        node.removeNode();
+    }
+
+    private static void until(BooleanSupplier holds) {
+        Edt.until("the door is so far", holds);
+    }
+
+    private static void picture(PhrenicWindow window, Path file) {
+        Edt.run(() -> {
+            java.awt.image.BufferedImage image = new java.awt.image.BufferedImage(
+                    window.frame().getRootPane().getWidth(),
+                    window.frame().getRootPane().getHeight(),
+                    java.awt.image.BufferedImage.TYPE_INT_RGB);
+            window.frame().getRootPane().paint(image.createGraphics());
+            try {
+                ImageIO.write(image, "png", file.toFile());
+            } catch (java.io.IOException e) {
+                throw new java.io.UncheckedIOException(e);
+            }
+        });
+    }
+}
