@@ -17,12 +17,7 @@ public final class RehearsalGallery {
             Path folder = Files.createDirectories(Path.of(arguments[0]));
             for (int i = 1; i < arguments.length; i++) {
                 boolean large = arguments[i].endsWith("large");
-                show(
-                        folder,
-                        arguments[i],
-                        large ? 1600 : 1280,
-                        large ? 1000 : 800,
-                        arguments[i].startsWith("dark"));
+                show(folder, arguments[i], large ? 1600 : 1280, large ? 1000 : 800, arguments[i].startsWith("dark"));
             }
             code = 0;
         } finally {
@@ -31,7 +26,8 @@ public final class RehearsalGallery {
     }
 
     private static void show(Path folder, String name, int width, int height, boolean dark) throws Exception {
-        java.util.prefs.Preferences node = java.util.prefs.Preferences.userRoot().node("org/phrenic/rehearsal-gallery");
+        java.util.prefs.Preferences node =
+                java.util.prefs.Preferences.userRoot().node("org/phrenic/rehearsal-gallery");
         node.clear();
         node.putInt("width", width);
         node.putInt("height", height);
