@@ -50,6 +50,11 @@ final class Docks {
             public void onAttempt(Rehearsal rehearsal) {
                 right.setSelectedIndex(right.indexOfComponent(attempts));
             }
+
+            @Override
+            public void onBegin() {
+                right.setSelectedIndex(Math.max(0, right.indexOfComponent(rehearse)));
+            }
         });
         docks.put(DockLayout.Place.LEFT, left);
         docks.put(DockLayout.Place.RIGHT, right);

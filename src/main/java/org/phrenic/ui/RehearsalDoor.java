@@ -76,6 +76,9 @@ final class RehearsalDoor implements Session.Events {
         /** Stage, target, entry or advice changed. */
         default void onDoor() {}
 
+        /** An attempt begins. */
+        default void onBegin() {}
+
         /** An attempt has ended and its report is there. */
         default void onAttempt(Rehearsal rehearsal) {}
 
@@ -96,11 +99,8 @@ final class RehearsalDoor implements Session.Events {
     private final Looks looks;
     private final SceneView view;
     private final List<Events> listeners = new ArrayList<>();
-    private final ExecutorService worker = Executors.newSingleThreadExecutor(r -> {
-        Thread made = new Thread(r, "phrenic-rehearsal");
-        made.setDaemon(true);
-        return made;
-    });
+    private final ExecutorService worker = thread("phrenic-rehearsal");
+    private final ExecutorService cutter = thread("phrenic-section");
 
     private Stage stage = Stage.CLOSED;
     private Choosing choosing = Choosing.NOTHING;
@@ -120,7 +120,6 @@ final class RehearsalDoor implements Session.Events {
     private Optional<PathCycle> path = Optional.empty();
     private volatile Optional<PathAdvice> advice = Optional.empty();
     private volatile LiveRehearsal rehearsal;
-    private SectionFeed sections;
     private double goalMm;
     private double speedMmPerS = 50;
     private long asked;
@@ -167,16 +166,21 @@ final class RehearsalDoor implements Session.Events {
         session.live().unwatch();
         asked++;
         rehearsal = null;
-        if (sections != null) {
-            sections.close();
-            sections = null;
-        }
     }
 
     /** Ends its threads. */
     void end() {
         leaveRun();
         worker.shutdownNow();
+        cutter.shutdownNow();
+    }
+
+    private static ExecutorService thread(String name) {
+        return Executors.newSingleThreadExecutor(work -> {
+            Thread made = new Thread(work, name);
+            made.setDaemon(true);
+            return made;
+        });
     }
 
     @Override
@@ -381,18 +385,19 @@ final class RehearsalDoor implements Session.Events {
                     }
                 });
         LiveRehearsal watching = rehearsal;
-        sections = new SectionFeed(scene.surfaces(), scene.newFrame().get(), (along, across) -> {
-            if (mine == asked) {
-                listeners.forEach(l -> l.onSections(along, across));
-            }
-        });
-        SectionFeed feed = sections;
+        SectionFeed feed =
+                new SectionFeed(cutter, scene.surfaces(), scene.newFrame().get(), (along, across) -> {
+                    if (mine == asked) {
+                        listeners.forEach(l -> l.onSections(along, across));
+                    }
+                });
         entry.ifPresent(rehearsal::enterAt);
         startRun(Watch.When.every(Rehearsal.LOOK_EVERY_S), (frame, label) -> {
             watching.see(frame, label);
             feed.offer(frame, watching.state());
         });
         session.live().setSpeed(session.speed());
+        listeners.forEach(Events::onBegin);
         tell();
     }
 

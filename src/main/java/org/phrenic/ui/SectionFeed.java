@@ -1,8 +1,8 @@
 package org.phrenic.ui;
 
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
 import javax.swing.SwingUtilities;
@@ -11,15 +11,11 @@ import org.phrenic.scene.Section;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
 
-/** Cuts the body along and across the needle, seven times a second at most, on a thread of its own. */
-final class SectionFeed implements AutoCloseable {
+/** Cuts the body along and across the needle, seven times a second at most, on a thread that is not the simulation's. */
+final class SectionFeed {
     private static final long LEAST_NS = 150_000_000;
 
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(r -> {
-        Thread made = new Thread(r, "phrenic-section");
-        made.setDaemon(true);
-        return made;
-    });
+    private final Executor thread;
     private final AtomicBoolean busy = new AtomicBoolean();
     private final List<Surface> surfaces;
     private final Frame frame;
@@ -27,11 +23,13 @@ final class SectionFeed implements AutoCloseable {
     private long lastNs;
 
     /**
+     * @param thread that cuts
      * @param surfaces of the frames
      * @param frame one of them, to work with
      * @param shown told both sections on the event dispatch thread: along, across
      */
-    SectionFeed(List<Surface> surfaces, Frame frame, BiConsumer<Section, Section> shown) {
+    SectionFeed(Executor thread, List<Surface> surfaces, Frame frame, BiConsumer<Section, Section> shown) {
+        this.thread = thread;
         this.surfaces = surfaces;
         this.frame = frame;
         this.shown = shown;
@@ -47,19 +45,21 @@ final class SectionFeed implements AutoCloseable {
         }
         lastNs = System.nanoTime();
         frame.copyFrom(now);
-        thread.execute(() -> {
-            try {
-                Section along = Section.along(surfaces, frame, state);
-                Section across = Section.ahead(surfaces, frame, state);
-                SwingUtilities.invokeLater(() -> shown.accept(along, across));
-            } finally {
-                busy.set(false);
-            }
-        });
+        try {
+            thread.execute(() -> cut(state));
+        } catch (RejectedExecutionException closing) {
+            // The window is being closed: nobody looks any more.
+            busy.set(false);
+        }
     }
 
-    @Override
-    public void close() {
-        thread.shutdown();
+    private void cut(NeedleState state) {
+        try {
+            Section along = Section.along(surfaces, frame, state);
+            Section across = Section.ahead(surfaces, frame, state);
+            SwingUtilities.invokeLater(() -> shown.accept(along, across));
+        } finally {
+            busy.set(false);
+        }
     }
 }
