@@ -105,7 +105,7 @@ final class FitCommand implements Callable<Integer> {
             names = "--evaluations",
             paramLabel = "N",
             description = "At most so many breaths (default ${DEFAULT-VALUE}).")
-    private String evaluations = "800";
+    private String evaluations = "400";
 
     @Option(names = "--minutes", paramLabel = "M", description = "Begin no generation after so many minutes.")
     private String minutes;

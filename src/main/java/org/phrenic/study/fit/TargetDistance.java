@@ -98,7 +98,7 @@ final class TargetDistance {
     private static double[] weights(double[] areas, boolean[] base, TriangleMesh place, FitHalf half) {
         double[] weights = areas.clone();
         for (int v = 0; v < weights.length; v++) {
-            if (base != null && !base[v] || !half.has(place.x(v), place.y(v))) {
+            if ((base != null && !base[v]) || !half.has(place.x(v), place.y(v))) {
                 weights[v] = 0;
             }
         }
