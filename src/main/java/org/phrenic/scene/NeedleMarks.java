@@ -97,7 +97,8 @@ public record NeedleMarks(NeedleState state, PathAdvice.Level level) {
         if (state.entry().isPresent()) {
             double[] entry = state.entry().get();
             double[] end = ahead(entry, state.tip(), state.hub(), state.aimedMm());
-            segment(camera, entry, end, width, height).ifPresent(s -> line(g, s, new Color(rgb(level)), 2, true));
+            segment(camera, entry, end, width, height)
+                    .ifPresent(s -> line(g, s, new Color(rgb(level)), 2, true));
             if (state.placed()) {
                 segment(camera, state.hub(), state.tip(), width, height)
                         .ifPresent(s -> line(g, s, NEEDLE_LINE, 2.5f, false));

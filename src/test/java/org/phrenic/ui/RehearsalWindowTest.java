@@ -78,8 +78,7 @@ class RehearsalWindowTest {
     private static void ready() throws InterruptedException {
         until(
                 "the needle",
-                () -> door().stage() == RehearsalDoor.Stage.READY
-                        && door().state().isPresent());
+                () -> door().stage() == RehearsalDoor.Stage.READY && door().state().isPresent());
     }
 
     private static NeedleState state() {
@@ -125,8 +124,8 @@ class RehearsalWindowTest {
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Hit");
         Path report = folder.resolve("report");
         String[] problem = new String[1];
-        WindowHarness.doOnEdt(
-                () -> new AttemptSaver(window.window().view()).save(attempt, report, said -> problem[0] = said));
+        WindowHarness.doOnEdt(() -> new AttemptSaver(window.window().view())
+                .save(attempt, report, said -> problem[0] = said));
         until("the report", () -> problem[0] != null);
         assertThat(problem[0]).isEmpty();
         assertThat(Files.readString(report.resolve("report.html"))).contains("Not for clinical use");
@@ -161,13 +160,13 @@ class RehearsalWindowTest {
                     .boxed()
                     .toList();
         });
-        WindowHarness.doOnEdt(
-                () -> door().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
-        until("advice", () -> door().advice()
-                .filter(a -> a.level() == PathAdvice.Level.BARRED)
-                .isPresent());
-        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().reasons()))
-                .isNotEmpty();
+        WindowHarness.doOnEdt(() -> door().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
+        until(
+                "advice",
+                () -> door().advice()
+                        .filter(a -> a.level() == PathAdvice.Level.BARRED)
+                        .isPresent());
+        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().reasons())).isNotEmpty();
         window.screenshot("rehearse-barred");
     }
 
@@ -210,9 +209,8 @@ class RehearsalWindowTest {
         begin();
         window.forgetDispatches();
         WindowHarness.doOnEdt(() -> door().setTargetMm(24));
-        until(
-                "another target",
-                () -> door().study().filter(s -> s.target().diameterMm() == 24).isPresent());
+        until("another target", () -> door().study().filter(s -> s.target().diameterMm() == 24)
+                .isPresent());
         ready();
         window.breathe(0.5);
         List<Double> took = window.dispatches();

@@ -203,8 +203,9 @@ public final class SectionView extends JPanel {
         Color ink = g.getColor();
         Color behind = Tone.panel();
         g.setColor(new Color(behind.getRed(), behind.getGreen(), behind.getBlue(), 170));
-        Shape outline =
-                g.getFont().createGlyphVector(g.getFontRenderContext(), words).getOutline(x, y);
+        Shape outline = g.getFont()
+                .createGlyphVector(g.getFontRenderContext(), words)
+                .getOutline(x, y);
         g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(outline);
         g.setColor(ink);
