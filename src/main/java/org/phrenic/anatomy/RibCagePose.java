@@ -13,6 +13,16 @@ public final class RibCagePose {
          * @param amplitudeAndRate where to write the amplitude s (0 end-expiration, 1 full inspiration) and ds/dt (1/s)
          */
         void at(double time, double[] amplitudeAndRate);
+
+        /**
+         * How much farther or less far than all some ribs turn.
+         *
+         * @param gains where to write it
+         * @return false if all turn alike; then nothing is written
+         */
+        default boolean gains(double time, RibGains gains) {
+            return false;
+        }
     }
 
     private final RibCage cage;
@@ -20,11 +30,13 @@ public final class RibCagePose {
     private final double[] amplitudeAndRate = new double[2];
     private final double[][] pose;
     private final double[][] twist;
+    private final RibGains gains;
     private double time = Double.NaN;
 
     public RibCagePose(RibCage cage, Drive drive) {
         this.cage = cage;
         this.drive = drive;
+        gains = new RibGains(cage);
         int n = cage.bodies().size();
         pose = new double[n][HelicalBody.POSE_LENGTH];
         twist = new double[n][HelicalBody.TWIST_LENGTH];
@@ -42,11 +54,16 @@ public final class RibCagePose {
         }
         time = now;
         drive.at(now, amplitudeAndRate);
+        boolean unlike = drive.gains(now, gains);
         for (int i = 0; i < pose.length; i++) {
             HelicalBody body = cage.motion(i);
             if (body != null) {
-                body.pose(amplitudeAndRate[0], pose[i]);
-                body.twist(amplitudeAndRate[1], twist[i]);
+                double s = unlike ? gains.of(i) * amplitudeAndRate[0] : amplitudeAndRate[0];
+                double rate = unlike
+                        ? gains.of(i) * amplitudeAndRate[1] + gains.rateOf(i) * amplitudeAndRate[0]
+                        : amplitudeAndRate[1];
+                body.pose(s, pose[i]);
+                body.twist(rate, twist[i]);
             }
         }
     }

@@ -8,6 +8,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.format.AtomicFile;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
+import org.phrenic.simulation.Scenario;
 import org.phrenic.study.StudyProgress;
 import org.phrenic.study.hard.StabilityReport;
 import org.phrenic.study.hard.StabilityStudy;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  phrenic bench stability --quick",
-            "  phrenic bench stability --out result                    the long version: about an hour",
+            "  phrenic bench stability --out result                    the long version: about half an hour",
             "  phrenic bench stability --only published,sliders --integrator verlet,rk2",
             "",
             "DIR gets stability.md, stability.csv and stability.json. Exit code 3 if a cell fails in silence.",
@@ -50,8 +51,11 @@ final class BenchStabilityCommand implements Callable<Integer> {
             names = "--spend",
             paramLabel = "N",
             description = "Evaluations of the force on a node that a cell may spend before it ends early"
-                    + " (default 2.5e9, with --quick 2e7).")
+                    + " (default 5e8, for verlet 5e10; with --quick 2e7).")
     private String spend;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Cases at a time; the numbers do not depend on it.")
+    private String threads;
 
     @Option(
             names = "--out",
@@ -95,11 +99,12 @@ final class BenchStabilityCommand implements Callable<Integer> {
                 : OptionNumbers.parts(integrators).stream()
                         .map(IntegratorKind::of)
                         .toList();
-        return new StabilityStudy.Settings(
-                cases,
-                kinds,
-                quick,
-                spend == null ? usual.nodeEvaluations() : OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
+        StabilityStudy.Settings settings = usual.of(cases, kinds)
+                .on(
+                        threads == null
+                                ? Scenario.defaults().threads()
+                                : OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS));
+        return spend == null ? settings : settings.spending(OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
     }
 
     private static StudyProgress progress(PrintWriter err) {

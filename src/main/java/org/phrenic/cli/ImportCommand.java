@@ -23,6 +23,7 @@ import org.phrenic.patient.LabelMap;
 import org.phrenic.patient.MeshingSteps;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.StatedAxes;
+import org.phrenic.patient.StatedSpacing;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -80,6 +81,13 @@ final class ImportCommand implements Callable<Integer> {
     private String axes;
 
     @Option(
+            names = "--spacing",
+            paramLabel = "X,Y,Z",
+            description =
+                    "Size of a voxel along columns, rows and slices, mm, such as 1.75,1.75,1.25, where the file states it wrongly.")
+    private String spacing;
+
+    @Option(
             names = "--complete",
             paramLabel = "BODY",
             description =
@@ -95,7 +103,8 @@ final class ImportCommand implements Callable<Integer> {
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionNumbers.number("--edge", text, 0, LONGEST_EDGE_MM));
         LabelVolume read = LabelVolumes.read(file);
-        LabelVolume volume = axes == null ? read : StatedAxes.apply(read, axes);
+        LabelVolume turned = axes == null ? read : StatedAxes.apply(read, axes);
+        LabelVolume volume = spacing == null ? turned : StatedSpacing.apply(turned, spacing);
         LabelMap map = map(volume);
         String name = out.toAbsolutePath().normalize().getFileName().toString();
         Optional<Thorax> template = template();

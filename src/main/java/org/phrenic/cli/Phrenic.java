@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
             ValidateCommand.class,
             ImportCommand.class,
             CompareCommand.class,
+            FitCommand.class,
             RegressCommand.class,
             ReproduceCommand.class,
             RehearseCommand.class
@@ -46,6 +47,7 @@ import picocli.CommandLine.Spec;
             "  phrenic info scenario.yaml liver.stl      what files hold",
             "  phrenic import scan.nii.gz --out patient  a thorax folder of a segmented scan",
             "  phrenic compare a.ply b.stl               how far two surfaces lie apart",
+            "  phrenic fit patient --target lungs=b.stl --out fitted   a body tuned to a second breath level",
             "  phrenic validate                          breaths held against a table of physiology",
             "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
             "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",

@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.phrenic.format.Json;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.study.Finding;
+import org.phrenic.study.LiverMotion;
 import org.phrenic.study.PhysiologyTable;
 import org.phrenic.study.Sensitivity;
 import org.phrenic.study.SensitivityReport;
@@ -37,8 +39,9 @@ import picocli.CommandLine.Spec;
             "  phrenic validate",
             "  phrenic validate --anatomy my-thorax --out result",
             "  phrenic validate --resolution low --preset quiet,deep --sensitivity",
+            "  phrenic validate --liver --anatomy my-thorax",
             "",
-            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json.",
+            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json; with --liver liver.json.",
             "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
             "",
             Notice.TEXT
@@ -76,6 +79,11 @@ final class ValidateCommand implements Callable<Integer> {
     private boolean sensitivity;
 
     @Option(
+            names = "--liver",
+            description = "Instead: how far the liver moves in quiet, deep and held breaths, beside what is known.")
+    private boolean liver;
+
+    @Option(
             names = "--out",
             paramLabel = "DIR",
             description = "Folder for the reports; without it, nothing is written.")
@@ -98,6 +106,9 @@ final class ValidateCommand implements Callable<Integer> {
                 ? scenario.threads()
                 : OptionNumbers.whole("--threads", threads, 1, Scenario.MOST_THREADS);
         StudyProgress progress = new LineProgress(spec.commandLine().getErr());
+        if (liver) {
+            return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
+        }
         Validation validation = Validation.of(table, scenario, bodies(), only(), atATime, progress);
         ValidationReport report = new ValidationReport(validation);
         SensitivityReport effects = sensitivity
@@ -113,6 +124,16 @@ final class ValidateCommand implements Callable<Integer> {
         }
         print(validation, report, effects);
         return validation.passes() ? ExitCode.DONE : ExitCode.OUT_OF_RANGE;
+    }
+
+    private int liver(LiverMotion motion) {
+        if (out != null) {
+            Json.write(out.resolve("liver.json"), motion.values());
+        }
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(json ? Json.format(motion.values()) : table(motion.table()) + "\n" + Notice.TEXT + "\n");
+        stdout.flush();
+        return motion.outside() == 0 ? ExitCode.DONE : ExitCode.OUT_OF_RANGE;
     }
 
     private Scenario scenario() {
@@ -189,7 +210,7 @@ final class ValidateCommand implements Callable<Integer> {
 
     private static String table(List<List<String>> cells) {
         boolean[] right = new boolean[cells.get(0).size()];
-        java.util.Arrays.fill(right, 1, right.length, true);
+        Arrays.fill(right, 1, right.length, true);
         Table table = new Table(right);
         cells.forEach(line -> table.row(line.toArray(String[]::new)));
         return table.text();

@@ -1,5 +1,7 @@
 package org.phrenic.engine;
 
+import java.util.stream.IntStream;
+
 /** Something that positions must obey, put right after each step; velocities are corrected by the same shift over h. */
 public interface Constraint {
 
@@ -13,6 +15,9 @@ public interface Constraint {
      * @param h the step just taken, s
      */
     void project(ParticleSystem system, double h);
+
+    /** The nodes that it may move, internal numbers times 3: what no other constraint moves needs no second sweep. */
+    IntStream nodes();
 
     /**
      * Takes away what velocities have against the constraint after a step's last forces were added to them, at the positions at hand (the second half of RATTLE: Andersen 1983, doi
@@ -39,6 +44,25 @@ public interface Constraint {
 
     /** Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from outside. */
     default void forget() {}
+
+    /**
+     * Names what this constraint asks of nodes at the state at hand, one equation or inequality after the other, always in the same order; what it kept from its last projection (planes, normals) stays as it is.
+     */
+    default void rows(ParticleSystem system, Rows out) {}
+
+    /** Takes the rows of a constraint. */
+    interface Rows {
+        /**
+         * A row n · (x_a - x_b) = c, or ≥ c.
+         *
+         * @param a internal number of a node
+         * @param b internal number of the other, or -1 for a wall
+         * @param nx direction, of length 1
+         * @param gap n · (x_a - x_b) - c now, mm
+         * @param oneSided whether more than c is free
+         */
+        void add(int a, int b, double nx, double ny, double nz, double gap, boolean oneSided);
+    }
 
     /** How far from holding at these positions, as a relative or absolute measure that the implementation states. */
     double error(ParticleSystem system);

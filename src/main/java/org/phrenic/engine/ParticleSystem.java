@@ -28,6 +28,9 @@ public final class ParticleSystem {
     private final List<Constraint> allConstraints = new ArrayList<>();
     private ForceField[] fields = {};
     private Constraint[] constraints = {};
+    /** Those of them that share nodes with another. */
+    private Constraint[] entangled = {};
+
     private boolean velocityDependent;
     private int projectionSweeps = 1;
 
@@ -180,6 +183,13 @@ public final class ParticleSystem {
             active.add(constraint);
         }
         constraints = allConstraints.stream().filter(active::contains).toArray(Constraint[]::new);
+        int[] movers = new int[mass.length];
+        for (Constraint each : constraints) {
+            each.nodes().map(n -> n / 3).distinct().forEach(n -> movers[n]++);
+        }
+        entangled = Arrays.stream(constraints)
+                .filter(each -> each.nodes().anyMatch(n -> movers[n / 3] > 1))
+                .toArray(Constraint[]::new);
     }
 
     /** Whether a constraint is switched on. */
@@ -210,6 +220,11 @@ public final class ParticleSystem {
     /** The fields switched on, in the order they were added. */
     public List<ForceField> fields() {
         return List.of(fields);
+    }
+
+    /** The constraints switched on, in the order they were added. */
+    public List<Constraint> constraints() {
+        return List.of(constraints);
     }
 
     /** Whether any field switched on depends on velocity. */
@@ -349,7 +364,8 @@ public final class ParticleSystem {
     }
 
     /**
-     * Sets how many times all constraints are gone through after each step: what one puts right another may break, and each sweep leaves about half of what the last one left.
+     * Sets how many times constraints are gone through after each step: what one puts right another may break, and each sweep leaves about half of what the last one left. Those that share no node
+     * with another hold after the first.
      *
      * @throws IllegalArgumentException if it is not positive
      */
@@ -371,8 +387,11 @@ public final class ParticleSystem {
         for (Constraint constraint : constraints) {
             constraint.prepare(time);
         }
-        for (int sweep = 0; sweep < projectionSweeps; sweep++) {
-            for (Constraint constraint : constraints) {
+        for (Constraint constraint : constraints) {
+            constraint.project(this, h);
+        }
+        for (int sweep = 1; sweep < projectionSweeps; sweep++) {
+            for (Constraint constraint : entangled) {
                 constraint.project(this, h);
             }
         }

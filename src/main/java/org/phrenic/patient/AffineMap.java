@@ -1,10 +1,8 @@
 package org.phrenic.patient;
 
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 import org.phrenic.geometry.RigidMotion;
 
-/** x' = A x + t: found by least squares from pairs of points, with or without the freedom to shear and to stretch one way. */
+/** x' = A x + t: found by least squares from pairs of points, a turn with one scale, or a stretch along each axis. */
 final class AffineMap implements PointMap {
     /** Three rows of four numbers. */
     private final double[] m;
@@ -13,17 +11,11 @@ final class AffineMap implements PointMap {
         m = rows.clone();
     }
 
-    /** Moves the middle of one box to that of another and scales by their sizes, the same in all directions. */
+    /** Moves the middle of one box to that of another and scales each axis by their sizes. */
     static AffineMap ofBoxes(double[] from, double[] to) {
-        double a = 0;
-        double b = 0;
-        for (int k = 0; k < 3; k++) {
-            a += from[3 + k] - from[k];
-            b += to[3 + k] - to[k];
-        }
-        double scale = b / a;
         double[] rows = new double[12];
         for (int k = 0; k < 3; k++) {
+            double scale = (to[3 + k] - to[k]) / (from[3 + k] - from[k]);
             rows[5 * k] = scale;
             rows[4 * k + 3] = (to[k] + to[3 + k]) / 2 - scale * (from[k] + from[3 + k]) / 2;
         }
@@ -59,37 +51,25 @@ final class AffineMap implements PointMap {
         return new AffineMap(rows);
     }
 
-    /** The affine map nearest to the pairs. */
-    static AffineMap affine(double[] from, double[] to) {
+    /**
+     * The stretch across and from front to back, with a shift, nearest to the pairs: x' = diag(s1, s2, 1) x + t. The height stays, for points that lie nearest say little of it along a wall; and a freer map would shear: lungs hardly
+     * tell the slope of ribs from the slant of their own fronts.
+     */
+    static AffineMap stretch(double[] from, double[] to) {
         double[] p = centroid(from);
-        DMatrixRMaj normal = new DMatrixRMaj(4, 4);
-        DMatrixRMaj right = new DMatrixRMaj(4, 3);
-        double[] x = new double[4];
-        for (int i = 0; i < from.length; i += 3) {
-            for (int k = 0; k < 3; k++) {
-                x[k] = from[i + k] - p[k];
-            }
-            x[3] = 1;
-            for (int a = 0; a < 4; a++) {
-                for (int b = 0; b < 4; b++) {
-                    normal.add(a, b, x[a] * x[b]);
-                }
-                for (int row = 0; row < 3; row++) {
-                    right.add(a, row, x[a] * to[i + row]);
-                }
-            }
-        }
-        DMatrixRMaj solution = new DMatrixRMaj(4, 3);
-        if (!CommonOps_DDRM.solve(normal, right, solution)) {
-            return similarity(from, to);
+        double[] q = centroid(to);
+        double[] along = new double[3];
+        double[] square = new double[3];
+        for (int i = 0; i < from.length; i++) {
+            int k = i % 3;
+            along[k] += (from[i] - p[k]) * (to[i] - q[k]);
+            square[k] += (from[i] - p[k]) * (from[i] - p[k]);
         }
         double[] rows = new double[12];
-        for (int row = 0; row < 3; row++) {
-            rows[4 * row + 3] = solution.get(3, row);
-            for (int k = 0; k < 3; k++) {
-                rows[4 * row + k] = solution.get(k, row);
-                rows[4 * row + 3] -= solution.get(k, row) * p[k];
-            }
+        for (int k = 0; k < 3; k++) {
+            double scale = k < 2 && square[k] > 0 ? along[k] / square[k] : 1;
+            rows[5 * k] = scale;
+            rows[4 * k + 3] = q[k] - scale * p[k];
         }
         return new AffineMap(rows);
     }

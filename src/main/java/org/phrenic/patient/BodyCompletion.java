@@ -3,28 +3,30 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.Meshes;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
- * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by a similarity, then an affine map, then ever finer smooth warps ({@link WarpField}), each found from the points
+ * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by the box about them (which gives the height), then stretches across and from front to back, then ever finer smooth warps ({@link WarpField}), each found from the points
  * of the two surfaces that lie nearest to each other; and lends its other structures. A structure that the scan cuts off is lent too, brought to the part that can be seen.
  */
 public final class BodyCompletion {
-    private static final int STEPS = 40;
-    private static final double[] RADII_MM = {160, 120, 90, 60, 40};
+    private static final int STEPS = 20;
+    /** Radii of the warps that bones follow, and of those of soft organs between them. */
+    private static final double[] BONE_RADII_MM = {160, 120, 90};
+
+    private static final double[] SOFT_RADII_MM = {120, 90, 60, 40, 30, 22};
     private static final int WARPS_A_RADIUS = 5;
-    /** Warps of a smaller radius bend bones out of shape: they follow soft organs alone. */
-    private static final double BONE_RADIUS_MM = 120;
+    /** Points that hold the soft warps where bone is. */
+    private static final int HELD = 1200;
 
     private static final Set<StructureKind> BONES = EnumSet.of(
             StructureKind.RIB,
@@ -33,20 +35,46 @@ public final class BodyCompletion {
             StructureKind.VERTEBRA,
             StructureKind.DISC);
 
+    /** Bones that are turned, shifted and scaled but not bent; cartilages are, as they join them. */
+    private static final Set<StructureKind> KEEPING_SHAPE =
+            EnumSet.of(StructureKind.RIB, StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
+
     private final List<Structure> template;
-    private final Map<String, SharedSurface> shared = new LinkedHashMap<>();
+    private final List<SharedSurface> shared = new ArrayList<>();
+    private int sharedOrgans;
 
     private BodyCompletion(FittedBody body, Thorax template) {
         this.template = new ArrayList<>(template.structures());
         for (Organ organ : body.organs()) {
-            List<TriangleMesh> parts = this.template.stream()
-                    .filter(s -> isSame(s, organ.structure()))
-                    .map(Structure::mesh)
-                    .toList();
-            if (!parts.isEmpty()) {
-                shared.put(organ.structure().name(), new SharedSurface(organ, Meshes.merge(parts)));
-            }
+            templateOf(organ).ifPresent(mesh -> {
+                sharedOrgans++;
+                share(organ, mesh);
+            });
         }
+    }
+
+    private void share(Organ organ, TriangleMesh mesh) {
+        TriangleMesh scan = organ.structure().mesh();
+        if (organ.structure().kind() != StructureKind.LUNG) {
+            shared.add(new SharedSurface(
+                    organ, scan, mesh, BONES.contains(organ.structure().kind())));
+            return;
+        }
+        TriangleMesh base = LungBaseFacet.of(scan);
+        TriangleMesh templateBase = LungBaseFacet.of(mesh);
+        shared.add(new SharedSurface(organ, LungBaseFacet.rest(scan), LungBaseFacet.rest(mesh), true));
+        if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
+            shared.add(new SharedSurface(organ, base, templateBase, false));
+        }
+    }
+
+    /** The template's structure of the same name as an organ, as it lies now. */
+    private Optional<TriangleMesh> templateOf(Organ organ) {
+        List<TriangleMesh> parts = template.stream()
+                .filter(s -> isSame(s, organ.structure()))
+                .map(Structure::mesh)
+                .toList();
+        return parts.isEmpty() ? Optional.empty() : Optional.of(Meshes.merge(parts));
     }
 
     private static boolean isSame(Structure a, Structure b) {
@@ -81,31 +109,55 @@ public final class BodyCompletion {
 
     private void fit() {
         List<SharedSurface> whole =
-                shared.values().stream().filter(SharedSurface::isWhole).toList();
+                shared.stream().filter(SharedSurface::isWhole).toList();
         move(
                 AffineMap.ofBoxes(
                         box(whole.stream().map(SharedSurface::template).toList()),
                         box(whole.stream().map(SharedSurface::scan).toList())),
                 true);
         for (int step = 0; step < STEPS; step++) {
-            double[][] pairs = pairs();
-            move(
-                    step < STEPS / 2 ? AffineMap.similarity(pairs[0], pairs[1]) : AffineMap.affine(pairs[0], pairs[1]),
-                    true);
+            double[][] pairs = pairs(true);
+            move(AffineMap.stretch(pairs[0], pairs[1]), true);
         }
-        for (double radius : RADII_MM) {
+        List<Structure> straight = List.copyOf(template);
+        warp(BONE_RADII_MM, true);
+        for (int i = 0; i < straight.size(); i++) {
+            if (KEEPING_SHAPE.contains(straight.get(i).kind())) {
+                double[] p = straight.get(i).mesh().positions().clone();
+                AffineMap.similarity(p, template.get(i).mesh().positions()).apply(p);
+                template.set(i, straight.get(i).withMesh(straight.get(i).mesh().withPositions(p)));
+            }
+        }
+        warp(SOFT_RADII_MM, false);
+    }
+
+    private void warp(double[] radiiMm, boolean bones) {
+        for (double radius : radiiMm) {
             for (int step = 0; step < WARPS_A_RADIUS; step++) {
-                double[][] pairs = pairs();
+                double[][] pairs = pairs(bones);
                 double[] bounds = box(template.stream().map(Structure::mesh).toList());
-                move(new WarpField(pairs[0], pairs[1], radius, bounds), radius >= BONE_RADIUS_MM);
+                move(new WarpField(pairs[0], pairs[1], radius, bounds), bones);
             }
         }
     }
 
-    private double[][] pairs() {
+    /** @param bones only of what guides bones; otherwise of all, and of points of bone, which stay */
+    private double[][] pairs(boolean bones) {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
-        shared.values().forEach(s -> s.addPairs(from, to));
+        shared.stream().filter(s -> !bones || s.guidesBones()).forEach(s -> s.addPairs(from, to));
+        if (!bones) {
+            TriangleMesh bone = Meshes.merge(template.stream()
+                    .filter(s -> BONES.contains(s.kind()))
+                    .map(Structure::mesh)
+                    .toList());
+            int step = Math.max(1, bone.vertexCount() / HELD);
+            for (int v = 0; v < bone.vertexCount(); v += step) {
+                double[] p = {bone.x(v), bone.y(v), bone.z(v)};
+                from.add(p);
+                to.add(p);
+            }
+        }
         return new double[][] {flat(from), flat(to)};
     }
 
@@ -118,7 +170,7 @@ public final class BodyCompletion {
     }
 
     private void move(PointMap map, boolean bones) {
-        shared.values().stream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.move(map));
+        shared.stream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.move(map));
         template.replaceAll(s -> {
             if (!bones && BONES.contains(s.kind())) {
                 return s;
@@ -133,11 +185,9 @@ public final class BodyCompletion {
         List<Organ> organs = new ArrayList<>();
         List<String> lent = new ArrayList<>();
         for (Organ organ : body.organs()) {
-            boolean kept = organ.scan().map(Organ.Scan::isWhole).orElse(true)
-                    || !shared.containsKey(organ.structure().name());
-            if (kept) {
-                SharedSurface surface = shared.get(organ.structure().name());
-                organs.add(surface == null ? organ : organ.withOffScan(surface.off()));
+            Optional<DistanceSummary> off = templateOf(organ).map(mesh -> SharedSurface.off(organ, mesh));
+            if (off.isEmpty() || organ.scan().map(Organ.Scan::isWhole).orElse(true)) {
+                organs.add(off.map(organ::withOffScan).orElse(organ));
             }
         }
         for (Structure structure : template) {
@@ -145,11 +195,11 @@ public final class BodyCompletion {
                 Optional<Organ> seen = body.organs().stream()
                         .filter(o -> isSame(o.structure(), structure))
                         .findFirst();
-                Organ organ =
-                        new Organ(structure, Organ.Source.VIRTUAL, seen.flatMap(Organ::scan), seen.map(o -> shared.get(
-                                        o.structure().name())
-                                .off()));
-                organs.add(organ);
+                organs.add(new Organ(
+                        structure,
+                        Organ.Source.VIRTUAL,
+                        seen.flatMap(Organ::scan),
+                        seen.map(o -> SharedSurface.off(o, templateOf(o).orElseThrow()))));
                 lent.add(structure.name());
             }
         }
@@ -160,7 +210,7 @@ public final class BodyCompletion {
                 "%d structures come from %s, brought to the %d that it shares with the scan",
                 lent.size(),
                 from,
-                shared.size()));
+                sharedOrgans));
         return new FittedBody(body.name(), organs, ThoraxList.missing(organs), notes);
     }
 

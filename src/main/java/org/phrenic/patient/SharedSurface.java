@@ -4,11 +4,12 @@ import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.SurfaceDistance;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
 
-/** A structure that scan and template both have: pairs of points on the two that lie nearest to each other. */
+/** A structure that scan and template both have, or a part of one: pairs of points on the two that lie nearest to each other. */
 final class SharedSurface {
     /** Points taken of each surface. */
     private static final int POINTS = 500;
@@ -18,34 +19,73 @@ final class SharedSurface {
     private final StructureKind kind;
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
+    private final boolean guidesBones;
     private final boolean whole;
     private final boolean[] atCut;
+    private final boolean[] atScanBorder;
+    private final boolean[] atTemplateBorder;
     private TriangleMesh template;
     private final TriangleTree templateTree;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
-    SharedSurface(Organ organ, TriangleMesh template) {
+    /**
+     * A part of an organ and the same part of the template.
+     *
+     * @param scan all of the organ's surface, or a part of it
+     * @param guidesBones whether bones lie by it; a lung's base says nothing of them, as it goes up and down without them
+     */
+    SharedSurface(Organ organ, TriangleMesh scan, TriangleMesh template, boolean guidesBones) {
         kind = organ.structure().kind();
-        scan = organ.structure().mesh();
+        this.scan = scan;
+        this.guidesBones = guidesBones;
         scanTree = new TriangleTree(scan);
+        whole = organ.scan().map(Organ.Scan::isWhole).orElse(true);
+        atCut = atCut(organ, scan);
+        this.template = template;
+        templateTree = new TriangleTree(template);
+        atScanBorder = atBorder(scan, guidesBones);
+        atTemplateBorder = atBorder(template, guidesBones);
+    }
+
+    /** Which triangles lie at the border of an open surface: what is nearest to them lies beyond, and belongs to nothing of it. Lungs end at their base where breath has left it, not where bones do. */
+    private static boolean[] atBorder(TriangleMesh mesh, boolean counts) {
+        boolean[] at = new boolean[mesh.triangleCount()];
+        if (counts) {
+            boolean[] border = new boolean[mesh.vertexCount()];
+            for (int[] loop : new MeshTopology(mesh).boundaryLoops()) {
+                for (int v : loop) {
+                    border[v] = true;
+                }
+            }
+            for (int i = 0; i < mesh.triangles().length; i++) {
+                at[i / 3] |= border[mesh.triangles()[i]];
+            }
+        }
+        return at;
+    }
+
+    /** Which vertices lie at the end of the scan. */
+    private static boolean[] atCut(Organ organ, TriangleMesh part) {
         String cutAt = organ.scan().map(Organ.Scan::cutAt).orElse("");
-        whole = cutAt.isEmpty();
-        atCut = new boolean[scan.vertexCount()];
-        double[] box = scan.bounds();
+        boolean[] atCut = new boolean[part.vertexCount()];
+        double[] box = organ.structure().mesh().bounds();
         for (int v = 0; v < atCut.length; v++) {
             for (int axis = 0; axis < 3; axis++) {
-                double x = scan.positions()[3 * v + axis];
+                double x = part.positions()[3 * v + axis];
                 boolean high = cutAt.indexOf("LPS".charAt(axis)) >= 0 && x > box[3 + axis] - CUT_MM;
                 boolean low = cutAt.indexOf("RAI".charAt(axis)) >= 0 && x < box[axis] + CUT_MM;
                 atCut[v] |= high || low;
             }
         }
-        this.template = template;
-        templateTree = new TriangleTree(template);
+        return atCut;
     }
 
     StructureKind kind() {
         return kind;
+    }
+
+    boolean guidesBones() {
+        return guidesBones;
     }
 
     boolean isWhole() {
@@ -72,7 +112,9 @@ final class SharedSurface {
         double[] s = scan.positions();
         int step = Math.max(1, scan.vertexCount() / POINTS);
         for (int v = 0; v < scan.vertexCount(); v += step) {
-            if (!atCut[v] && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)) {
+            if (!atCut[v]
+                    && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)
+                    && !atTemplateBorder[hit.triangle]) {
                 from.add(new double[] {hit.x, hit.y, hit.z});
                 to.add(new double[] {s[3 * v], s[3 * v + 1], s[3 * v + 2]});
             }
@@ -80,15 +122,17 @@ final class SharedSurface {
         double[] t = template.positions();
         step = Math.max(1, template.vertexCount() / POINTS);
         for (int v = 0; whole && v < template.vertexCount(); v += step) {
-            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit)) {
+            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {
                 from.add(new double[] {t[3 * v], t[3 * v + 1], t[3 * v + 2]});
                 to.add(new double[] {hit.x, hit.y, hit.z});
             }
         }
     }
 
-    /** How far the template lies from the scan's vertices, by area, without the cut. */
-    DistanceSummary off() {
+    /** How far a template lies from the vertices of an organ in the scan, by area, without the cut. */
+    static DistanceSummary off(Organ organ, TriangleMesh template) {
+        TriangleMesh scan = organ.structure().mesh();
+        boolean[] atCut = atCut(organ, scan);
         double[] weights = MeshMeasure.vertexAreas(scan);
         for (int v = 0; v < weights.length; v++) {
             weights[v] = atCut[v] ? 0 : weights[v];

@@ -50,6 +50,11 @@ public record Rehearsal(
     public static Rehearsal play(RehearsalPlan plan, SimulationRun.Progress progress) {
         Thorax thorax = SimulationRun.thorax(plan.scenario());
         thorax.notes().forEach(progress::note);
+        return play(plan, thorax, progress);
+    }
+
+    /** As {@link #play(RehearsalPlan, SimulationRun.Progress)}, on the plan's body that is at hand already. */
+    public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
         try (Simulation simulation = Simulation.of(plan.scenario(), thorax);
                 Workers workers = Workers.of(plan.scenario().threads())) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);

@@ -87,6 +87,25 @@ public record RehearsalPlan(
         return SHIPPED.stream().map(RehearsalPlan::shipped).toList();
     }
 
+    /** The same on another body or breath: with keys of a scenario, as {@code key=value}, set over its own. */
+    public RehearsalPlan with(List<String> set) {
+        return new RehearsalPlan(
+                title,
+                description,
+                difficulty,
+                scenario.with(set.toArray(String[]::new)),
+                targetRestMm,
+                seed,
+                diameterMm,
+                needle,
+                avoided,
+                phases,
+                giveUpAfterS,
+                goals,
+                steps,
+                file);
+    }
+
     private static RehearsalPlan shipped(String name) {
         try (InputStream in = RehearsalPlan.class.getResourceAsStream("/org/phrenic/data/exercises/" + name)) {
             if (in == null) {

@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import org.phrenic.anatomy.RibCagePose;
+import org.phrenic.anatomy.RibGains;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.force.ActionLine;
@@ -18,6 +19,10 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
     private Dial activationScale;
     private Dial restPressure;
     private Dial pressureScale;
+    private Dial pressureSides;
+    private Dial upperRibs;
+    private Dial lowerRibs;
+    private Dial ribSides;
     private Dial lineForce;
     private Springs muscle;
     private FacePressure pressure;
@@ -41,6 +46,10 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
         activationScale = dials.of(Knob.ACTIVATION);
         restPressure = dials.of(Knob.REST_PRESSURE);
         pressureScale = dials.of(Knob.EFFORT_PRESSURE);
+        pressureSides = dials.of(Knob.PRESSURE_SIDES);
+        upperRibs = dials.of(Knob.UPPER_RIBS);
+        lowerRibs = dials.of(Knob.LOWER_RIBS);
+        ribSides = dials.of(Knob.RIB_SIDES);
         lineForce = dials.of(Knob.LINE_FORCE);
     }
 
@@ -98,13 +107,30 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
     }
 
     @Override
+    public boolean gains(double time, RibGains gains) {
+        double upper = upperRibs.at(time);
+        double lower = lowerRibs.at(time);
+        double sides = ribSides.at(time);
+        if (upper == 1 && lower == 1 && sides == 1) {
+            return false;
+        }
+        gains.set(upper, lower, sides);
+        gains.setRates(upperRibs.rate(time), lowerRibs.rate(time), ribSides.rate(time));
+        return true;
+    }
+
+    @Override
     public void prepare(double time) {
         BreathState s = stateAt(time);
         if (muscle != null) {
             muscle.setActivation(activationScale.at(time) * s.activation);
         }
         if (pressure != null) {
-            pressure.setPressure(pressureAt(time));
+            double leftOverRight = pressureSides.at(time);
+            double effort = pressureScale.at(time) * (s.pressure + s.abdominalPressure);
+            double right = Math.min(1, 1 / leftOverRight);
+            pressure.setPressure(restPressure.at(time) + right * effort);
+            pressure.setMore((Math.min(1, leftOverRight) - right) * effort);
         }
         for (ActionLine line : lines) {
             line.setForce(lineForce.at(time) * s.activation);

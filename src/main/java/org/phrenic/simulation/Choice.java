@@ -50,6 +50,13 @@ public enum Choice {
             1e-5,
             ScenarioReader.LONGEST_REFRESH_S,
             "Anchors on bone and the planes of the chest wall are taken anew after so much simulated time; in between they go on at their velocity."),
+    MASS_SCALING(
+            "mass_scaling_s",
+            "Mass scaling",
+            "s",
+            1e-6,
+            ScenarioReader.LONGEST_SCALED_STEP_S,
+            "Physical material: the lightest nodes are made heavier until velocity Verlet bears this step; the less, the less mass is added."),
     THREADS(
             "threads",
             "Threads",

@@ -21,6 +21,7 @@ final class DiaphragmPart {
 
     private static final int STRUTS = 2;
     private static final double MIDLINE_MM = 20;
+    private static final double FRONT_MM = 50;
     /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
     private static final double LEAST_SHARE = 0.4;
 
@@ -37,10 +38,11 @@ final class DiaphragmPart {
     final List<AcrossSheet.Pair> links;
     /** Muscle's pairs across the sheet, each vertex in one at most. */
     private final List<AcrossSheet.Pair> musclePairs;
-    /** Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across the midline. */
+    /** Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across the midline and from back (0) to front (1). */
     private double[] fibreShare;
 
     private double[] leftness;
+    private double[] frontness;
 
     DiaphragmPart(
             SceneParts parts,
@@ -49,7 +51,8 @@ final class DiaphragmPart {
             double tendonRatio,
             boolean struts,
             int linksPerNode,
-            double leftOverRight) {
+            double leftOverRight,
+            double frontOverBack) {
         this.diaphragm = diaphragm;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);
@@ -58,7 +61,7 @@ final class DiaphragmPart {
             muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
         }
         first = parts.addNodes(sheet, muscle);
-        addEdges(parts.diaphragm, law, tendonRatio, leftOverRight);
+        addEdges(parts.diaphragm, law, tendonRatio, leftOverRight, frontOverBack);
         AcrossSheet across = AcrossSheet.of(diaphragm, REACH_MM);
         if (struts) {
             double[] p = sheet.positions();
@@ -75,15 +78,18 @@ final class DiaphragmPart {
         musclePairs = struts ? across.matched(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1) : List.of();
     }
 
-    private void addEdges(SpringList springs, TissueLaw law, double tendonRatio, double leftOverRight) {
+    private void addEdges(
+            SpringList springs, TissueLaw law, double tendonRatio, double leftOverRight, double frontOverBack) {
         TriangleMesh sheet = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
         double[] p = sheet.positions();
         double[] fibre = diaphragm.fibreDirections();
         double[] box = sheet.bounds();
         double middle = 0.5 * (box[0] + box[3]);
+        double middleY = 0.5 * (box[1] + box[4]);
         fibreShare = new double[topology.edgeCount()];
         leftness = new double[topology.edgeCount()];
+        frontness = new double[topology.edgeCount()];
         for (int e = 0; e < topology.edgeCount(); e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
@@ -98,13 +104,14 @@ final class DiaphragmPart {
                 }
             }
             fibreShare[e] = stiff ? 0 : share / sides;
-            leftness[e] = leftness(0.5 * (sheet.x(a) + sheet.x(b)) - middle);
+            leftness[e] = share(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
+            frontness[e] = share(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
             springs.add(
                     first + a,
                     first + b,
                     law.edgeStiffness(sides, stiff ? tendonRatio : 1),
                     SceneParts.distance(p, a, p, b),
-                    fibreShare[e] * drive(leftness[e], leftOverRight));
+                    fibreShare[e] * drive(leftness[e], leftOverRight) * drive(frontness[e], frontOverBack));
         }
     }
 
@@ -115,13 +122,29 @@ final class DiaphragmPart {
         return right + (left - right) * leftness * leftness * (3 - 2 * leftness);
     }
 
-    private static double leftness(double x) {
-        return Math.max(0, Math.min(1, 0.5 + 0.5 * x / MIDLINE_MM));
+    private static double share(double x, double halfWidth) {
+        return Math.max(0, Math.min(1, 0.5 + 0.5 * x / halfWidth));
+    }
+
+    /** For each triangle that the abdomen presses on how much of it counts as left, 0 to 1, smooth across the midline. */
+    double[] abdominalLeftness() {
+        TriangleMesh sheet = diaphragm.sheet();
+        double[] box = sheet.bounds();
+        double middle = 0.5 * (box[0] + box[3]);
+        int[] t = sheet.triangles();
+        return IntStream.range(0, sheet.triangleCount())
+                .filter(i -> !diaphragm.isThoracicTriangle(i))
+                .mapToDouble(i -> (sheet.x(t[3 * i]) + sheet.x(t[3 * i + 1]) + sheet.x(t[3 * i + 2])) / 3 - middle)
+                // With nothing at all on the right, what is left of a drive is the smooth step to the left.
+                .map(x -> drive(share(x, MIDLINE_MM), Double.POSITIVE_INFINITY))
+                .toArray();
     }
 
     /** Share of the activation that shortens an edge of the sheet, the edges in the order of their springs. */
-    double contractileShare(int edge, double leftOverRight) {
-        return edge < fibreShare.length ? fibreShare[edge] * drive(leftness[edge], leftOverRight) : 0;
+    double contractileShare(int edge, double leftOverRight, double frontOverBack) {
+        return edge < fibreShare.length
+                ? fibreShare[edge] * drive(leftness[edge], leftOverRight) * drive(frontness[edge], frontOverBack)
+                : 0;
     }
 
     /** Whether a spring of the sheet, in the order of its springs, is an edge in the tendon. */

@@ -11,12 +11,17 @@ enum Knob {
     DAMPING(true),
     COUPLING(true),
     LEFT_OVER_RIGHT(true),
+    FRONT_OVER_BACK(true),
     REST_PRESSURE(true),
     LINE_RADIUS(false),
     ACTIVATION(false),
     LINE_FORCE(false),
     EFFORT_PRESSURE(false),
+    PRESSURE_SIDES(false),
     RIB_ROTATION(false),
+    UPPER_RIBS(false),
+    LOWER_RIBS(false),
+    RIB_SIDES(false),
     /** Rigid links at their given length (1) or as long as they were found (0). */
     LINKS(false),
     /** The wall as hard as it gets (1) or not there (0). */
@@ -50,11 +55,16 @@ enum Knob {
             case DAMPING -> s.value(physical ? Parameter.DAMPING_RATE : Parameter.DAMPING);
             case COUPLING -> s.value(Parameter.STERNUM_COUPLING);
             case LEFT_OVER_RIGHT -> physical ? s.value(Parameter.LEFT_OVER_RIGHT) : 1;
+            case FRONT_OVER_BACK -> physical ? s.value(Parameter.FRONT_OVER_BACK) : 1;
             case REST_PRESSURE -> s.pressure() ? s.value(Parameter.REST_PRESSURE) : 0;
             case LINE_RADIUS -> s.value(Parameter.ACTION_RADIUS);
             case ACTIVATION -> s.muscle() ? s.value(Parameter.MUSCLE_ACTIVATION) : 0;
             case LINE_FORCE -> s.muscle() ? s.value(Parameter.MUSCLE_FORCE) : 0;
             case EFFORT_PRESSURE -> s.pressure() ? s.value(Parameter.GREATEST_PRESSURE) : 0;
+            case PRESSURE_SIDES -> physical ? s.value(Parameter.PRESSURE_LEFT_OVER_RIGHT) : 1;
+            case UPPER_RIBS -> s.value(Parameter.UPPER_RIB_ROTATION);
+            case LOWER_RIBS -> s.value(Parameter.LOWER_RIB_ROTATION);
+            case RIB_SIDES -> s.value(Parameter.RIB_LEFT_OVER_RIGHT);
             case RIB_ROTATION -> s.ribs() ? s.value(Parameter.RIB_ROTATION) : 0;
             case LINKS -> s.tensegrity() ? 1 : 0;
             case CONTACT -> s.contact() ? 1 : 0;

@@ -302,10 +302,14 @@ final class LungBase implements PrescribedMotion {
         }
     }
 
-    /** Nodes of the lungs that lie on the base, and the stiffness that holds each to its place there. */
-    record Ties(List<Integer> nodes, List<Double> stiffness) {
+    /** Nodes of the lungs that lie on the base, the diaphragm's node nearest to each, and the stiffness that holds each to its place there. */
+    record Ties(List<Integer> nodes, List<Integer> nearest, List<Double> stiffness) {
         int[] node() {
             return nodes.stream().mapToInt(Integer::intValue).toArray();
+        }
+
+        int[] nearestNode() {
+            return nearest.stream().mapToInt(Integer::intValue).toArray();
         }
 
         double[] stiffnesses() {

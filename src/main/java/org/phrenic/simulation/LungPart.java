@@ -23,9 +23,6 @@ final class LungPart {
     /** Over this distance from the base the attachment to the chest wall comes to its full strength. */
     private static final double FADE_MM = 80;
 
-    /** A spring needs a length. */
-    private static final double SHORTEST_MM = 0.2;
-
     /** A vertex farther from every bone faces the mediastinum, which holds it to nothing. */
     private static final double COSTAL_MM = 25;
 
@@ -44,7 +41,7 @@ final class LungPart {
     final List<Structure> structures;
     final List<Integer> firsts = new ArrayList<>();
     /** What lies on the diaphragm; empty without a chest wall, where springs between nodes hold the base. */
-    final LungBase.Ties base = new LungBase.Ties(new ArrayList<>(), new ArrayList<>());
+    final LungBase.Ties base = new LungBase.Ties(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
 
     private final List<Integer> onWall = new ArrayList<>();
 
@@ -78,11 +75,10 @@ final class LungPart {
                 if (costal) {
                     onWall.add(first + i);
                 }
-                if (wall != null && distance < BASE_MM) {
+                if (distance < BASE_MM) {
                     base.nodes().add(first + i);
-                    base.stiffness().add(SLIDING_LINK * edge);
-                } else if (!costal && distance < BASE_MM && distance > SHORTEST_MM) {
-                    parts.passive.add(first + i, diaphragm.first + near, LINK * edge, distance, 0);
+                    base.nearest().add(diaphragm.first + near);
+                    base.stiffness().add((wall == null ? LINK : SLIDING_LINK) * edge);
                 } else {
                     double costalShare = toBone[i] < COSTAL_MM ? WALL * (1 - FallOff.at(distance, FADE_MM)) : 0;
                     parts.attach(first + i, edge * Math.max(PARENCHYMA, costalShare));

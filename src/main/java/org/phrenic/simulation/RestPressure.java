@@ -48,7 +48,7 @@ final class RestPressure {
         int[] pressed = diaphragm.abdominalTriangles();
         double[] weight = new double[pressed.length / 3];
         Arrays.fill(weight, 1);
-        FacePressure pressure = new FacePressure(layout, pressed, weight);
+        FacePressure pressure = new FacePressure(layout, pressed, weight, diaphragm.abdominalLeftness());
         system.add(pressure);
         drive.drives(pressure);
         double atRest = Knob.REST_PRESSURE.in(scenario);

@@ -29,6 +29,7 @@ final class ScenarioReader {
     static final double LONGEST_STEP_S = 0.1;
     static final int MOST_SWEEPS = 100;
     static final double LONGEST_REFRESH_S = 1;
+    static final double LONGEST_SCALED_STEP_S = 0.01;
     private static final String NO_TRACE = "none";
     private static final int MOST_LINKS = 3;
     private static final long MOST_STEPS = 1_000_000_000_000L;
@@ -60,6 +61,7 @@ final class ScenarioReader {
                 "step_policy",
                 "projection_sweeps",
                 "refresh_s",
+                "mass_scaling_s",
                 "threads",
                 "record_every_s",
                 "meshes_every_s",
@@ -97,6 +99,7 @@ final class ScenarioReader {
                         ? whole("projection_sweeps", 1, MOST_SWEEPS)
                         : base.givenProjectionSweeps(),
                 time("refresh_s", base.givenRefreshS(), LONGEST_REFRESH_S),
+                time("mass_scaling_s", base.massScalingS(), LONGEST_SCALED_STEP_S),
                 whole("threads", base.threads(), Scenario.MOST_THREADS),
                 time("record_every_s", base.recordEveryS(), LONGEST_S),
                 meshesEveryS(base.meshesEveryS()),

@@ -16,12 +16,14 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
@@ -33,13 +35,13 @@ import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
 final class SceneAssembly {
-    /** Step of the physical preset that is to need no substeps; the same whatever step is chosen, so that the body does not depend on it. */
-    private static final double SCALED_STEP_S = 1e-3;
-
     private static final double LINK_TOLERANCE = 1e-6;
     private static final int LINK_SWEEPS = 50;
 
     private final Scenario scenario;
+    /** What is fastest for the sheet's springs serves the others too. */
+    private SpringKernel kernel;
+
     private final Thorax thorax;
     private final Workers workers;
     private final SceneParts parts = new SceneParts();
@@ -75,7 +77,8 @@ final class SceneAssembly {
                 value(Parameter.TENDON_RATIO),
                 physical,
                 scenario.linksPerNode(),
-                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1);
+                physical ? value(Parameter.LEFT_OVER_RIGHT) : 1,
+                physical ? value(Parameter.FRONT_OVER_BACK) : 1);
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
                 : Optional.empty();
@@ -136,8 +139,10 @@ final class SceneAssembly {
             system.setEnabled(contact.get(), scenario.contact());
         }
         Optional<Attachments> base = Optional.empty();
-        if (wall != null && lungs.isPresent()) {
+        if (lungs.isPresent()) {
             base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions));
+        }
+        if (wall != null && lungs.isPresent()) {
             int[] pleural = lungs.get().pleural();
             system.add(SlidingContact.adhering(
                     layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
@@ -170,7 +175,7 @@ final class SceneAssembly {
         scaling.springs(parts.passive);
         scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
         lungs.ifPresent(l -> scaling.attachments(l.base.node(), l.base.stiffnesses(), 1));
-        scaling.scaleFor(SCALED_STEP_S / Stepper.SAFETY);
+        scaling.scaleFor(scenario.massScalingS() / Stepper.SAFETY);
         return scaling.addedPercent();
     }
 
@@ -231,7 +236,7 @@ final class SceneAssembly {
             builder.contractile(parts.diaphragm.share());
         }
         Springs springs = builder.build();
-        springs.useFastestKernel(system.positions(), system.velocities());
+        kernel = springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
         if (contractile) {
             drive.drives(springs);
@@ -247,21 +252,20 @@ final class SceneAssembly {
                 .stiffness(parts.passive.stiffness())
                 .rest(parts.passive.rest())
                 .build();
-        springs.useFastestKernel(system.positions(), system.velocities());
+        springs.setKernel(kernel);
         system.add(springs);
         return Optional.of(springs);
     }
 
-    /** The lungs' base, held to the diaphragm as it slides there. */
+    /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */
     private Attachments onDiaphragm(
             ParticleSystem system, LungPart lungs, DiaphragmPart diaphragm, ChestWall wall, double[] positions) {
         int[] nodes = lungs.base.node();
-        Attachments base = new Attachments(
-                system.layout(),
-                nodes,
-                lungs.base.stiffnesses(),
-                0,
-                new LungBase(system, diaphragm, wall, SceneParts.points(positions, 0, nodes)));
+        double[] points = SceneParts.points(positions, 0, nodes);
+        PrescribedMotion places = wall == null
+                ? new CarriedPoints(system, lungs.base.nearestNode(), points)
+                : new LungBase(system, diaphragm, wall, points);
+        Attachments base = new Attachments(system.layout(), nodes, lungs.base.stiffnesses(), 0, places);
         base.setRefreshInterval(refresh);
         system.add(base);
         return base;

@@ -183,20 +183,28 @@ public final class SceneSurfaces {
         double time = look();
         List<TriangleMesh> meshes = new ArrayList<>();
         for (int i = 0; i < surfaces.size(); i++) {
-            TriangleMesh rest = surfaces.get(i).rest();
-            meshes.add(
-                    switch (surfaces.get(i).motion()) {
-                        case DEFORMING ->
-                            rest.withPositions(places.get(i).at(time, now).clone());
-                        case RIGID -> {
-                            double[] p = new double[rest.positions().length];
-                            HelicalBody.move(scene.pose().pose(bodies.get(i)), rest.positions(), 0, p, 0, p.length / 3);
-                            yield rest.withPositions(p);
-                        }
-                        case STILL -> rest;
-                    });
+            meshes.add(mesh(i, time));
         }
         return meshes;
+    }
+
+    /** One of the surfaces as the scene stands, in double precision. */
+    public TriangleMesh mesh(int surface) {
+        return mesh(surface, look());
+    }
+
+    private TriangleMesh mesh(int surface, double time) {
+        TriangleMesh rest = surfaces.get(surface).rest();
+        return switch (surfaces.get(surface).motion()) {
+            case DEFORMING ->
+                rest.withPositions(places.get(surface).at(time, now).clone());
+            case RIGID -> {
+                double[] p = new double[rest.positions().length];
+                HelicalBody.move(scene.pose().pose(bodies.get(surface)), rest.positions(), 0, p, 0, p.length / 3);
+                yield rest.withPositions(p);
+            }
+            case STILL -> rest;
+        };
     }
 
     /** Observables as the scene stands, in the order of {@link Observation#COLUMNS}. */

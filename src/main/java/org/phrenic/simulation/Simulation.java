@@ -37,7 +37,7 @@ public final class Simulation implements AutoCloseable {
     private final Workers workers;
     private final double settledBy;
     private final StabilityLimit firstLimit;
-    private final List<Change> scheduled;
+    private List<Change> scheduled;
     private Scenario start;
     private Tuning tuning;
     private int nextScheduled;
@@ -221,6 +221,27 @@ public final class Simulation implements AutoCloseable {
             return false;
         }
         start = tuning.settings();
+        begin();
+        return true;
+    }
+
+    /**
+     * Back to the start as it was put together, to breathe with other changes; the bits that follow are those of a new simulation of its scenario with them. Costs no assembly, and so serves who asks for
+     * many breaths of one scene.
+     *
+     * @param changes in the order of their steps, instead of those of the scenario and those made since
+     * @throws IllegalArgumentException if one of them, or one made since, changes anything but {@link Parameter}s and {@code hold}
+     */
+    public void rerun(List<Change> changes) {
+        Tuning.requireNumbers(tuning.log());
+        Tuning.requireNumbers(changes);
+        tuning.asAssembled();
+        scheduled = start.withChanges(changes).changes();
+        nextScheduled = 0;
+        begin();
+    }
+
+    private void begin() {
         // The cage keeps the pose of the last time it was asked for: none that comes again.
         scene.pose().update(-1);
         Dials dials = new Dials(start);
@@ -230,15 +251,21 @@ public final class Simulation implements AutoCloseable {
         system().forget();
         stepper.restart(start.integrator().on(system()), firstLimit);
         tuning = new Tuning(start, scene, stepper, dials);
-        return true;
     }
 
-    /** Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. */
-    public void undoLastChange() {
+    /**
+     * Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from the state that was restored. Where that was done already and the scene diverged again, those of
+     * the step before too.
+     *
+     * @return whether there was anything to take back
+     */
+    public boolean undoLastChange() {
         List<Assignment> back = tuning.undo();
-        if (!back.isEmpty()) {
-            tuning.change(back);
+        if (back.isEmpty()) {
+            return false;
         }
+        tuning.change(back);
+        return true;
     }
 
     /** The scenario of the start, without changes. */

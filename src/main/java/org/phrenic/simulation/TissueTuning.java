@@ -10,7 +10,9 @@ import org.phrenic.engine.force.Attachments;
  * settled at end-expiration, {@code f} the factor by which its tissue is stiffer than as assembled; T goes with the pressure at rest. Springs to bone likewise. With all factors at 1 every number is the one assembled.
  */
 final class TissueTuning {
-    private static final Knob[] SHEET = {Knob.STIFFNESS, Knob.TENDON_RATIO, Knob.REST_PRESSURE, Knob.LEFT_OVER_RIGHT};
+    private static final Knob[] SHEET = {
+        Knob.STIFFNESS, Knob.TENDON_RATIO, Knob.REST_PRESSURE, Knob.LEFT_OVER_RIGHT, Knob.FRONT_OVER_BACK
+    };
     private static final Knob[] PASSIVE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS};
     private static final Knob[] BONE = {Knob.STIFFNESS, Knob.LUNG_STIFFNESS, Knob.COUPLING};
     private static final Knob[] MASSES = {
@@ -111,6 +113,7 @@ final class TissueTuning {
         RestPressure rest = forces.rest().orElse(null);
         double pressure = value[Knob.REST_PRESSURE.slot()];
         double leftOverRight = value[Knob.LEFT_OVER_RIGHT.slot()];
+        double frontOverBack = value[Knob.FRONT_OVER_BACK.slot()];
         if (rest != null) {
             rest.scaleLoad(pressure);
         }
@@ -121,7 +124,7 @@ final class TissueTuning {
         for (int e = 0; e < sheet.count; e++) {
             double more = rest == null ? 0 : rest.moreTension(e, pressure);
             sheet.set(e, diaphragm.isTendonEdge(e) ? tendon : muscle, more);
-            sheet.shortening[e] = diaphragm.contractileShare(e, leftOverRight)
+            sheet.shortening[e] = diaphragm.contractileShare(e, leftOverRight, frontOverBack)
                     * RestPressure.shortest(sheet.length[e], sheet.rest[e]);
         }
         sheet.hand();

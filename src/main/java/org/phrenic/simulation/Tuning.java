@@ -41,10 +41,17 @@ final class Tuning {
             Parameter.INSPIRATORY_FRACTION.key(),
             Parameter.CHEST_SHARE.key(),
             Parameter.RIB_ROTATION.key(),
+            Parameter.UPPER_RIB_ROTATION.key(),
+            Parameter.LOWER_RIB_ROTATION.key(),
+            Parameter.RIB_LEFT_OVER_RIGHT.key(),
+            Parameter.PRESSURE_LEFT_OVER_RIGHT.key(),
             Parameter.MUSCLE_ACTIVATION.key(),
             Parameter.MUSCLE_FORCE.key(),
             Parameter.GREATEST_PRESSURE.key());
 
+    private static final String UNDO = "undo";
+
+    private final Scenario start;
     private final Scene scene;
     private final ParticleSystem system;
     private final Stepper stepper;
@@ -57,6 +64,7 @@ final class Tuning {
     private boolean limitPending;
     private boolean geometryPending;
     private long linksOff = -1;
+    private long undoneTo;
 
     Tuning(Scenario scenario, Scene scene, Stepper stepper, Dials dials) {
         this.scene = scene;
@@ -65,6 +73,7 @@ final class Tuning {
         this.dials = dials;
         tissue = new TissueTuning(scene, scenario);
         values = tissue.assembledValues();
+        start = scenario;
         settings = scenario;
         settingsBefore = scenario;
     }
@@ -214,23 +223,39 @@ final class Tuning {
         }
     }
 
-    /** What takes back the changes made at the last step that has any; empty if there are none. */
+    /**
+     * What takes back the changes made at the last step that has any; if those were themselves taking something back, which has not helped, the changes of the step before as well, and so on to the start. Empty if
+     * nothing is left to take back.
+     */
     List<Assignment> undo() {
-        long last = lastStep();
-        Map<String, Object> before = settingsBefore.toMap();
-        List<Assignment> back = new ArrayList<>();
-        for (Change change : log) {
-            String key = change.assignment().key();
-            if (change.step() == last) {
-                back.add(new Assignment("undo", key, String.valueOf(before.getOrDefault(key, absent(key)))));
-            }
+        if (log.isEmpty()) {
+            return List.of();
         }
-        return back;
+        boolean again = UNDO.equals(log.get(log.size() - 1).assignment().origin());
+        long before = again ? undoneTo : Long.MAX_VALUE;
+        long cut = log.stream()
+                .mapToLong(Change::step)
+                .filter(step -> step < before)
+                .max()
+                .orElse(-1);
+        if (cut < 0) {
+            return List.of();
+        }
+        undoneTo = cut;
+        Scenario then = start.with(
+                log.stream().filter(c -> c.step() < cut).map(Change::assignment).toList());
+        Map<String, Object> values = then.toMap();
+        return log.stream()
+                .filter(c -> c.step() >= cut)
+                .map(c -> c.assignment().key())
+                .distinct()
+                .map(key -> new Assignment(UNDO, key, String.valueOf(values.getOrDefault(key, absent(key, then)))))
+                .toList();
     }
 
-    /** Value of a key that the settings before the last change left to the preset. */
-    private Object absent(String key) {
-        var breath = settingsBefore.breathing().parameters();
+    /** Value of a key that settings leave to the preset. */
+    private static Object absent(String key, Scenario settings) {
+        var breath = settings.breathing().parameters();
         if (key.equals(Parameter.RATE.key())) {
             return breath.ratePerMin();
         }
@@ -243,6 +268,29 @@ final class Tuning {
     /** Whether what was changed since the start leaves the scene as it was assembled, so that it can begin anew as it is. */
     boolean isAsAssembled() {
         return log.stream().allMatch(c -> NOT_ASSEMBLED.contains(c.assignment().key()));
+    }
+
+    /**
+     * Refuses changes of anything but numbers and the hold of the breath.
+     *
+     * @throws IllegalArgumentException with one sentence
+     */
+    static void requireNumbers(List<Change> changes) {
+        for (Change change : changes) {
+            String key = change.assignment().key();
+            if (!key.equals("hold") && !Parameter.keys().contains(key)) {
+                throw new IllegalArgumentException(
+                        change.text() + ": found key '" + key + "', expected a parameter or hold");
+            }
+        }
+    }
+
+    /** Gives tissue and action lines the numbers that they were assembled with. */
+    void asAssembled() {
+        tissue.apply(tissue.assembledValues());
+        for (var line : scene.forces().lines()) {
+            line.setRadius(tissue.assembledValues()[Knob.LINE_RADIUS.slot()]);
+        }
     }
 
     /** Which scheme the settings ask for. */

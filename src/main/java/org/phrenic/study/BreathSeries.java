@@ -102,6 +102,11 @@ public final class BreathSeries {
         return labels.contains(BreathLabel.HOLD);
     }
 
+    /** First row of the hold; -1 where no breath is held. */
+    public int held() {
+        return labels.indexOf(BreathLabel.HOLD);
+    }
+
     /** Mean of a column at the breaths' beginnings. */
     public double start(String column) {
         double sum = 0;

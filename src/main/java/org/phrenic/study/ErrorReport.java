@@ -1,11 +1,13 @@
 package org.phrenic.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.phrenic.engine.equilibrium.NewtonEquilibrium;
 import org.phrenic.format.Notice;
 import org.phrenic.format.ReportDocument;
 
@@ -111,15 +113,23 @@ public final class ErrorReport {
 
     /** How far from equilibrium a phase is, in a sentence. */
     public static String sentence(ErrorStudy study, QuasiStatic q) {
+        NewtonEquilibrium.Result newton = q.newton();
         return String.format(
                 Locale.ROOT,
-                "At %.1f s the reference is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs, muscle"
-                        + " and pressure at that time, which was still moving by %.1g mm rms.",
+                "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs,"
+                        + " muscle and pressure at that time, and all its nodes %.3g mm rms from where they come to rest by"
+                        + " themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation alone was %.2g mm"
+                        + " rms off.",
                 q.timeS(),
                 q.rmsMm(),
                 study.percent(q.rmsMm()),
                 q.maxMm(),
-                q.driftMm());
+                q.relaxedRmsMm(),
+                newton.converged() ? "converged to" : "not converged,",
+                newton.residualsMn()[newton.residualsMn().length - 1],
+                newton.binding(),
+                newton.settled() ? "" : ", " + newton.changed() + " more would change",
+                q.leftMm());
     }
 
     /** What coarser meshes change, a sentence each. */
@@ -177,7 +187,15 @@ public final class ErrorReport {
         map.put("time_s", q.timeS());
         map.put("rms_mm", q.rmsMm());
         map.put("max_mm", q.maxMm());
-        map.put("drift_mm", q.driftMm());
+        map.put("relaxed_rms_mm", q.relaxedRmsMm());
+        map.put("relaxed_max_mm", q.relaxedMaxMm());
+        map.put("relaxation_left_mm", q.leftMm());
+        map.put("newton_converged", q.newton().converged());
+        map.put("newton_settled", q.newton().settled());
+        map.put(
+                "newton_residuals_mn",
+                Arrays.stream(q.newton().residualsMn()).boxed().toList());
+        map.put("newton_binding", q.newton().binding());
         return map;
     }
 

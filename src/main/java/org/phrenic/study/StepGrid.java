@@ -30,7 +30,7 @@ public record StepGrid(
         return material == Material.PHYSICAL
                 ? new StepGrid(
                         all,
-                        List.of(0.0005, 0.001, 0.002, 0.005, 0.01, 0.02),
+                        List.of(0.0005, 0.001, 0.00125, 0.002, 0.005, 0.01, 0.02),
                         List.of(1, 2, 4, 8),
                         List.of(0.02, 0.005, 0.002))
                 : new StepGrid(
@@ -41,7 +41,7 @@ public record StepGrid(
     public static StepGrid quick(Material material) {
         return new StepGrid(
                 List.of(IntegratorKind.VERLET, IntegratorKind.SYMPLECTIC_EULER),
-                material == Material.PHYSICAL ? List.of(0.001) : List.of(0.005, 0.01),
+                material == Material.PHYSICAL ? List.of(0.00125) : List.of(0.005, 0.01),
                 List.of(1, 2),
                 List.of(0.02));
     }

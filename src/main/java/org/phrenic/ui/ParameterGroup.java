@@ -24,11 +24,18 @@ enum ParameterGroup {
     /** The group of a parameter. */
     static ParameterGroup of(Parameter parameter) {
         return switch (parameter) {
-            case MUSCLE_STIFFNESS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, MUSCLE_FORCE, ACTION_RADIUS -> MUSCLE;
+            case MUSCLE_STIFFNESS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, FRONT_OVER_BACK, MUSCLE_FORCE, ACTION_RADIUS ->
+                MUSCLE;
             case TENDON_RATIO, SPRING_STIFFNESS, NODE_MASS, AREA_DENSITY, DAMPING, DAMPING_RATE, LUNG_STIFFNESS ->
                 TISSUE;
-            case RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE, REST_PRESSURE, GREATEST_PRESSURE -> BREATHING;
-            case RIB_ROTATION, STERNUM_COUPLING -> RIBS;
+            case RATE,
+                    DEPTH,
+                    INSPIRATORY_FRACTION,
+                    CHEST_SHARE,
+                    REST_PRESSURE,
+                    GREATEST_PRESSURE,
+                    PRESSURE_LEFT_OVER_RIGHT -> BREATHING;
+            case RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, STERNUM_COUPLING -> RIBS;
         };
     }
 

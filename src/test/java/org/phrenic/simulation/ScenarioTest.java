@@ -46,7 +46,7 @@ class ScenarioTest {
         assertThat(scenario.resolution()).isEqualTo(Resolution.MEDIUM);
         assertThat(scenario.durationS()).isNaN();
         assertThat(scenario.durationS(Patterns.of(scenario))).isEqualTo(8);
-        assertThat(scenario.timeStepS()).isEqualTo(0.001);
+        assertThat(scenario.timeStepS()).isEqualTo(0.00125);
         assertThat(scenario.value(Parameter.MUSCLE_STIFFNESS)).isEqualTo(300);
         assertThat(scenario.value(Parameter.RATE)).isNaN();
         assertThat(scenario.breathing().parameters().ratePerMin()).isEqualTo(15);

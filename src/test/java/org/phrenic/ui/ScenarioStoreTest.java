@@ -69,7 +69,7 @@ class ScenarioStoreTest {
         // The step goes to that of the paper, 0.01 s, for the scenario stated none.
         assertThat(paper.timeStepS()).isEqualTo(0.01);
         assertThat(paper.pressure()).isFalse();
-        assertThat(Settings.ofMaterial(paper, Material.PHYSICAL).timeStepS()).isEqualTo(0.001);
+        assertThat(Settings.ofMaterial(paper, Material.PHYSICAL).timeStepS()).isEqualTo(0.00125);
     }
 
     @Test

@@ -1,5 +1,7 @@
 package org.phrenic.engine.constraint;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
@@ -67,6 +69,11 @@ public final class OrderedPairs implements Constraint {
     @Override
     public void forget() {
         now = Double.NaN;
+    }
+
+    @Override
+    public IntStream nodes() {
+        return IntStream.concat(Arrays.stream(outer), Arrays.stream(inner));
     }
 
     public int count() {
@@ -154,6 +161,18 @@ public final class OrderedPairs implements Constraint {
         a[n] += inward * nx;
         a[n + 1] += inward * ny;
         a[n + 2] += inward * nz;
+    }
+
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < outer.length; i++) {
+            double gap = -least[i];
+            for (int axis = 0; axis < 3; axis++) {
+                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
+            }
+            out.add(outer[i] / 3, inner[i] / 3, normal[3 * i], normal[3 * i + 1], normal[3 * i + 2], gap, true);
+        }
     }
 
     /** Largest breach of the least distance, mm, along the normals last taken. */

@@ -2,6 +2,7 @@ package org.phrenic.engine.constraint;
 
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
@@ -243,6 +244,11 @@ public final class RigidLinks implements Constraint {
     }
 
     @Override
+    public IntStream nodes() {
+        return IntStream.concat(Arrays.stream(nodeA), Arrays.stream(nodeB));
+    }
+
+    @Override
     public void projectVelocities(ParticleSystem particles) {
         if (asPublished) {
             return;
@@ -375,6 +381,18 @@ public final class RigidLinks implements Constraint {
             v[b + 2] -= sb * dz;
         }
         pieceError[piece] = worst;
+    }
+
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < length.length; i++) {
+            double dx = x[nodeA[i]] - x[nodeB[i]];
+            double dy = x[nodeA[i] + 1] - x[nodeB[i] + 1];
+            double dz = x[nodeA[i] + 2] - x[nodeB[i] + 2];
+            double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            out.add(nodeA[i] / 3, nodeB[i] / 3, dx / l, dy / l, dz / l, l - length[i], false);
+        }
     }
 
     /** Largest relative length error |l - L| / L. */

@@ -1,5 +1,7 @@
 package org.phrenic.engine.constraint;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
@@ -78,6 +80,11 @@ public final class SlidingContact implements Constraint {
         now = Double.NaN;
     }
 
+    @Override
+    public IntStream nodes() {
+        return Arrays.stream(node);
+    }
+
     public int count() {
         return node.length;
     }
@@ -154,6 +161,18 @@ public final class SlidingContact implements Constraint {
                     v[n + 2] -= into * nz;
                 }
             }
+        }
+    }
+
+    @Override
+    public void rows(ParticleSystem particles, Rows out) {
+        double[] x = particles.positions();
+        double elapsed = now - planeTime;
+        for (int i = 0; i < node.length; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            out.add(n / 3, -1, plane[p], plane[p + 1], plane[p + 2], gap - plane[p + 4] * elapsed, !adhering);
         }
     }
 

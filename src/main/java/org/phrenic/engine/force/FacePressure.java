@@ -6,7 +6,8 @@ import org.phrenic.engine.NodeLayout;
 
 /**
  * Pressure on chosen triangles: each corner carries a third of p w A n, where n is the triangle's current outward normal turned
- * inward, that is, pressure pushes against the face. w is a weight a triangle (1, or a hydrostatic profile).
+ * inward, that is, pressure pushes against the face. w is a weight a triangle (1, or a hydrostatic profile). A second pressure with
+ * weights of its own may act beside it.
  */
 public final class FacePressure implements ForceField {
     /** All three corners lie in the block. */
@@ -16,7 +17,9 @@ public final class FacePressure implements ForceField {
     private final int[] corner;
     private final int[] owned;
     private final double[] entryWeight;
+    private final double[] entryMore;
     private double pressure;
+    private double more;
 
     /**
      * @param layout of the system it is for
@@ -25,8 +28,17 @@ public final class FacePressure implements ForceField {
      * @throws IllegalArgumentException if the corners are not three a triangle, or the weights not one a triangle
      */
     public FacePressure(NodeLayout layout, int[] triangles, double[] weight) {
+        this(layout, triangles, weight, new double[weight.length]);
+    }
+
+    /**
+     * As the other, with a second pressure.
+     *
+     * @param moreWeight its weights, one a triangle
+     */
+    public FacePressure(NodeLayout layout, int[] triangles, double[] weight, double[] moreWeight) {
         int count = triangles.length / 3;
-        if (triangles.length % 3 != 0 || weight.length != count) {
+        if (triangles.length % 3 != 0 || weight.length != count || moreWeight.length != count) {
             throw new IllegalArgumentException("faces under pressure: found " + triangles.length + " corners and "
                     + weight.length + " weights, expected three corners and one weight each");
         }
@@ -54,10 +66,12 @@ public final class FacePressure implements ForceField {
         corner = new int[3 * entries];
         owned = new int[entries];
         entryWeight = new double[entries];
+        entryMore = new double[entries];
         for (int i = 0; i < entries; i++) {
             int block = (int) (key[i] >>> 32);
             int triangle = (int) key[i];
             entryWeight[i] = weight[triangle];
+            entryMore[i] = moreWeight[triangle];
             start[block + 1]++;
             for (int c = 0; c < 3; c++) {
                 int node = internal[3 * triangle + c];
@@ -77,13 +91,18 @@ public final class FacePressure implements ForceField {
         pressure = value;
     }
 
+    /** Sets the second pressure, kPa. */
+    public void setMore(double value) {
+        more = value;
+    }
+
     public double pressure() {
         return pressure;
     }
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
-        if (pressure == 0) {
+        if (pressure == 0 && more == 0) {
             return;
         }
         int[] corners = corner;
@@ -101,7 +120,7 @@ public final class FacePressure implements ForceField {
             double e2x = x[c] - x[a];
             double e2y = x[c + 1] - x[a + 1];
             double e2z = x[c + 2] - x[a + 2];
-            double s = sixth * scale[i];
+            double s = more == 0 ? sixth * scale[i] : sixth * scale[i] - more * entryMore[i] / 6;
             double fx = s * (e1y * e2z - e1z * e2y);
             double fy = s * (e1z * e2x - e1x * e2z);
             double fz = s * (e1x * e2y - e1y * e2x);

@@ -10,9 +10,9 @@ import java.util.Map;
  */
 final class KernelChoice {
     /** Enough for the just-in-time compiler to have settled in the later ones: the least time of all counts. */
-    private static final int ROUNDS = 12;
+    private static final int ROUNDS = 10;
 
-    private static final long ROUND_NANOS = 12_000_000;
+    private static final long ROUND_NANOS = 8_000_000;
 
     private KernelChoice() {}
 

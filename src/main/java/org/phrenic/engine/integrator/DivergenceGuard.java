@@ -11,6 +11,9 @@ final class DivergenceGuard {
     /** A cough moves tissue at some 1,000 mm/s; ten times that is a fault of the numbers. */
     private static final double MAX_SPEED = 10_000;
 
+    /** A state with a faster node may be about to leave all bounds: unless it is asked for, it is none to go back to. */
+    private static final double CALM_SPEED = 2_500;
+
     private static final long STEPS_BETWEEN_SNAPSHOTS = 256;
 
     private final ParticleSystem system;
@@ -18,6 +21,7 @@ final class DivergenceGuard {
     private final double[] goodV;
     private final boolean[] good;
     private long goodStep;
+    private double bound;
     private final Workers.Task scan = this::scan;
 
     DivergenceGuard(ParticleSystem system) {
@@ -45,13 +49,18 @@ final class DivergenceGuard {
         if (unmet != null) {
             return unmet;
         }
-        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS) {
+        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS && isWithin(CALM_SPEED)) {
             keep(step);
         }
         return null;
     }
 
     private boolean isGood() {
+        return isWithin(MAX_SPEED);
+    }
+
+    private boolean isWithin(double mmS) {
+        bound = mmS;
         system.workers().run(good.length, scan);
         for (boolean block : good) {
             if (!block) {
@@ -69,7 +78,7 @@ final class DivergenceGuard {
         for (int i = 3 * system.layout().start(block); i < end && all; i += 3) {
             // 0 x is 0 unless x is not finite: so a lost position shows as well.
             double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
-            all = speed <= MAX_SPEED * MAX_SPEED;
+            all = speed <= bound * bound;
         }
         good[block] = all;
     }

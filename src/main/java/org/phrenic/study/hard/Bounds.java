@@ -11,7 +11,8 @@ package org.phrenic.study.hard;
  * @param shapeS until when that is asked, s: where a sheet crumples or snaps through, trusted runs of different fineness part too
  * @param linkError largest | |AB| - L | / L of a rigid link
  * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
- * @param driftMm largest distance of any node between the ends of the first period after a minute and of any later one; infinite where it is not asked for
+ * @param repeatMm distance of any node at the end of any later period from where it was at the end of the first period after a minute; infinite where a motion need not repeat itself
+ * @param driftMm distance of any node from where it began, once the breath is stopped at the end and the body has come to rest; infinite where it is not asked for
  */
 record Bounds(
         double kineticFactor,
@@ -21,44 +22,49 @@ record Bounds(
         double shapeS,
         double linkError,
         double returnMm,
+        double repeatMm,
         double driftMm) {
     private static final double ANY = Double.POSITIVE_INFINITY;
 
     /** A cough moves tissue at some 1,000 mm/s and nothing in a trunk is 300 mm from where it was; links to a thousandth. */
     static Bounds body() {
-        return new Bounds(ANY, 1000, 300, ANY, ANY, 1e-3, ANY, ANY);
+        return new Bounds(ANY, 1000, 300, ANY, ANY, 1e-3, ANY, ANY, ANY);
     }
 
     Bounds kinetic(double factor) {
-        return new Bounds(factor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, driftMm);
+        return new Bounds(factor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
     }
 
     Bounds speed(double mmS) {
-        return new Bounds(kineticFactor, mmS, reachMm, shape, shapeS, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, mmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
     }
 
     Bounds reach(double mm) {
-        return new Bounds(kineticFactor, speedMmS, mm, shape, shapeS, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, mm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
     }
 
     Bounds shape(double share) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, share, shapeS, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, share, shapeS, linkError, returnMm, repeatMm, driftMm);
     }
 
     Bounds shapeUntil(double seconds) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, seconds, linkError, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, seconds, linkError, returnMm, repeatMm, driftMm);
     }
 
     Bounds links(double relative) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, relative, returnMm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, relative, returnMm, repeatMm, driftMm);
     }
 
     Bounds returns(double mm) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, mm, driftMm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, mm, repeatMm, driftMm);
+    }
+
+    Bounds repeats(double mm) {
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, mm, driftMm);
     }
 
     Bounds drift(double mm) {
-        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, mm);
+        return new Bounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, mm);
     }
 
     /** Whether a trusted run is needed. */

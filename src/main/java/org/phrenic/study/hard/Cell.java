@@ -19,7 +19,8 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param shape largest rms distance from the trusted run over its excursion; NaN without one
  * @param linkError largest relative error of a rigid link's length
  * @param returnMm rms distance from the start at the end, mm
- * @param driftMm largest distance of a node between the ends of the first period after a minute and the last one, mm; NaN in shorter runs
+ * @param repeatMm largest distance of a node at the end of any later period from where it was at the end of the first period after a minute, mm; NaN in shorter runs
+ * @param driftMm largest distance of a node from its start after the breath was stopped and the body had come to rest, mm; NaN where that is not asked for
  */
 public record Cell(
         String caseKey,
@@ -36,6 +37,7 @@ public record Cell(
         double shape,
         double linkError,
         double returnMm,
+        double repeatMm,
         double driftMm) {
 
     /** Whether it ended before its time because it had spent what it may. */
@@ -54,6 +56,7 @@ public record Cell(
                 0,
                 none,
                 0,
+                none,
                 none,
                 none,
                 none,

@@ -14,13 +14,16 @@ final class CellRun {
     private static final int IMPLICIT_COST = 20;
 
     /** After so many a scene is given up, with a good state put back. */
-    private static final int MOST_DIVERGENCES = 100;
+    private static final int MOST_DIVERGENCES = 1000;
 
     /** Backward Euler damps what it does not resolve: it may be so many times as far from the trusted shape. */
     private static final double DISSIPATIVE = 2;
 
     /** By then the swing of the start has died down, s: with the paper's damping it fades by e in 10 s. */
     private static final double TRANSIENT_S = 60;
+
+    /** Breaths that end farther apart do not repeat each other, mm. */
+    private static final double UNLIKE_MM = 0.1;
 
     /** What had begun to swing when a step was split has so long to die down, s. */
     private static final double SETTLES_S = 1;
@@ -40,7 +43,10 @@ final class CellRun {
     private double parted;
     private double links;
     private double[] settledPeriodEnd;
+    private double repeat = Double.NaN;
     private double drift = Double.NaN;
+    private double returned;
+    private double endS;
     private String breach = "";
     private String noticed = "";
     private String split = "";
@@ -160,26 +166,48 @@ final class CellRun {
                 if (settledPeriodEnd == null) {
                     settledPeriodEnd = now.clone();
                 } else {
-                    drift = Shape.farthest(now, settledPeriodEnd);
-                    within("drift of a node from period to period, mm", drift, bounds.driftMm(), time);
+                    double apart = Shape.farthest(now, settledPeriodEnd);
+                    repeat = Double.isNaN(repeat) ? apart : Math.max(repeat, apart);
+                    within(
+                            "distance of a node from where an earlier breath left it, mm",
+                            apart,
+                            bounds.repeatMm(),
+                            time);
                 }
             }
         }
     }
 
     private void end(double durationS) {
-        double time = trial.stepper().time();
-        if (breach.isEmpty() && noticed.isEmpty() && time >= durationS - 1e-9) {
+        endS = trial.stepper().time();
+        returned = Shape.rms(shape.now(), start);
+        if (breach.isEmpty() && noticed.isEmpty() && endS >= durationS - 1e-9) {
             within(
                     "rms distance from the start at the end, mm",
-                    returned(),
+                    returned,
                     hard.bounds().returnMm(),
-                    time);
+                    endS);
+        }
+        if (breach.isEmpty() && hard.bounds().driftMm() < Double.POSITIVE_INFINITY) {
+            rest();
         }
     }
 
-    private double returned() {
-        return Shape.rms(shape.now(), start);
+    /** Stops the breath and holds the shape in which the body comes to rest against that of its start. */
+    private void rest() {
+        Stepper stepper = trial.stepper();
+        trial.calm();
+        double until = stepper.time() + Calm.SECONDS;
+        try {
+            while (stepper.time() < until - 1e-9) {
+                trial.step();
+            }
+        } catch (DivergenceException told) {
+            noticed = told.getMessage();
+            return;
+        }
+        drift = Shape.farthest(shape.now(), start);
+        within("drift of a node of the rest shape, mm", drift, hard.bounds().driftMm(), stepper.time());
     }
 
     /** A number that is none is within nothing; where no trusted run is asked for, nothing is asked of what needs it. */
@@ -194,13 +222,21 @@ final class CellRun {
         String told = noticed.isEmpty() ? split : noticed;
         Verdict verdict =
                 !breach.isEmpty() ? Verdict.SILENT_FAILURE : told.isEmpty() ? Verdict.STABLE : Verdict.RECOVERED;
+        if (told.isEmpty() && repeat > UNLIKE_MM) {
+            told = String.format(
+                    Locale.ROOT,
+                    "no breath repeats another: nodes end one up to %.2g mm from where they ended another; stopped,"
+                            + " all come to rest within %.2g mm of their start",
+                    repeat,
+                    drift);
+        }
         return new Cell(
                 hard.key(),
                 kind,
                 verdict,
                 breach.isEmpty() ? told : breach,
                 durationS,
-                trial.stepper().time(),
+                endS,
                 trial.stepper().dt(),
                 trial.stepper().substeps(),
                 trusted == null ? Double.NaN : peak / peakAllowed,
@@ -208,7 +244,8 @@ final class CellRun {
                 reach,
                 trusted == null ? Double.NaN : parted,
                 links,
-                returned(),
+                returned,
+                repeat,
                 drift);
     }
 }

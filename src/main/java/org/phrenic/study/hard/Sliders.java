@@ -17,12 +17,6 @@ final class Sliders implements ThoraxTrial.Doing {
     private static final int MOST_AT_ONCE = 4;
     private static final List<String> SWITCHES = List.of("muscle", "pressure", "ribs", "tensegrity", "contact", "hold");
     private static final List<String> PRESETS = List.of("quiet", "deep", "sniff", "cough", "rapid-shallow");
-    /** About critical for the springs that bring the paper's sheet home; its own 0.02 N s/m would let it swing for a minute. */
-    private static final double CALMING = 1;
-
-    /** How long the body has to come to rest, s. */
-    static final double CALM_S = 20;
-
     private final Random random = new Random(SEED);
     private final Scenario calm;
     private final Parameter[] parameters;
@@ -69,11 +63,11 @@ final class Sliders implements ThoraxTrial.Doing {
             int which = random.nextInt(parameters.length + SWITCHES.size() + 1);
             if (which < parameters.length) {
                 Parameter p = parameters[which];
-                list.add(set(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
+                list.add(Calm.set(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
             } else if (which < parameters.length + SWITCHES.size()) {
-                list.add(set(SWITCHES.get(which - parameters.length), random.nextBoolean()));
+                list.add(Calm.set(SWITCHES.get(which - parameters.length), random.nextBoolean()));
             } else {
-                list.add(set("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
+                list.add(Calm.set("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
             }
         }
         return list;
@@ -82,9 +76,9 @@ final class Sliders implements ThoraxTrial.Doing {
     /** All as it was, but no breath any more. */
     private List<Assignment> putBack() {
         List<Assignment> list = new ArrayList<>();
-        list.add(set("preset", calm.preset()));
+        list.add(Calm.set("preset", calm.preset()));
         for (String key : SWITCHES) {
-            list.add(set(key, calm.toMap().get(key)));
+            list.add(Calm.set(key, calm.toMap().get(key)));
         }
         var breath = calm.breathing().parameters();
         for (Parameter p : parameters) {
@@ -98,14 +92,10 @@ final class Sliders implements ThoraxTrial.Doing {
             } else if (p == Parameter.DEPTH) {
                 value = 0;
             } else if (p == Parameter.DAMPING) {
-                value = CALMING;
+                value = Calm.DAMPING;
             }
-            list.add(set(p.key(), value));
+            list.add(Calm.set(p.key(), value));
         }
         return list;
-    }
-
-    private static Assignment set(String key, Object value) {
-        return new Assignment("slider " + key, key, String.valueOf(value));
     }
 }

@@ -22,6 +22,7 @@ public final class StabilityReport {
             "shape",
             "link_error",
             "return_mm",
+            "repeat_mm",
             "drift_mm");
 
     private final StabilityStudy study;
@@ -83,8 +84,9 @@ public final class StabilityReport {
                     study.titles().get(i),
                     cell(study.keys().get(i), study.kinds().get(0)).askedS()));
         }
-        text.append("\n| case | integrator | verdict | substeps | kinetic | mm/s | reach mm | shape | links |"
-                + " return mm | drift mm | sentence |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        text.append(
+                "\n| case | integrator | verdict | substeps | kinetic | mm/s | reach mm | shape | links |"
+                        + " return mm | repeat mm | drift mm | sentence |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
         for (Cell c : study.cells()) {
             text.append("| ")
                     .append(String.join(
@@ -99,6 +101,7 @@ public final class StabilityReport {
                             brief(c.shape()),
                             brief(c.linkError()),
                             brief(c.returnMm()),
+                            brief(c.repeatMm()),
                             brief(c.driftMm()),
                             c.sentence()))
                     .append(" |\n");
@@ -140,6 +143,7 @@ public final class StabilityReport {
             c.shape(),
             c.linkError(),
             c.returnMm(),
+            c.repeatMm(),
             c.driftMm()
         };
     }

@@ -3,6 +3,7 @@ package org.phrenic.study.hard;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.study.Jobs;
 import org.phrenic.study.StudyProgress;
 
 /**
@@ -22,13 +23,42 @@ public record StabilityStudy(List<String> keys, List<String> titles, List<Integr
      * @param kinds integrators
      * @param quick whether to run the short version: coarser domes, shorter times
      * @param nodeEvaluations evaluations of the force on a node that a cell may spend: one that needs more ends earlier, which its simulated time shows
+     * @param verletEvaluations the same for velocity Verlet, which is what the program uses unless told otherwise
+     * @param threads cases at a time, one thread each
      */
-    public record Settings(List<String> only, List<IntegratorKind> kinds, boolean quick, double nodeEvaluations) {
-        /** All cells of the long version. */
-        public static final Settings LONG = new Settings(List.of(), List.of(IntegratorKind.values()), false, 2.5e9);
+    public record Settings(
+            List<String> only,
+            List<IntegratorKind> kinds,
+            boolean quick,
+            double nodeEvaluations,
+            double verletEvaluations,
+            int threads) {
+        /** All cells of the long version: Verlet's hour of quiet breathing is an hour. */
+        public static final Settings LONG =
+                new Settings(List.of(), List.of(IntegratorKind.values()), false, 5e8, 5e10, 1);
 
         /** All cells of the short version. */
-        public static final Settings QUICK = new Settings(List.of(), List.of(IntegratorKind.values()), true, 2e7);
+        public static final Settings QUICK =
+                new Settings(List.of(), List.of(IntegratorKind.values()), true, 2e7, 2e7, 1);
+
+        /** As much for every integrator. */
+        public Settings spending(double evaluations) {
+            return new Settings(only, kinds, quick, evaluations, evaluations, threads);
+        }
+
+        /** So many cases at a time. */
+        public Settings on(int count) {
+            return new Settings(only, kinds, quick, nodeEvaluations, verletEvaluations, count);
+        }
+
+        /** Only these cases under these integrators. */
+        public Settings of(List<String> keys, List<IntegratorKind> integrators) {
+            return new Settings(keys, integrators, quick, nodeEvaluations, verletEvaluations, threads);
+        }
+
+        private double evaluations(IntegratorKind kind) {
+            return kind == IntegratorKind.VERLET ? verletEvaluations : nodeEvaluations;
+        }
     }
 
     public StabilityStudy {
@@ -43,31 +73,58 @@ public record StabilityStudy(List<String> keys, List<String> titles, List<Integr
         return HardCases.all(true).stream().map(HardCase::key).toList();
     }
 
-    /** Runs the cells one after the other, so that each has the machine to itself; the same settings give the same cells. */
+    /** Runs the cells, the cases last in the list first, for they take longest; the same settings give the same cells, on any number of threads. */
     public static StabilityStudy of(Settings settings, StudyProgress progress) {
         List<HardCase> cases = HardCases.all(settings.quick()).stream()
                 .filter(c -> settings.only().isEmpty() || settings.only().contains(c.key()))
                 .toList();
-        List<Cell> cells = new ArrayList<>();
-        int total = cases.size() * settings.kinds().size();
+        CellsDone done = new CellsDone(cases.size() * settings.kinds().size(), progress);
+        List<Jobs.Job<List<Cell>>> jobs = new ArrayList<>();
         for (HardCase hard : cases) {
-            double duration = settings.quick() ? hard.quickS() : hard.durationS();
-            TrustedRun trusted = TrustedRun.of(hard, duration, CellRun.SAMPLE_S);
-            for (IntegratorKind kind : settings.kinds()) {
-                Cell cell = CellRun.of(hard, kind, trusted, duration, settings.nodeEvaluations());
-                cells.add(cell);
-                progress.done(
-                        cells.size(),
-                        total,
-                        hard.key() + ", " + kind.label() + ": " + cell.verdict().label()
-                                + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")"));
-            }
+            jobs.add(0, new Jobs.Job<>(hard.key(), () -> cells(hard, settings, done)));
+        }
+        List<Cell> cells = new ArrayList<>();
+        for (List<Cell> row : Jobs.run(jobs, settings.threads(), (count, total, what) -> {})) {
+            cells.addAll(0, row);
         }
         return new StabilityStudy(
                 cases.stream().map(HardCase::key).toList(),
                 cases.stream().map(HardCase::title).toList(),
                 settings.kinds(),
                 cells);
+    }
+
+    private static List<Cell> cells(HardCase hard, Settings settings, CellsDone done) {
+        double duration = settings.quick() ? hard.quickS() : hard.durationS();
+        TrustedRun trusted = TrustedRun.of(hard, duration, CellRun.SAMPLE_S);
+        List<Cell> cells = new ArrayList<>();
+        for (IntegratorKind kind : settings.kinds()) {
+            Cell cell = CellRun.of(hard, kind, trusted, duration, settings.evaluations(kind));
+            cells.add(cell);
+            done.count(cell);
+        }
+        return cells;
+    }
+
+    /** Counts cells and tells of each. */
+    private static final class CellsDone {
+        private final int total;
+        private final StudyProgress progress;
+        private int count;
+
+        CellsDone(int total, StudyProgress progress) {
+            this.total = total;
+            this.progress = progress;
+        }
+
+        synchronized void count(Cell cell) {
+            progress.done(
+                    ++count,
+                    total,
+                    cell.caseKey() + ", " + cell.kind().label() + ": "
+                            + cell.verdict().label()
+                            + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")"));
+        }
     }
 
     /** Whether no cell failed in silence. */

@@ -38,9 +38,12 @@ final class ThoraxTrial implements Trial {
 
     @Override
     public boolean takeBack() {
-        boolean any = !simulation.changes().isEmpty();
-        simulation.undoLastChange();
-        return any;
+        return simulation.undoLastChange();
+    }
+
+    @Override
+    public void calm() {
+        simulation.change(Calm.stop(simulation.start()));
     }
 
     @Override

@@ -24,6 +24,9 @@ interface Trial extends AutoCloseable {
         return false;
     }
 
+    /** Stops what drives the scene, with as much damping as brings it to rest within {@link Calm#SECONDS}. */
+    default void calm() {}
+
     default ParticleSystem system() {
         return stepper().system();
     }

@@ -167,7 +167,7 @@ final class ModelSection {
                                 "Time step",
                                 "0.01",
                                 "0.01 s",
-                                "0.001 s",
+                                "0.00125 s",
                                 String.format(
                                         Locale.ROOT,
                                         "Midpoint Runge-Kutta with these numbers is stable up to %.2f ms here, where sternum"

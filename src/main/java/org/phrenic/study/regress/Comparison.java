@@ -12,7 +12,7 @@ import org.phrenic.simulation.Observation;
  * @param worstMm largest distance of a node from its reference, mm; NaN where a place is no number
  * @param worstNode that node, in the caller's numbering; -1 where it was not reached
  * @param worstNodeTimeS when, s
- * @param worstObservable observable that is farthest off; empty where it was not reached
+ * @param worstObservable observable, or number of a report, that is farthest off; empty where it was not reached
  * @param worstShare by how much, as a share of it or of 1
  * @param worstObservableTimeS when, s
  * @param sentence what is wrong; empty if all holds
@@ -32,6 +32,12 @@ public record Comparison(
     static Comparison failed(RegressionScene scene, String sentence) {
         double none = Double.NaN;
         return new Comparison(scene.name(), false, none, -1, none, "", none, none, sentence);
+    }
+
+    /** A report compared leaf by leaf. */
+    static Comparison ofReport(String name, boolean holds, String worst, double share, String sentence) {
+        double none = Double.NaN;
+        return new Comparison(name, holds, none, -1, none, worst, share, none, sentence);
     }
 
     /** Compares what a scene gives now with what it gave: everything must be within its tolerance, and what is no number is within none. */

@@ -77,7 +77,7 @@ record Reference(String of, int nodesInAll, int[] nodes, List<Frame> frames) {
     }
 
     /** To a millionth: an observable is a few hundred at most, and its tolerance a thousandth of that. */
-    private static double rounded(double value) {
+    static double rounded(double value) {
         double scaled = Math.rint(value * 1e6) / 1e6;
         return scaled == 0 ? 0 : scaled;
     }

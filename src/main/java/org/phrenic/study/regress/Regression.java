@@ -9,6 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.format.BadInputException;
@@ -28,6 +30,7 @@ public class Regression {
 
     private final Path folder;
     private final List<RegressionScene> scenes;
+    private final List<RegressionAttempt> attempts;
     private final Function<Scenario, Thorax> bodies;
     private final Map<String, Thorax> grown = new LinkedHashMap<>();
 
@@ -36,21 +39,31 @@ public class Regression {
      * @throws BadInputException with one sentence, if the list of scenes is not as it should be
      */
     public Regression(Path folder) {
-        this(folder, shippedList(), SimulationRun::thorax);
+        this(folder, shippedList(), shippedAttempts(), SimulationRun::thorax);
     }
 
     /**
      * @param scenes to compute
+     * @param attempts to play
      * @param bodies gives the body of a scene
      */
-    Regression(Path folder, List<RegressionScene> scenes, Function<Scenario, Thorax> bodies) {
+    Regression(
+            Path folder,
+            List<RegressionScene> scenes,
+            List<RegressionAttempt> attempts,
+            Function<Scenario, Thorax> bodies) {
         this.folder = folder;
         this.scenes = List.copyOf(scenes);
+        this.attempts = List.copyOf(attempts);
         this.bodies = bodies;
     }
 
     static List<RegressionScene> shippedList() {
         return RegressionScene.list(shipped(LIST));
+    }
+
+    static List<RegressionAttempt> shippedAttempts() {
+        return RegressionAttempt.list(shipped(LIST), shippedList());
     }
 
     private static YamlMap shipped(String name) {
@@ -65,55 +78,95 @@ public class Regression {
         }
     }
 
-    /** Names of all scenes, in order. */
+    /** Names of all scenes and attempts, in order. */
     public List<String> names() {
-        return scenes.stream().map(RegressionScene::name).toList();
+        return Stream.concat(
+                        scenes.stream().map(RegressionScene::name),
+                        attempts.stream().map(RegressionAttempt::name))
+                .toList();
     }
 
     /**
-     * Computes scenes and compares them with their references.
+     * Computes scenes and attempts and compares them with their references.
      *
-     * @param only names of scenes; empty for all
+     * @param only names of scenes and attempts; empty for all
      * @throws BadInputException with one sentence, if a file of references is missing, broken or of another scene; before anything is computed
      */
     public List<Comparison> check(List<String> only, StudyProgress progress) {
-        List<RegressionScene> asked = asked(only);
-        List<Reference> then = asked.stream().map(this::reference).toList();
+        requireKnown(only);
+        List<String> names = new ArrayList<>();
+        List<Supplier<Comparison>> work = new ArrayList<>();
+        for (RegressionScene scene : scenes) {
+            if (asked(only, scene.name())) {
+                Reference then = reference(scene);
+                names.add(scene.name());
+                work.add(() -> compare(scene, then));
+            }
+        }
+        for (RegressionAttempt attempt : attempts) {
+            if (asked(only, attempt.name())) {
+                Map<String, String> then = attempt.read(stored(attempt.name()));
+                names.add(attempt.name());
+                work.add(() -> compare(attempt, then));
+            }
+        }
         List<Comparison> comparisons = new ArrayList<>();
-        for (int i = 0; i < asked.size(); i++) {
-            comparisons.add(compare(asked.get(i), then.get(i)));
-            progress.done(i + 1, asked.size(), asked.get(i).name());
+        for (int i = 0; i < work.size(); i++) {
+            comparisons.add(work.get(i).get());
+            progress.done(i + 1, work.size(), names.get(i));
         }
         return comparisons;
     }
 
-    /** Computes scenes and writes what they give as references into the folder. */
+    /** Computes scenes and attempts and writes what they give as references into the folder. */
     public void write(List<String> only, StudyProgress progress) {
-        List<RegressionScene> asked = asked(only);
-        for (int i = 0; i < asked.size(); i++) {
-            YamlWriter.write(file(asked.get(i)), compute(asked.get(i)).values());
-            progress.done(i + 1, asked.size(), asked.get(i).name());
+        requireKnown(only);
+        List<String> names = names().stream().filter(name -> asked(only, name)).toList();
+        int done = 0;
+        for (RegressionScene scene : scenes) {
+            if (names.contains(scene.name())) {
+                YamlWriter.write(file(scene.name()), compute(scene).values());
+                progress.done(++done, names.size(), scene.name());
+            }
+        }
+        for (RegressionAttempt attempt : attempts) {
+            if (names.contains(attempt.name())) {
+                YamlWriter.write(file(attempt.name()), attempt.values(attempt.compute(body(attempt.scenario()))));
+                progress.done(++done, names.size(), attempt.name());
+            }
         }
     }
 
-    private List<RegressionScene> asked(List<String> only) {
+    private static boolean asked(List<String> only, String name) {
+        return only.isEmpty() || only.contains(name);
+    }
+
+    private void requireKnown(List<String> only) {
         for (String name : only) {
             if (!names().contains(name)) {
                 throw new BadInputException("--scene: found '" + name + "', expected " + String.join(", ", names()));
             }
         }
-        return scenes.stream()
-                .filter(s -> only.isEmpty() || only.contains(s.name()))
-                .toList();
     }
 
-    private Path file(RegressionScene scene) {
-        return folder.resolve(scene.name() + ".yaml");
+    private Path file(String name) {
+        return folder.resolve(name + ".yaml");
+    }
+
+    private YamlMap stored(String name) {
+        return folder == null ? shipped(name + ".yaml") : YamlDocument.read(file(name));
     }
 
     final Reference reference(RegressionScene scene) {
-        YamlMap yaml = folder == null ? shipped(scene.name() + ".yaml") : YamlDocument.read(file(scene));
-        return Reference.read(yaml, scene);
+        return Reference.read(stored(scene.name()), scene);
+    }
+
+    private Comparison compare(RegressionAttempt attempt, Map<String, String> then) {
+        try {
+            return attempt.compare(then, attempt.compute(body(attempt.scenario())));
+        } catch (DivergenceException told) {
+            return Comparison.ofReport(attempt.name(), false, "", Double.NaN, told.getMessage());
+        }
     }
 
     private Comparison compare(RegressionScene scene, Reference then) {
@@ -128,15 +181,18 @@ public class Regression {
         }
     }
 
+    /** The body of a scene, grown once. */
+    private Thorax body(Scenario scenario) {
+        return grown.computeIfAbsent(scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
+    }
+
     /** Told of every simulation before its first step: nothing is done to it but by tests. */
     void prepare(Simulation simulation) {}
 
     /** What a scene gives now. */
     final Reference compute(RegressionScene scene) {
         Scenario scenario = scene.scenario();
-        Thorax thorax =
-                grown.computeIfAbsent(scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
-        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+        try (Simulation simulation = Simulation.of(scenario, body(scenario))) {
             prepare(simulation);
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             int inAll = simulation.system().nodeCount();

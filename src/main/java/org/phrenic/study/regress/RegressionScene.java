@@ -31,7 +31,7 @@ record RegressionScene(
 
     /** All scenes of a list. */
     static List<RegressionScene> list(YamlMap yaml) {
-        yaml.requireOnly(List.of("scenes"));
+        yaml.requireOnly(List.of("scenes", "attempts"));
         List<RegressionScene> scenes = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (YamlMap map : yaml.maps("scenes")) {
@@ -49,10 +49,7 @@ record RegressionScene(
 
     private static RegressionScene of(YamlMap map) {
         map.requireOnly(KEYS);
-        String name = map.text("name");
-        if (!name.matches("[a-z0-9-]+")) {
-            throw map.bad("name", "found '" + name + "', expected small letters, digits and hyphens");
-        }
+        String name = name(map);
         double[] times = map.numbers("times_s");
         for (int i = 0; i < times.length; i++) {
             if (!(times[i] > (i == 0 ? 0 : times[i - 1]))) {
@@ -77,7 +74,16 @@ record RegressionScene(
         return scene;
     }
 
-    private static double positive(YamlMap map, String key) {
+    /** The name of an entry, which is that of a file as well. */
+    static String name(YamlMap map) {
+        String name = map.text("name");
+        if (!name.matches("[a-z0-9-]+")) {
+            throw map.bad("name", "found '" + name + "', expected small letters, digits and hyphens");
+        }
+        return name;
+    }
+
+    static double positive(YamlMap map, String key) {
         double value = map.number(key);
         if (!(value > 0)) {
             throw map.bad(key, "found " + value + ", expected more than 0");

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -143,6 +144,31 @@ class StepperTest {
             stepper.step();
         }
         assertThat(system.kineticEnergy()).isFinite();
+    }
+
+    /** One step before it leaves all bounds a node is very fast and yet within them: no state to go back to. */
+    @Test
+    void aStateAboutToLeaveAllBoundsIsNotKept() {
+        ParticleSystem system = Scenes.oneNode(1);
+        Stepper stepper = stepper(system, 0.001, StepPolicy.SUBSTEP);
+        for (int i = 0; i < 300; i++) {
+            stepper.step();
+        }
+        double[] kept = {9_000, 2_000};
+        long[] backTo = {256, 512};
+        for (int c = 0; c < 2; c++) {
+            Arrays.fill(system.velocities(), 0);
+            system.velocities()[2] = kept[c];
+            for (int i = 0; i < 256 && stepper.steps() < 600; i++) {
+                stepper.step();
+            }
+            system.velocities()[2] = Double.NaN;
+            assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+            assertThat(stepper.steps()).isEqualTo(backTo[c]);
+            while (stepper.steps() < 300) {
+                stepper.step();
+            }
+        }
     }
 
     @Test

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,7 +43,7 @@ class RegressionTest {
     }
 
     private static Regression of(Path folder, RegressionScene scene) {
-        return new Regression(folder, List.of(scene), RegressionTest::body);
+        return new Regression(folder, List.of(scene), List.of(), RegressionTest::body);
     }
 
     /** A scene that takes a second. */
@@ -59,7 +61,7 @@ class RegressionTest {
     @Test
     void everySceneGivesWhatItGave() {
         assertThat(new Regression(null).check(List.of(), SILENT))
-                .hasSizeGreaterThanOrEqualTo(7)
+                .hasSizeGreaterThanOrEqualTo(8)
                 .allSatisfy(c -> assertThat(c.holds())
                         .as(c.scene() + ": " + c.sentence()
                                 + " (if this is meant: phrenic regress --write-references data/regression)")
@@ -91,7 +93,7 @@ class RegressionTest {
     @Test
     void aRibWhoseSidesAreSwappedIsCaught() {
         RegressionScene scene = scene("quiet");
-        Regression swapped = new Regression(null, List.of(scene), s -> withSidesSwapped(body(s), 8));
+        Regression swapped = new Regression(null, List.of(scene), List.of(), s -> withSidesSwapped(body(s), 8));
         assertThat(swapped.check(List.of(), SILENT))
                 .singleElement()
                 .satisfies(c -> assertThat(c.holds()).as(c.toString()).isFalse());
@@ -145,11 +147,34 @@ class RegressionTest {
                 .contains("1.000 s");
     }
 
+    /** One number off, one word, one entry less: each is told by its place in the report. */
+    @Test
+    void aReportThatIsNotWhatItWasIsCaught() {
+        RegressionAttempt attempt = Regression.shippedAttempts().get(0);
+        Map<String, String> then = Map.of(
+                "attempt.hit", "true", "attempt.lateral_error_mm", "1.5", "attempt.events.0.what", "skin puncture");
+        assertThat(attempt.compare(then, then).holds()).isTrue();
+        Map<String, String> now = new TreeMap<>(then);
+        now.put("attempt.lateral_error_mm", "1.5004");
+        assertThat(attempt.compare(then, now).holds()).isTrue();
+        for (String wrong : List.of("1.503", "NaN", "")) {
+            now.put("attempt.lateral_error_mm", wrong);
+            assertThat(attempt.compare(then, now).sentence())
+                    .contains("attempt.lateral_error_mm is " + wrong)
+                    .contains("the reference is 1.5");
+        }
+        now.putAll(then);
+        now.put("attempt.hit", "false");
+        assertThat(attempt.compare(then, now).holds()).isFalse();
+        now.remove("attempt.hit");
+        assertThat(attempt.compare(then, now).sentence()).contains("missing [attempt.hit]");
+    }
+
     @Test
     void aPositionLostOnTheWayIsCaughtByTheRun() {
         RegressionScene scene = small();
         of(folder, scene).write(List.of(), SILENT);
-        Regression broken = new Regression(folder, List.of(scene), RegressionTest::body) {
+        Regression broken = new Regression(folder, List.of(scene), List.of(), RegressionTest::body) {
             @Override
             void prepare(org.phrenic.simulation.Simulation simulation) {
                 simulation.system().positions()[7] = Double.NaN;

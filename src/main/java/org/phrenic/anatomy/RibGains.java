@@ -1,0 +1,80 @@
+package org.phrenic.anatomy;
+
+/**
+ * How much farther or less far than all the bodies of a rib cage turn, by group and side: {@code (1 + u (upper - 1) + l (lower - 1)) w}. u is 1 for ribs 1 to 3 and falls to 0 at rib 6, l rises from 0 at rib 6 to 1 for ribs
+ * 9 to 12, both by thirds; w is 1 on the side that turns farther and the ratio of the sides on the other. The sternum has the mean of ribs 1 to 7. Rates are derivatives, 1/s.
+ */
+public final class RibGains {
+    private static final int MIDDLE = 6;
+    private static final double LEVELS = 3;
+    private static final int LAST_TRUE_RIB = 7;
+
+    private final RibCage cage;
+    private double upper = 1;
+    private double lower = 1;
+    private double sides = 1;
+    private double upperRate;
+    private double lowerRate;
+    private double sidesRate;
+
+    RibGains(RibCage cage) {
+        this.cage = cage;
+    }
+
+    /**
+     * Sets the factors.
+     *
+     * @param upperRibs of the upper ribs
+     * @param lowerRibs of the lower ribs
+     * @param leftOverRight turn of the left ribs over that of the right, above 0
+     */
+    public void set(double upperRibs, double lowerRibs, double leftOverRight) {
+        upper = upperRibs;
+        lower = lowerRibs;
+        sides = leftOverRight;
+    }
+
+    /** Sets how fast the factors change, in their order. */
+    public void setRates(double upperRibs, double lowerRibs, double leftOverRight) {
+        upperRate = upperRibs;
+        lowerRate = lowerRibs;
+        sidesRate = leftOverRight;
+    }
+
+    /** Factor of a body. */
+    double of(int body) {
+        return body == cage.sternum() ? mean(false) : rib(cage.bodies().get(body), false);
+    }
+
+    /** Its derivative. */
+    double rateOf(int body) {
+        return body == cage.sternum() ? mean(true) : rib(cage.bodies().get(body), true);
+    }
+
+    private double mean(boolean rate) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < cage.bodies().size(); i++) {
+            RibCage.Body body = cage.bodies().get(i);
+            if (body.level() >= 1 && body.level() <= LAST_TRUE_RIB) {
+                sum += rib(body, rate);
+                count++;
+            }
+        }
+        return sum / count;
+    }
+
+    private double rib(RibCage.Body body, boolean rate) {
+        double u = Math.max(0, Math.min(1, (MIDDLE - body.level()) / LEVELS));
+        double l = Math.max(0, Math.min(1, (body.level() - MIDDLE) / LEVELS));
+        double group = 1 + u * (upper - 1) + l * (lower - 1);
+        boolean left = body.side() == Side.LEFT;
+        boolean weaker = left == sides < 1;
+        double share = !weaker ? 1 : left ? sides : 1 / sides;
+        if (!rate) {
+            return group * share;
+        }
+        double shareRate = !weaker ? 0 : left ? sidesRate : -sidesRate / (sides * sides);
+        return (u * upperRate + l * lowerRate) * share + group * shareRate;
+    }
+}

@@ -1,0 +1,173 @@
+package org.phrenic.study.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.SurfaceDistance;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Surface;
+
+/**
+ * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by area. Of a lung's base only the vertices that look down count on either side, but their nearest
+ * points may lie anywhere, so that where the base ends does not matter.
+ *
+ * <p>Used by one thread.
+ */
+final class TargetDistance {
+    private final FitTarget target;
+    private final List<Integer> surfaces = new ArrayList<>();
+    private final TriangleMesh rest;
+    private final SurfaceDistance fromModel;
+    private final SurfaceDistance fromTarget;
+    private final boolean[] modelBase;
+    private final boolean[] targetBase;
+    private final double[] targetAreas;
+    private final Anchors anchors;
+
+    /**
+     * @param scene of the body
+     * @throws BadInputException if the body has no such part
+     */
+    TargetDistance(FitTarget target, SceneSurfaces scene) {
+        this.target = target;
+        List<Surface> all = scene.surfaces();
+        for (int i = 0; i < all.size(); i++) {
+            if (target.part().has(all.get(i)) && all.get(i).motion() != Surface.Motion.STILL) {
+                surfaces.add(i);
+            }
+        }
+        if (surfaces.isEmpty()) {
+            throw new BadInputException("target " + target.name() + ": found no "
+                    + target.part().label() + " that moves in the body, expected a part that it has");
+        }
+        rest = joined(i -> all.get(i).rest());
+        if (target.isPairs()) {
+            anchors = new Anchors(rest, target.from());
+            fromModel = null;
+            fromTarget = null;
+            modelBase = null;
+            targetBase = null;
+            targetAreas = new double[0];
+        } else {
+            anchors = null;
+            fromModel = new SurfaceDistance(rest);
+            fromTarget = new SurfaceDistance(target.surface());
+            modelBase = target.part().isBase() ? LookingDown.of(rest) : null;
+            targetBase = target.part().isBase() ? LookingDown.of(target.surface()) : null;
+            targetAreas = MeshMeasure.vertexAreas(target.surface());
+        }
+    }
+
+    FitTarget target() {
+        return target;
+    }
+
+    /** The part at rest. */
+    FitDistances atRest(FitHalf half) {
+        return of(rest, half);
+    }
+
+    /** The part as the body stands. */
+    FitDistances of(HeldBreath breath, FitHalf half) {
+        return of(joined(breath::mesh), half);
+    }
+
+    private FitDistances of(TriangleMesh model, FitHalf half) {
+        if (anchors != null) {
+            double[] distances = anchors.distances(model, target.to());
+            double[] weights = new double[distances.length];
+            for (int i = 0; i < weights.length; i++) {
+                weights[i] = half.has(target.to()[3 * i], target.to()[3 * i + 1]) ? 1 : 0;
+            }
+            return new FitDistances(null, distances, weights, new double[0], new double[0]);
+        }
+        fromModel.refit(model.positions());
+        double[] areas = MeshMeasure.vertexAreas(model);
+        return new FitDistances(
+                model,
+                fromTarget.of(model.positions()),
+                weights(areas, modelBase, rest, half),
+                fromModel.of(target.surface().positions()),
+                weights(targetAreas, targetBase, target.surface(), half));
+    }
+
+    private static double[] weights(double[] areas, boolean[] base, TriangleMesh place, FitHalf half) {
+        double[] weights = areas.clone();
+        for (int v = 0; v < weights.length; v++) {
+            if ((base != null && !base[v]) || !half.has(place.x(v), place.y(v))) {
+                weights[v] = 0;
+            }
+        }
+        return weights;
+    }
+
+    /** The surfaces of the part as one mesh. */
+    private TriangleMesh joined(IntFunction<TriangleMesh> meshes) {
+        List<TriangleMesh> parts = surfaces.stream().map(meshes::apply).toList();
+        if (parts.size() == 1) {
+            return parts.get(0);
+        }
+        int vertices = parts.stream().mapToInt(TriangleMesh::vertexCount).sum();
+        int corners = parts.stream().mapToInt(m -> m.triangles().length).sum();
+        double[] positions = new double[3 * vertices];
+        int[] triangles = new int[corners];
+        int vertex = 0;
+        int corner = 0;
+        for (TriangleMesh part : parts) {
+            System.arraycopy(part.positions(), 0, positions, 3 * vertex, part.positions().length);
+            for (int v : part.triangles()) {
+                triangles[corner++] = vertex + v;
+            }
+            vertex += part.vertexCount();
+        }
+        return new TriangleMesh(positions, triangles);
+    }
+
+    /** Points that go with the nearest places of a surface, each keeping its offset from there. */
+    private static final class Anchors {
+        private final int[] corners;
+        private final double[] weights;
+        private final double[] offsets;
+
+        Anchors(TriangleMesh rest, double[] points) {
+            TriangleTree tree = new TriangleTree(rest);
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            corners = new int[points.length];
+            weights = new double[points.length];
+            offsets = new double[points.length];
+            for (int i = 0; i < points.length; i += 3) {
+                tree.closest(points[i], points[i + 1], points[i + 2], hit);
+                for (int c = 0; c < 3; c++) {
+                    corners[i + c] = rest.triangles()[3 * hit.triangle + c];
+                }
+                weights[i] = hit.weightA;
+                weights[i + 1] = hit.weightB;
+                weights[i + 2] = hit.weightC;
+                offsets[i] = points[i] - hit.x;
+                offsets[i + 1] = points[i + 1] - hit.y;
+                offsets[i + 2] = points[i + 2] - hit.z;
+            }
+        }
+
+        double[] distances(TriangleMesh model, double[] to) {
+            double[] p = model.positions();
+            double[] out = new double[to.length / 3];
+            for (int i = 0; i < to.length; i += 3) {
+                double squares = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double at = offsets[i + axis];
+                    for (int c = 0; c < 3; c++) {
+                        at += weights[i + c] * p[3 * corners[i + c] + axis];
+                    }
+                    squares += (at - to[i + axis]) * (at - to[i + axis]);
+                }
+                out[i / 3] = Math.sqrt(squares);
+            }
+            return out;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package org.phrenic.patient;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshTopology;
+import org.phrenic.geometry.SurfaceDistance;
+import org.phrenic.geometry.TriangleMesh;
+
+class LungBaseFacetTest {
+    private static final Thorax MALE =
+            VirtualThorax.generate(VirtualThoraxParametersReader.preset("adult-male"), Resolution.LOW);
+
+    @Test
+    void itIsOnePieceThatLiesOnTheDiaphragm() {
+        SurfaceDistance sheet =
+                new SurfaceDistance(MALE.all(StructureKind.DIAPHRAGM).get(0).mesh());
+        for (Structure lung : MALE.all(StructureKind.LUNG)) {
+            TriangleMesh base = LungBaseFacet.of(lung.mesh());
+            assertThat(new MeshTopology(base).componentCount()).isEqualTo(1);
+            // A base is some 150 to 250 cm2 of a lung's 700 to 1000.
+            double share = MeshMeasure.area(base) / MeshMeasure.area(lung.mesh());
+            assertThat(share).isBetween(0.12, 0.35);
+            double[] off = sheet.of(base.positions());
+            java.util.Arrays.sort(off);
+            assertThat(off[(int) (0.9 * off.length)]).as(lung.name()).isLessThan(12);
+        }
+    }
+
+    @Test
+    void proportionsDoNotMatter() {
+        for (Structure lung : MALE.all(StructureKind.LUNG)) {
+            double[] p = lung.mesh().positions().clone();
+            for (int i = 0; i < p.length; i += 3) {
+                p[i + 1] /= 1.4;
+                p[i + 2] *= 1.4;
+            }
+            boolean[] plain = LungBaseFacet.triangles(lung.mesh());
+            boolean[] tall = LungBaseFacet.triangles(lung.mesh().withPositions(p));
+            Set<Integer> differ = new HashSet<>();
+            int all = 0;
+            for (int t = 0; t < plain.length; t++) {
+                all += plain[t] ? 1 : 0;
+                if (plain[t] != tall[t]) {
+                    differ.add(t);
+                }
+            }
+            assertThat(differ.size()).isLessThan(all / 8);
+        }
+    }
+
+    @Test
+    void facetAndRestAreTheWholeLung() {
+        TriangleMesh lung = MALE.all(StructureKind.LUNG).get(0).mesh();
+        assertThat(LungBaseFacet.of(lung).triangleCount()
+                        + LungBaseFacet.rest(lung).triangleCount())
+                .isEqualTo(lung.triangleCount());
+    }
+}
