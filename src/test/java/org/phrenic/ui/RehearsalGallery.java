@@ -7,7 +7,7 @@ import javax.imageio.ImageIO;
 import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.simulation.Scenario;
 
-/** Leaves pictures of liver access being rehearsed, light and dark, large and small. Needs a display. Arguments: folder, then those of {@code light-large light-small dark-large dark-small} that are wanted. */
+/** Leaves pictures of liver access being rehearsed, light and dark, large and small. {@code light-small-in} is {@code rehearse-light.png} of the documentation. Needs a display. Arguments: folder, then those of {@code light-large light-small dark-large dark-small} that are wanted. */
 public final class RehearsalGallery {
     private RehearsalGallery() {}
 
