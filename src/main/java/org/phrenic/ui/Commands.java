@@ -130,18 +130,26 @@ final class Commands {
         needle("Set entry", "Then click on the skin", "E", () -> desk.door().choose(RehearsalDoor.Choosing.ENTRY));
         needle("Best path", "The best entry of the access map", "B", () -> desk.door()
                 .enterAtBest(false));
-        needle("Insert", "2 mm deeper; with Shift 10 mm", "I", () -> desk.door().moveBy(STEP_MM));
-        needle("Insert far", "10 mm deeper", "shift I", () -> desk.door().moveBy(FAR_MM));
-        needle("Withdraw", "2 mm back; with Shift 10 mm", "W", () -> desk.door().moveBy(-STEP_MM));
-        needle("Withdraw far", "10 mm back", "shift W", () -> desk.door().moveBy(-FAR_MM));
+        needle("Insert", "2 mm deeper; with Shift 10 mm", "I", () -> desk.door()
+                .hand()
+                .moveBy(STEP_MM));
+        needle("Insert far", "10 mm deeper", "shift I", () -> desk.door().hand().moveBy(FAR_MM));
+        needle("Withdraw", "2 mm back; with Shift 10 mm", "W", () -> desk.door()
+                .hand()
+                .moveBy(-STEP_MM));
+        needle("Withdraw far", "10 mm back", "shift W", () -> desk.door().hand().moveBy(-FAR_MM));
         needle("Go to target", "As deep as the target lies", "G", () -> desk.door()
+                .hand()
                 .moveToTarget());
         needle("Aim again", "Point the needle at where the target is now", "A", () -> desk.door()
+                .hand()
                 .aim());
-        needle("Take sample", "Where the tip is", "X", () -> desk.door().sample());
+        needle("Take sample", "Where the tip is", "X", () -> desk.door().hand().sample());
         needle("Take out", "Withdraw the needle all the way", "O", () -> desk.door()
+                .hand()
                 .moveTo(0));
         needle("Look along the needle", "The view from the hub towards the tip", "N", () -> desk.door()
+                .hand()
                 .lookAlong());
     }
 

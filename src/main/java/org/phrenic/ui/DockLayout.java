@@ -4,9 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.EnumMap;
-import java.util.EnumSet;
 import java.util.Map;
-import java.util.Set;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -34,7 +32,6 @@ final class DockLayout extends JPanel {
     private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
-    private final transient Set<Place> fixed = EnumSet.noneOf(Place.class);
     private boolean placed;
 
     DockLayout(WindowPreferences preferences, JComponent view) {
@@ -56,32 +53,20 @@ final class DockLayout extends JPanel {
         add(bottom);
     }
 
-    /** Whether a place is only as large as what stands there needs. */
-    void setFixed(Place place, boolean value) {
-        if (placed && component(place) != null && !fixed.contains(place)) {
-            sizes.put(place, size(place));
-        }
-        if (value) {
-            fixed.add(place);
-        } else {
-            fixed.remove(place);
-        }
-    }
-
     /** Puts a component where a dock stands; null puts the place away. */
     void put(Place place, JComponent dock) {
-        if (placed && component(place) != null && !fixed.contains(place)) {
+        if (placed && component(place) != null) {
             sizes.put(place, size(place));
         }
         if (dock != null) {
-            dock.setMinimumSize(new Dimension(120, fixed.contains(place) ? 30 : 90));
+            dock.setMinimumSize(new Dimension(120, 90));
         }
         switch (place) {
             case LEFT -> left.setLeftComponent(dock);
             case RIGHT -> right.setRightComponent(dock);
             case BOTTOM -> bottom.setBottomComponent(dock);
         }
-        pane(place).setDividerSize(dock == null || fixed.contains(place) ? 0 : DIVIDER);
+        pane(place).setDividerSize(dock == null ? 0 : DIVIDER);
         if (placed) {
             apply();
         }
@@ -122,9 +107,7 @@ final class DockLayout extends JPanel {
     private void apply() {
         validate();
         if (component(Place.BOTTOM) != null) {
-            int size = fixed.contains(Place.BOTTOM)
-                    ? component(Place.BOTTOM).getPreferredSize().height
-                    : sizes.get(Place.BOTTOM) + DIVIDER;
+            int size = sizes.get(Place.BOTTOM) + DIVIDER;
             bottom.setDividerLocation(Math.max(LEAST_VIEW / 2, getHeight() - size));
         }
         if (component(Place.LEFT) != null) {
@@ -140,7 +123,7 @@ final class DockLayout extends JPanel {
     /** Remembers the sizes. */
     void remember() {
         for (Place place : Place.values()) {
-            int size = component(place) != null && placed && !fixed.contains(place) ? size(place) : sizes.get(place);
+            int size = component(place) != null && placed ? size(place) : sizes.get(place);
             preferences.setNumber("dock." + place.name(), size);
         }
     }

@@ -26,11 +26,15 @@ final class Docks {
     private final PlotDock plots;
     private final TimelineDock timeline;
     private final RehearsalDoor door;
-    private final RehearsalDock rehearse;
-    private final AttemptsDock attempts;
-    private final SectionDock sections;
+    private final Session session;
+    private final SceneView view;
+    private RehearsalDock rehearse;
+    private AttemptsDock attempts;
+    private SectionDock sections;
 
     Docks(Session session, Looks looks, SceneView view, DockLayout layout, WindowPreferences preferences) {
+        this.session = session;
+        this.view = view;
         this.layout = layout;
         this.preferences = preferences;
         organs = new OrgansDock(session, looks);
@@ -42,20 +46,6 @@ final class Docks {
         plots = new PlotDock(session);
         timeline = new TimelineDock(session);
         door = new RehearsalDoor(session, looks, view);
-        rehearse = new RehearsalDock(session, door, breath::choose);
-        attempts = new AttemptsDock(session, door, view, null);
-        sections = new SectionDock(door);
-        door.listen(new RehearsalDoor.Events() {
-            @Override
-            public void onAttempt(Rehearsal rehearsal) {
-                right.setSelectedIndex(right.indexOfComponent(attempts));
-            }
-
-            @Override
-            public void onBegin() {
-                right.setSelectedIndex(Math.max(0, right.indexOfComponent(rehearse)));
-            }
-        });
         docks.put(DockLayout.Place.LEFT, left);
         docks.put(DockLayout.Place.RIGHT, right);
         docks.put(DockLayout.Place.BOTTOM, bottom);
@@ -87,6 +77,7 @@ final class Docks {
             bottom.add(timeline, BorderLayout.SOUTH);
             bottom.add(plots, BorderLayout.CENTER);
         } else {
+            makeClinic();
             left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
             left.addTab("Organs", null, DockBody.scroll(organs), "What is shown of the body, and how");
             right.addTab("Rehearse", null, rehearse, "Exercise, breath, target, way in, needle");
@@ -98,6 +89,27 @@ final class Docks {
             boolean filled = research || place != DockLayout.Place.BOTTOM;
             layout.put(place, shown && filled ? docks.get(place) : null);
         }
+    }
+
+    /** The clinician's docks, when they are first wanted. */
+    private void makeClinic() {
+        if (rehearse != null) {
+            return;
+        }
+        rehearse = new RehearsalDock(session, door, breath::choose);
+        attempts = new AttemptsDock(session, door, view, null);
+        sections = new SectionDock(door);
+        door.listen(new RehearsalDoor.Events() {
+            @Override
+            public void onAttempt(Rehearsal rehearsal) {
+                right.setSelectedIndex(right.indexOfComponent(attempts));
+            }
+
+            @Override
+            public void onBegin() {
+                right.setSelectedIndex(Math.max(0, right.indexOfComponent(rehearse)));
+            }
+        });
     }
 
     /** Shows a place, or puts it away; an empty one stays so. */
@@ -114,16 +126,9 @@ final class Docks {
         return door;
     }
 
+    /** The attempts of the session; null before the clinician's door was first opened. */
     AttemptsDock attempts() {
         return attempts;
-    }
-
-    RehearsalDock rehearse() {
-        return rehearse;
-    }
-
-    SectionDock sections() {
-        return sections;
     }
 
     BreathDock breath() {

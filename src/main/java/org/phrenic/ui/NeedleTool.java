@@ -35,6 +35,6 @@ final class NeedleTool implements SceneView.Tool {
 
     @Override
     public boolean turned(MouseWheelEvent e) {
-        return !e.isControlDown() && door.turned(e);
+        return !e.isControlDown() && door.hand().turned(e);
     }
 }

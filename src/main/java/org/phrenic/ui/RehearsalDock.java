@@ -153,7 +153,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         for (JToggleButton other : List.of(holdOut, holdIn)) {
             other.setSelected(other == button && button.isSelected());
         }
-        door.hold(button.isSelected() ? Optional.of(end) : Optional.empty());
+        door.hand().hold(button.isSelected() ? Optional.of(end) : Optional.empty());
     }
 
     private void target(JPanel body) {
@@ -203,7 +203,7 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
                 "Drag to insert or withdraw; so do the wheel over the view and the keys I and W");
         depth.addChangeListener(e -> {
             if (!showing) {
-                door.moveTo(depth.getValue());
+                door.hand().moveTo(depth.getValue());
             }
         });
         JPanel first = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, 0::][]"));
@@ -220,13 +220,13 @@ final class RehearsalDock extends JPanel implements Session.Events, RehearsalDoo
         named(speed, "Speed of the needle", "How fast the needle moves, mm a second");
         speed.setSelectedItem(50.0);
         speed.setRenderer(new SpeedText());
-        speed.addActionListener(e -> door.setSpeedMmPerS((Double) speed.getSelectedItem()));
-        insert.addActionListener(e -> door.moveBy(STEP_MM));
-        withdraw.addActionListener(e -> door.moveBy(-STEP_MM));
-        toTarget.addActionListener(e -> door.moveToTarget());
-        aim.addActionListener(e -> door.aim());
-        sample.addActionListener(e -> door.sample());
-        out.addActionListener(e -> door.moveTo(0));
+        speed.addActionListener(e -> door.hand().setSpeedMmPerS((Double) speed.getSelectedItem()));
+        insert.addActionListener(e -> door.hand().moveBy(STEP_MM));
+        withdraw.addActionListener(e -> door.hand().moveBy(-STEP_MM));
+        toTarget.addActionListener(e -> door.hand().moveToTarget());
+        aim.addActionListener(e -> door.hand().aim());
+        sample.addActionListener(e -> door.hand().sample());
+        out.addActionListener(e -> door.hand().moveTo(0));
         body.add(row(insert, withdraw, toTarget), "wmin 0");
         body.add(miss, "wmin 0");
         body.add(row(aim, sample, out), "wmin 0");

@@ -1,6 +1,6 @@
 package org.phrenic.ui;
 
-import java.awt.event.MouseWheelEvent;
+import java.awt.Cursor;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,14 +8,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.Workers;
-import org.phrenic.format.BadInputException;
-import org.phrenic.geometry.Vectors;
-import org.phrenic.rehearsal.BreathEvent;
+import org.phrenic.rehearsal.BreathCycle;
 import org.phrenic.rehearsal.BreathMoment;
 import org.phrenic.rehearsal.CycleRecorder;
 import org.phrenic.rehearsal.LiveAttempt;
@@ -32,12 +29,12 @@ import org.phrenic.rehearsal.TargetStudy;
 import org.phrenic.scene.AccessField;
 import org.phrenic.scene.NeedleMarks;
 import org.phrenic.scene.Pick;
-import org.phrenic.scene.SceneStyle;
 import org.phrenic.scene.Section;
 import org.phrenic.scene.View;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.Surface;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.Watch;
 
@@ -86,7 +83,6 @@ final class RehearsalDoor implements Session.Events {
         default void onSections(Section along, Section across) {}
     }
 
-    private static final double MM_A_NOTCH = 2;
     private static final double BEHIND_MM = 35;
     /** Liver access is from the right. */
     private static final double FROM_RIGHT_DEG = -52;
@@ -99,8 +95,10 @@ final class RehearsalDoor implements Session.Events {
     private final Looks looks;
     private final SceneView view;
     private final List<Events> listeners = new ArrayList<>();
-    private final ExecutorService worker = thread("phrenic-rehearsal");
-    private final ExecutorService cutter = thread("phrenic-section");
+    private final Background work = new Background("phrenic-rehearsal");
+    private final ExecutorService cutter = Background.thread("phrenic-section");
+
+    private final NeedleHand hand;
 
     private Stage stage = Stage.CLOSED;
     private Choosing choosing = Choosing.NOTHING;
@@ -117,17 +115,14 @@ final class RehearsalDoor implements Session.Events {
     private Map<String, Object> breathing = Map.of();
     private Optional<TargetStudy> study = Optional.empty();
     private Optional<double[]> entry = Optional.empty();
-    private Optional<PathCycle> path = Optional.empty();
     private volatile Optional<PathAdvice> advice = Optional.empty();
     private volatile LiveRehearsal rehearsal;
-    private double goalMm;
-    private double speedMmPerS = 50;
-    private long asked;
 
     RehearsalDoor(Session session, Looks looks, SceneView view) {
         this.session = session;
         this.looks = looks;
         this.view = view;
+        hand = new NeedleHand(session, this, view);
         view.setTool(Optional.of(new NeedleTool(this)));
         session.listen(this);
     }
@@ -164,23 +159,15 @@ final class RehearsalDoor implements Session.Events {
 
     private void leaveRun() {
         session.live().unwatch();
-        asked++;
+        work.drop();
         rehearsal = null;
     }
 
     /** Ends its threads. */
     void end() {
         leaveRun();
-        worker.shutdownNow();
+        work.close();
         cutter.shutdownNow();
-    }
-
-    private static ExecutorService thread(String name) {
-        return Executors.newSingleThreadExecutor(work -> {
-            Thread made = new Thread(work, name);
-            made.setDaemon(true);
-            return made;
-        });
     }
 
     @Override
@@ -245,7 +232,6 @@ final class RehearsalDoor implements Session.Events {
 
     private void noEntry() {
         entry = Optional.empty();
-        path = Optional.empty();
         advice = Optional.empty();
     }
 
@@ -259,19 +245,19 @@ final class RehearsalDoor implements Session.Events {
             // Another breathing than the exercise's: its target stays, to practise on.
             exercise = Optional.empty();
         }
-        long mine = asked;
+        BooleanSupplier current = work.current();
         CycleRecorder recorder = new CycleRecorder(
                 session.live(),
                 ofScene,
-                exercise.map(RehearsalPlan::phases).orElse(org.phrenic.rehearsal.BreathCycle.PHASES),
+                exercise.map(RehearsalPlan::phases).orElse(BreathCycle.PHASES),
                 done -> SwingUtilities.invokeLater(() -> {
-                    if (mine == asked) {
+                    if (current.getAsBoolean()) {
                         share = done;
                         tell();
                     }
                 }),
                 whole -> SwingUtilities.invokeLater(() -> {
-                    if (mine == asked) {
+                    if (current.getAsBoolean()) {
                         cycle = whole;
                         map();
                     }
@@ -290,18 +276,14 @@ final class RehearsalDoor implements Session.Events {
         session.live().play();
     }
 
-    private Target target() {
-        if (exercise.isPresent()) {
-            return exercise.get().target(mapped);
-        }
-        if (study.isPresent()) {
-            return study.get().target();
-        }
-        return Target.random(mapped, SEED, targetMm);
-    }
-
+    /** The map of the exercise's target, of the one at hand, or of one at random. */
     private void map() {
-        map(this::target);
+        Optional<RehearsalPlan> asked = exercise;
+        Optional<Target> before = study.map(TargetStudy::target);
+        double size = targetMm;
+        map(() -> asked.isPresent()
+                ? asked.get().target(mapped)
+                : before.orElseGet(() -> Target.random(mapped, SEED, size)));
     }
 
     private void map(Callable<Target> where) {
@@ -310,22 +292,24 @@ final class RehearsalDoor implements Session.Events {
         tell();
         Scenario scenario = session.scenario().with("hold=false");
         List<BreathMoment> moments = cycle;
+        Optional<RehearsalPlan> asked = exercise;
+        List<Surface> surfaces = scene.surfaces();
         inBackground(
                 () -> {
                     Target target = where.call();
                     RehearsalPlan meant =
-                            exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.usual()));
+                            asked.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.usual()));
                     try (Workers workers =
                             Workers.of(Math.max(1, Runtime.getRuntime().availableProcessors() - 1))) {
                         TargetStudy made =
                                 TargetStudy.of(mapped, moments, target, meant.needle(), meant.avoided(), workers);
-                        return new Studied(meant, made, new AccessField(scene.surfaces(), made.map()));
+                        return new Studied(meant, made, new AccessField(surfaces, made.map()));
                     }
                 },
                 made -> {
                     plan = made.plan();
                     study = Optional.of(made.study());
-                    looks.dress(style -> dressed(style, made.colours()), Optional.of(made.colours()));
+                    looks.dress(made.colours()::shown, Optional.of(made.colours()));
                     noEntry();
                     begin(Optional.empty());
                 });
@@ -333,35 +317,12 @@ final class RehearsalDoor implements Session.Events {
 
     private record Studied(RehearsalPlan plan, TargetStudy study, AccessField colours) {}
 
-    /** Skin in the colours of the map, and to be looked through, as are the organs before the target. */
-    private SceneStyle dressed(SceneStyle style, AccessField colours) {
-        SceneStyle dressed = colours.shown(style);
-        for (org.phrenic.simulation.Surface s : scene.surfaces()) {
-            float most =
-                    switch (s.kind()) {
-                        case SKIN -> 0.36f;
-                        case LIVER -> 0.42f;
-                        case DIAPHRAGM -> 0.18f;
-                        case LUNG -> 0.28f;
-                        default -> 1;
-                    };
-            Optional<org.phrenic.scene.Look> look = dressed.look(s.name());
-            if (look.isPresent() && look.get().opacity() != most && most < 1) {
-                float now = s.kind() == StructureKind.SKIN
-                        ? most
-                        : Math.min(most, look.get().opacity());
-                dressed = dressed.withLook(s.name(), look.get().withOpacity(now));
-            }
-        }
-        return dressed;
-    }
-
     /** A new attempt from the start of the run; by hand, or by the steps of the exercise. */
     private void begin(Optional<RehearsalPlan> played) {
         leaveRun();
         TargetStudy about = study.orElseThrow();
         stage = played.isPresent() ? Stage.SHOWING : Stage.READY;
-        long mine = asked;
+        BooleanSupplier current = work.current();
         rehearsal = new LiveRehearsal(
                 session.live(),
                 lived,
@@ -378,7 +339,7 @@ final class RehearsalDoor implements Session.Events {
                     @Override
                     public void finished(LiveAttempt attempt) {
                         SwingUtilities.invokeLater(() -> {
-                            if (mine == asked) {
+                            if (current.getAsBoolean()) {
                                 report(attempt, played);
                             }
                         });
@@ -387,7 +348,7 @@ final class RehearsalDoor implements Session.Events {
         LiveRehearsal watching = rehearsal;
         SectionFeed feed =
                 new SectionFeed(cutter, scene.surfaces(), scene.newFrame().get(), (along, across) -> {
-                    if (mine == asked) {
+                    if (current.getAsBoolean()) {
                         listeners.forEach(l -> l.onSections(along, across));
                     }
                 });
@@ -408,55 +369,41 @@ final class RehearsalDoor implements Session.Events {
         if (played.isPresent()) {
             stage = Stage.READY;
         }
-        inBackground(
+        MovingScene reader = mapped;
+        // An attempt that has ended counts, whatever was begun meanwhile.
+        work.keep(
                 () -> new Rehearsal(
                         done,
                         of.surfaces(),
                         about,
-                        Rehearsal.plannedPath(done, about, mapped),
+                        Rehearsal.plannedPath(done, about, reader),
                         attempt.record(),
                         attempt.views(),
                         attempt.stateHash()),
                 rehearsed -> {
                     listeners.forEach(l -> l.onAttempt(rehearsed));
                     tell();
-                });
+                },
+                sentence -> session.say(Session.Message.Kind.REFUSED, sentence));
     }
 
-    /** Does something on the door's own thread, in order; what it gives is dropped if something else was begun meanwhile. */
     private <T> void inBackground(Callable<T> what, Consumer<T> then) {
-        long mine = asked;
-        worker.execute(() -> {
-            try {
-                T made = what.call();
-                SwingUtilities.invokeLater(() -> {
-                    if (mine == asked) {
-                        then.accept(made);
-                    }
-                });
-            } catch (BadInputException bad) {
-                SwingUtilities.invokeLater(() -> refuse(mine, bad.getMessage()));
-            } catch (Exception e) {
-                SwingUtilities.invokeLater(() -> refuse(mine, String.valueOf(e.getMessage())));
-            }
-        });
+        work.run(what, then, this::refuse);
     }
 
-    private void refuse(long mine, String sentence) {
-        if (mine == asked) {
-            if (stage == Stage.MAPPING && exercise.isPresent()) {
-                exercise = Optional.empty();
-                study = Optional.empty();
-                map();
-            } else if (stage == Stage.LOADING || (stage == Stage.MAPPING && study.isEmpty())) {
-                stage = Stage.IMPOSSIBLE;
-                doing = sentence;
-            } else if (stage == Stage.MAPPING) {
-                stage = Stage.READY;
-            }
-            session.say(Session.Message.Kind.REFUSED, sentence);
-            tell();
+    private void refuse(String sentence) {
+        if (stage == Stage.MAPPING && exercise.isPresent()) {
+            exercise = Optional.empty();
+            study = Optional.empty();
+            map();
+        } else if (stage == Stage.LOADING || (stage == Stage.MAPPING && study.isEmpty())) {
+            stage = Stage.IMPOSSIBLE;
+            doing = sentence;
+        } else if (stage == Stage.MAPPING) {
+            begin(Optional.empty());
         }
+        session.say(Session.Message.Kind.REFUSED, sentence);
+        tell();
     }
 
     private void tell() {
@@ -514,8 +461,8 @@ final class RehearsalDoor implements Session.Events {
             session.say(
                     Session.Message.Kind.NOTE, "The exercise sets the target; choose Practice for one of your own.");
         }
-        view.setCursor(java.awt.Cursor.getPredefinedCursor(
-                choosing == Choosing.NOTHING ? java.awt.Cursor.DEFAULT_CURSOR : java.awt.Cursor.CROSSHAIR_CURSOR));
+        view.setCursor(Cursor.getPredefinedCursor(
+                choosing == Choosing.NOTHING ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
         tell();
     }
 
@@ -566,17 +513,15 @@ final class RehearsalDoor implements Session.Events {
             return;
         }
         entry = Optional.of(onSkinRest);
-        rehearsal.enterAt(onSkinRest);
+        hand.enterAt(onSkinRest);
         TargetStudy about = study.orElseThrow();
         inBackground(
                 () -> PathCycle.of(
                         mapped, about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided()),
                 found -> {
-                    path = Optional.of(found);
                     advice = Optional.of(PathAdvice.of(found));
                     tell();
                 });
-        wake();
     }
 
     /** The best entry of the map, over the breath or at its end. */
@@ -593,94 +538,18 @@ final class RehearsalDoor implements Session.Events {
         }
     }
 
-    /** Whether the needle can be moved: an entry is chosen. */
-    boolean canMove() {
-        return stage == Stage.READY && entry.isPresent();
+    /** What moves the needle. */
+    NeedleHand hand() {
+        return hand;
     }
 
-    /** Moves the needle's tip to a depth; one that is not in the body is set on the skin first. */
-    void moveTo(double depthMm) {
-        if (stage != Stage.READY) {
-            return;
-        }
-        if (entry.isEmpty()) {
-            session.say(Session.Message.Kind.NOTE, "Choose an entry first (E), or take the best path (B).");
-            return;
-        }
-        goalMm = Math.max(0, Math.min(plan.needle().lengthMm(), depthMm));
-        if (goalMm > 0 || state().filter(NeedleState::placed).isPresent()) {
-            rehearsal.moveTo(goalMm, speedMmPerS);
-            wake();
-        }
+    /** The needle in the run; empty unless it may be used. */
+    Optional<LiveRehearsal> usable() {
+        return stage == Stage.READY ? Optional.ofNullable(rehearsal) : Optional.empty();
     }
 
-    /** Moves it by so much from where it is or is going to. */
-    void moveBy(double mm) {
-        NeedleState now = state().orElse(null);
-        double from = now == null || !now.placed() ? 0 : now.moving() ? goalMm : now.depthMm();
-        moveTo(from + mm);
-    }
-
-    /** The wheel was turned for the needle; says whether it could be moved. */
-    boolean turned(MouseWheelEvent e) {
-        if (canMove()) {
-            moveBy(-MM_A_NOTCH * e.getPreciseWheelRotation());
-        }
-        return canMove();
-    }
-
-    /** Moves it as deep as the target lies. */
-    void moveToTarget() {
-        state().ifPresent(now -> moveTo(now.aimedMm()));
-    }
-
-    void setSpeedMmPerS(double speed) {
-        speedMmPerS = speed;
-    }
-
-    /** Points the needle at where the target is now. */
-    void aim() {
-        if (stage == Stage.READY) {
-            rehearsal.aim();
-            wake();
-        }
-    }
-
-    /** Takes a sample. */
-    void sample() {
-        if (stage == Stage.READY) {
-            rehearsal.sample();
-            wake();
-        }
-    }
-
-    /** Holds the breath at its next end, or lets it go on. */
-    void hold(Optional<BreathEvent.Kind> end) {
-        if (stage == Stage.READY) {
-            rehearsal.holdAt(end);
-            wake();
-        }
-    }
-
-    /** Holds the breath when air has flowed out, or lets a held one go on. */
-    void toggleHold() {
-        boolean holds = session.scenario().hold()
-                || state().filter(s -> !s.waitsFor().isEmpty()).isPresent();
-        hold(holds ? Optional.empty() : Optional.of(BreathEvent.Kind.END_EXPIRATION));
-    }
-
-    /** Looks from the hub towards the tip. */
-    void lookAlong() {
-        state().filter(NeedleState::hasNeedle)
-                .ifPresent(now -> view.setCamera(
-                        view.camera().along(Vectors.unit(Vectors.minus(now.tip(), now.hub())), now.target())));
-    }
-
-    /** What is asked of the needle is done in simulated time, so that has to go on. */
-    private void wake() {
-        if (!session.live().isPlaying()) {
-            session.live().play();
-        }
+    Optional<double[]> entry() {
+        return entry;
     }
 
     private Optional<NeedleMarks> marks() {

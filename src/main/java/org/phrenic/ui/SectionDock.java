@@ -24,8 +24,8 @@ final class SectionDock extends JPanel implements RehearsalDoor.Events {
         setName("sections");
         add(along, "hmin 80");
         add(across, "hmin 80");
-        along.addMouseWheelListener(e -> door.turned(e));
-        across.addMouseWheelListener(e -> door.turned(e));
+        along.addMouseWheelListener(e -> door.hand().turned(e));
+        across.addMouseWheelListener(e -> door.hand().turned(e));
         door.listen(this);
         onDoor();
     }

@@ -80,7 +80,7 @@ final class WindowDesk implements Commands.Desk {
         Session session = window.session();
         boolean on = !session.scenario().hold();
         if (door().isOpen()) {
-            door().toggleHold();
+            door().hand().toggleHold();
         } else {
             session.change(
                     on ? "Hold of the breath" : "End of the hold",

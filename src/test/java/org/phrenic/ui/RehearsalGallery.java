@@ -7,7 +7,7 @@ import javax.imageio.ImageIO;
 import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.simulation.Scenario;
 
-/** Leaves pictures of liver access being rehearsed, light and dark, large and small. Needs a display. Arguments: folder, then those of {@code light-large light-small dark-large dark-small} that are wanted. */
+/** Leaves pictures of liver access being rehearsed, light and dark, large and small. {@code light-small-in} is {@code rehearse-light.png} of the documentation. Needs a display. Arguments: folder, then those of {@code light-large light-small dark-large dark-small} that are wanted. */
 public final class RehearsalGallery {
     private RehearsalGallery() {}
 
@@ -50,15 +50,15 @@ public final class RehearsalGallery {
         until(() -> door.advice().isPresent() && door.state().get().hasNeedle());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-entry.png"));
-        Edt.run(() -> door.moveTo(58));
+        Edt.run(() -> door.hand().moveTo(58));
         until(() -> door.state().get().depthMm() > 57);
         Thread.sleep(1200);
         picture(window, folder.resolve(name + "-in.png"));
-        Edt.run(door::moveToTarget);
+        Edt.run(door.hand()::moveToTarget);
         Thread.sleep(1000);
-        Edt.run(door::sample);
+        Edt.run(door.hand()::sample);
         until(() -> door.state().get().samples() > 0);
-        Edt.run(() -> door.moveTo(0));
+        Edt.run(() -> door.hand().moveTo(0));
         until(() -> !window.docks().attempts().attempts().isEmpty());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-report.png"));

@@ -141,7 +141,7 @@ class RehearsalWindowTest {
     @Test
     void aSampleBeforeTheTargetIsAMiss() throws Exception {
         begin();
-        WindowHarness.doOnEdt(() -> door().moveTo(20));
+        WindowHarness.doOnEdt(() -> door().hand().moveTo(20));
         until("the needle in", () -> state().placed() && state().depthMm() > 19);
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);

@@ -13,7 +13,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Scenario;
 
-/** Leaves pictures of the whole window, light and dark, in both arrangements, among them those of the documentation: {@code window-light.png} and {@code window-dark.png}. Needs a display. Argument: folder. */
+/** Leaves pictures of the whole window, light and dark, for tuning, among them those of the documentation: {@code window-light.png} and {@code window-dark.png}. Needs a display. Argument: folder. */
 public final class WindowGallery {
     private static final double BREATHE_S = 3.4;
 
@@ -37,7 +37,6 @@ public final class WindowGallery {
         show("window-light", 1280, 800, false, Arrangement.RESEARCHER, false, "preset=quiet");
         show("window-dark", 1280, 800, true, Arrangement.RESEARCHER, true, "preset=deep");
         show("tune-dark-large", 1600, 1000, true, Arrangement.RESEARCHER, true, "preset=deep");
-        show("rehearse-light", 1280, 800, false, Arrangement.CLINICIAN, false, "preset=quiet");
     }
 
     private void show(
