@@ -111,11 +111,11 @@ public record ScanAlignment(RigidMotion motion, FixedPart fixedPart, DistanceSum
                 double back = (lung.y(v) - box[1]) / (box[4] - box[1]);
                 double inward = 0.5 + toMiddle * (lung.x(v) - centre) / (box[3] - box[0]);
                 double looks = normals[3 * v + 1] + toMiddle * normals[3 * v];
-                fixed.add(down < APEX
-                        || (down < ABOVE_BASE
-                                && back > 1 - POSTERIOR
-                                && (toMiddle == 0 || inward > 1 - MEDIAL)
-                                && looks > LOOKS));
+                boolean besideSpine = down < ABOVE_BASE
+                        && back > 1 - POSTERIOR
+                        && (toMiddle == 0 || inward > 1 - MEDIAL)
+                        && looks > LOOKS;
+                fixed.add(down < APEX || besideSpine);
             }
         }
         boolean[] array = new boolean[fixed.size()];

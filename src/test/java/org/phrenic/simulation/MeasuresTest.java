@@ -24,7 +24,14 @@ class MeasuresTest {
     static void make() {
         simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
         dome = new DiaphragmPart(
-                new SceneParts(), Diaphragm.trefoil(DomeSheet.adult(12)), TissueLaw.membrane(300, 60), 10, true, 1, 1);
+                new SceneParts(),
+                Diaphragm.trefoil(DomeSheet.adult(12)),
+                TissueLaw.membrane(300, 60),
+                10,
+                true,
+                1,
+                1,
+                1);
     }
 
     @AfterAll
