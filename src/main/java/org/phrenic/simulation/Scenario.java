@@ -100,6 +100,8 @@ public record Scenario(
 
     private static final double REFRESH_S = 0.02;
     private static final double REFRESH_STEPS = 4;
+    /** After 0.08 s the wall is 10 % of a breath's excursion from where it should be. */
+    private static final double LONGEST_REFRESH_S = 0.04;
 
     public Scenario {
         Map<Parameter, Double> copy = new EnumMap<>(Parameter.class);
@@ -277,9 +279,11 @@ public record Scenario(
         return material == Material.PHYSICAL ? PHYSICAL_SWEEPS : 1;
     }
 
-    /** Time after which anchors and wall planes are taken anew, s: that of the file, else 0.02 s and at least four steps. */
+    /** Time after which anchors and wall planes are taken anew, s: that of the file, else 0.02 s and at least four steps, but no more than 0.04 s. */
     public double refreshS() {
-        return Double.isNaN(givenRefreshS) ? Math.max(REFRESH_S, REFRESH_STEPS * timeStepS()) : givenRefreshS;
+        return Double.isNaN(givenRefreshS)
+                ? Math.min(LONGEST_REFRESH_S, Math.max(REFRESH_S, REFRESH_STEPS * timeStepS()))
+                : givenRefreshS;
     }
 
     /** Simulated time, s; NaN where none is given. */
