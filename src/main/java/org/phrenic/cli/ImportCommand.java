@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
 import org.phrenic.format.LabelVolume;
 import org.phrenic.format.LabelVolumes;
@@ -22,6 +24,7 @@ import org.phrenic.patient.ImportReport;
 import org.phrenic.patient.LabelMap;
 import org.phrenic.patient.MeshingSteps;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.SecondScan;
 import org.phrenic.patient.StatedAxes;
 import org.phrenic.patient.StatedSpacing;
 import org.phrenic.simulation.Assignment;
@@ -43,6 +46,7 @@ import picocli.CommandLine.Spec;
             "  phrenic import scan.seg.nrrd --out patient",
             "  phrenic import total.nii.gz --labels totalsegmentator --out patient",
             "  phrenic import lungs.mha --labels lungs.csv --out patient",
+            "  phrenic import inspiration.mha --labels lungs.csv --align-to patient --out inspired",
             "",
             "A table for --labels has the columns label (or name) and structure: 1,lungs.",
             Notice.TEXT
@@ -94,6 +98,13 @@ final class ImportCommand implements Callable<Integer> {
                     "Where structures come from that the scan lacks: virtual/adult-male (default), virtual/adult-female, a thorax folder, or none.")
     private String complete = "virtual/adult-male";
 
+    @Option(
+            names = "--align-to",
+            paramLabel = "THORAX",
+            description =
+                    "A body made of another scan of the same patient: this scan is brought to it rigidly, by the spine or by apex and back of the lungs, and the distances of the lungs are told. Nothing is completed.")
+    private Path alignTo;
+
     @Option(names = "--json", description = "Print JSON instead of a table.")
     private boolean json;
 
@@ -110,7 +121,9 @@ final class ImportCommand implements Callable<Integer> {
         Optional<Thorax> template = template();
         FittedBody scanned =
                 new ScanImport(volume, file.toString(), MeshingSteps.PAPER, edgeMm, progress()).run(map, name);
-        FittedBody body = template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned);
+        FittedBody body = alignTo == null
+                ? template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned)
+                : aligned(scanned, ThoraxFolder.load(alignTo));
         Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
         report.put("notice", Notice.TEXT);
         BodyFolder.write(out, body, report);
@@ -120,8 +133,16 @@ final class ImportCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
+    private FittedBody aligned(FittedBody scanned, Thorax first) {
+        try {
+            return SecondScan.alignedTo(first, scanned);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(file + " and " + alignTo + ": " + e.getMessage(), e);
+        }
+    }
+
     private Optional<Thorax> template() {
-        if (complete.equals("none")) {
+        if (alignTo != null || complete.equals("none")) {
             return Optional.empty();
         }
         Assignment anatomy = new Assignment("--complete " + complete, "anatomy", complete);
