@@ -34,7 +34,10 @@ public record StepGrid(
                         List.of(1, 2, 4, 8),
                         List.of(0.02, 0.005, 0.002))
                 : new StepGrid(
-                        all, List.of(0.0025, 0.005, 0.01, 0.0125, 0.02, 0.05), List.of(1), List.of(0.04, 0.02, 0.005));
+                        all,
+                        List.of(0.0025, 0.005, 1.0 / 140, 0.01, 0.0125, 0.02, 0.05),
+                        List.of(1),
+                        List.of(0.04, 0.02, 0.005));
     }
 
     /** A few settings that take seconds. */
