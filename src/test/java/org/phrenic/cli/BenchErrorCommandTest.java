@@ -83,7 +83,7 @@ class BenchErrorCommandTest {
 
     @Test
     void anErrorThatNothingKeepsIsRefused() {
-        CommandLineRun run = CommandLineRun.of("run", "--max-error", "0.0001", "--material", "paper");
+        CommandLineRun run = CommandLineRun.of("run", "--max-error", "0.0001", "--material", "physical");
         assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(run.err()).contains("--max-error: found 0.0001 mm, expected at least");
     }
