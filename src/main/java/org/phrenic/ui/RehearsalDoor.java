@@ -131,6 +131,11 @@ final class RehearsalDoor implements Session.Events {
         listeners.add(listener);
     }
 
+    /** Forgets a listener. */
+    void forget(Events listener) {
+        listeners.remove(listener);
+    }
+
     /** Someone comes in. */
     void open() {
         if (stage == Stage.CLOSED) {

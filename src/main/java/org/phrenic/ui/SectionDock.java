@@ -30,6 +30,14 @@ final class SectionDock extends JPanel implements RehearsalDoor.Events {
         onDoor();
     }
 
+    SectionView along() {
+        return along;
+    }
+
+    SectionView across() {
+        return across;
+    }
+
     @Override
     public void onDoor() {
         if (door.state().filter(NeedleState::hasNeedle).isEmpty()) {
