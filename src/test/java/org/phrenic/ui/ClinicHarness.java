@@ -48,8 +48,7 @@ final class ClinicHarness implements AutoCloseable {
     void ready() throws InterruptedException {
         until(
                 "the needle",
-                () -> door().stage() == RehearsalDoor.Stage.READY
-                        && door().state().isPresent());
+                () -> door().stage() == DoorStage.READY && door().state().isPresent());
     }
 
     NeedleState state() {
@@ -66,10 +65,10 @@ final class ClinicHarness implements AutoCloseable {
     void begin() throws InterruptedException {
         WindowHarness.doOnEdt(() -> {
             door().retry();
-            door().enterAtBest(false);
+            door().way().enterAtBest(false);
         });
         until("an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
-        until("advice", () -> door().advice().isPresent());
+        until("advice", () -> door().way().advice().isPresent());
     }
 
     /** Takes the needle out; the attempt that ends with that. */

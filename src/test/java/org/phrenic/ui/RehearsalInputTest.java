@@ -112,7 +112,7 @@ class RehearsalInputTest {
         Target before = target();
         double[] onLiver = pixel(middleOfTheLiver());
         window.key("T");
-        assertThat(WindowHarness.onEdt(() -> door().choosing())).isEqualTo(RehearsalDoor.Choosing.TARGET);
+        assertThat(WindowHarness.onEdt(() -> door().clicks().choosing())).isEqualTo(ClickChoice.Of.TARGET);
         clickView(onLiver);
         clinic.until(
                 "another target",
@@ -120,18 +120,18 @@ class RehearsalInputTest {
         clinic.ready();
         Target set = target();
         assertThat(besideMm(set.restMm(), onLiver)).isLessThan(CLICKED_WITHIN_MM);
-        assertThat(WindowHarness.onEdt(() -> door().choosing())).isEqualTo(RehearsalDoor.Choosing.NOTHING);
+        assertThat(WindowHarness.onEdt(() -> door().clicks().choosing())).isEqualTo(ClickChoice.Of.NOTHING);
 
         double[] onSkin = {onLiver[0] - 12, onLiver[1] + 9};
         window.key("E");
-        assertThat(WindowHarness.onEdt(() -> door().choosing())).isEqualTo(RehearsalDoor.Choosing.ENTRY);
+        assertThat(WindowHarness.onEdt(() -> door().clicks().choosing())).isEqualTo(ClickChoice.Of.ENTRY);
         clickView(onSkin);
         clinic.until(
                 "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
-        double[] entry = WindowHarness.onEdt(() -> door().entry().orElseThrow());
+        double[] entry = WindowHarness.onEdt(() -> door().way().entry().orElseThrow());
         assertThat(besideMm(entry, onSkin)).isLessThan(CLICKED_WITHIN_MM);
         assertThat(entry[0]).as("on the right of the target").isLessThan(set.restMm()[0]);
-        clinic.until("advice", () -> door().advice().isPresent());
+        clinic.until("advice", () -> door().way().advice().isPresent());
 
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
@@ -162,9 +162,9 @@ class RehearsalInputTest {
         assertThat(target()).isSameAs(before);
         window.key("E");
         window.key("E");
-        assertThat(WindowHarness.onEdt(() -> door().choosing()))
+        assertThat(WindowHarness.onEdt(() -> door().clicks().choosing()))
                 .as("pressed twice: chosen no more")
-                .isEqualTo(RehearsalDoor.Choosing.NOTHING);
+                .isEqualTo(ClickChoice.Of.NOTHING);
     }
 
     @Test
@@ -176,7 +176,8 @@ class RehearsalInputTest {
             var map = door().study().orElseThrow().map();
             return map.pointAtRest(map.best(Rehearsal.ROOM_MM).orElseThrow());
         });
-        assertThat(WindowHarness.onEdt(() -> door().entry().orElseThrow())).containsExactly(best);
+        assertThat(WindowHarness.onEdt(() -> door().way().entry().orElseThrow()))
+                .containsExactly(best);
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
         window.key("shift I");
@@ -257,13 +258,14 @@ class RehearsalInputTest {
             assertThat(cell(table, rows - 1, 2)).isEqualTo("missed");
             assertThat(WindowHarness.onEdt(() -> clinic.attempts().card().text()))
                     .startsWith("Missed");
-            double[] entry = WindowHarness.onEdt(() -> door().entry().orElseThrow());
+            double[] entry = WindowHarness.onEdt(() -> door().way().entry().orElseThrow());
 
             window.click(window.control(JButton.class, "Retry"));
             clinic.until("a new attempt", () -> door().state()
                     .filter(s -> s.samples() == 0 && s.hasNeedle())
                     .isPresent());
-            assertThat(WindowHarness.onEdt(() -> door().entry().orElseThrow())).containsExactly(entry);
+            assertThat(WindowHarness.onEdt(() -> door().way().entry().orElseThrow()))
+                    .containsExactly(entry);
             assertThat(target().restMm()).containsExactly(missed.target().restMm());
             double aimed = WindowHarness.onEdt(() -> state().aimedMm());
             attempt(aimed);
@@ -297,7 +299,7 @@ class RehearsalInputTest {
     }
 
     private static void attempt(double depthMm) throws Exception {
-        if (WindowHarness.onEdt(() -> door().entry().isEmpty())) {
+        if (WindowHarness.onEdt(() -> door().way().entry().isEmpty())) {
             window.key("B");
         }
         clinic.until(

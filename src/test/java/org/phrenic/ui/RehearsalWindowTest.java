@@ -68,7 +68,7 @@ class RehearsalWindowTest {
     @Test
     void aNeedleToTheTargetHitsAndItsReportIsThatOfThePlanWithoutAWindow() throws Exception {
         clinic.begin();
-        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().level()))
+        assertThat(WindowHarness.onEdt(() -> door().way().advice().orElseThrow().level()))
                 .isNotEqualTo(PathAdvice.Level.BARRED);
         window.command("Insert far");
         until("the needle in the skin", () -> state().depthMm() > 9);
@@ -124,11 +124,12 @@ class RehearsalWindowTest {
                     .toList();
         });
         WindowHarness.doOnEdt(
-                () -> door().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
-        until("advice", () -> door().advice()
+                () -> door().way().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
+        until("advice", () -> door().way()
+                .advice()
                 .filter(a -> a.level() == PathAdvice.Level.BARRED)
                 .isPresent());
-        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().reasons()))
+        assertThat(WindowHarness.onEdt(() -> door().way().advice().orElseThrow().reasons()))
                 .isNotEmpty();
         window.screenshot("rehearse-barred");
     }
@@ -143,7 +144,7 @@ class RehearsalWindowTest {
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());
         WindowHarness.doOnEdt(() -> window.window().files().open(wrong));
         until("the sentence", () -> window.window().banner().sentence().contains("wrong.yaml"));
-        assertThat(WindowHarness.onEdt(() -> door().stage())).isEqualTo(RehearsalDoor.Stage.READY);
+        assertThat(WindowHarness.onEdt(() -> door().stage())).isEqualTo(DoorStage.READY);
         WindowHarness.doOnEdt(() -> window.window().files().open(outside));
         until("the sentence", () -> window.window().banner().sentence().contains("outside of the liver"));
         clinic.ready();
