@@ -35,7 +35,7 @@ public enum FitPart {
         return label;
     }
 
-    /** Whether only what looks down of it counts: the surface of a lung that lies on the diaphragm. */
+    /** Whether only its base counts ({@link org.phrenic.patient.LungBaseFacet}): the surface of a lung that lies on the diaphragm. */
     public boolean isBase() {
         return base;
     }

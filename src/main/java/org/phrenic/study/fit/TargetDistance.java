@@ -8,11 +8,12 @@ import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.SurfaceDistance;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.patient.LungBaseFacet;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Surface;
 
 /**
- * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by area. Of a lung's base only the vertices that look down count on either side, but their nearest
+ * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by area. Of a lung's base only the vertices of its {@link LungBaseFacet} count on either side, but their nearest
  * points may lie anywhere, so that where the base ends does not matter.
  *
  * <p>Used by one thread.
@@ -56,10 +57,21 @@ final class TargetDistance {
             anchors = null;
             fromModel = new SurfaceDistance(rest);
             fromTarget = new SurfaceDistance(target.surface());
-            modelBase = target.part().isBase() ? LookingDown.of(rest) : null;
-            targetBase = target.part().isBase() ? LookingDown.of(target.surface()) : null;
+            modelBase = target.part().isBase() ? base(rest, "the body's lung") : null;
+            targetBase = target.part().isBase() ? base(target.surface(), "its surface") : null;
             targetAreas = MeshMeasure.vertexAreas(target.surface());
         }
+    }
+
+    private boolean[] base(TriangleMesh lung, String whose) {
+        boolean[] base = LungBaseFacet.vertices(lung);
+        for (boolean corner : base) {
+            if (corner) {
+                return base;
+            }
+        }
+        throw new BadInputException("target " + target.name() + ": found nothing that looks down in " + whose
+                + ", expected a whole lung with a base");
     }
 
     FitTarget target() {
