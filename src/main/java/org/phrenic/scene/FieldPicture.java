@@ -43,16 +43,33 @@ public final class FieldPicture implements AutoCloseable {
 
     /** Writes a picture with the scale of its colours. */
     public void write(Path file, Shot shot, ColourScale scale) {
+        PngFile.write(file, picture(shot, scale));
+    }
+
+    /** The same for a report, not yet written. */
+    public FigurePicture figure(String name, String alternative, String caption, Shot shot, ColourScale scale) {
+        return new FigurePicture(name, alternative, caption, picture(shot, scale));
+    }
+
+    private BufferedImage picture(Shot shot, ColourScale scale) {
         SceneStyle style = SceneStyle.atlas(surfaces).withSamples(SAMPLES).withField(ColourField.DISTANCE, NAME, scale);
+        return picture(gl, renderer, surfaces, style, shot);
+    }
+
+    /** A picture of surfaces as they lie, with letters and, of a quantity, its scale. */
+    static BufferedImage picture(
+            OffscreenGl gl, Renderer renderer, List<Surface> surfaces, SceneStyle style, Shot shot) {
         Camera camera = shot.camera(SceneBounds.of(surfaces));
         BufferedImage picture = gl.picture(renderer, Frame.still(surfaces), camera, style, shot.width(), shot.height());
         if (shot.annotated() && Annotations.canWrite()) {
-            Annotations.on(style.background() == Background.LIGHT)
-                    .withTitle(shot.title())
-                    .withScale(style.field().label(), scale)
+            Annotations plain =
+                    Annotations.on(style.background() == Background.LIGHT).withTitle(shot.title());
+            (style.field() == ColourField.NONE
+                            ? plain
+                            : plain.withScale(style.field().label(), style.scale()))
                     .draw(picture, camera);
         }
-        PngFile.write(file, picture);
+        return picture;
     }
 
     @Override
