@@ -1,6 +1,7 @@
 package org.phrenic.study.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.phrenic.format.BadInputException;
@@ -86,6 +87,37 @@ final class TargetDistance {
     /** The part as the body stands. */
     FitDistances of(HeldBreath breath, FitHalf half) {
         return of(joined(breath::mesh), half);
+    }
+
+    /** The part with its vertices at these places. */
+    FitDistances of(double[] positions, FitHalf half) {
+        return of(rest.withPositions(positions), half);
+    }
+
+    /** Places of the part's vertices as the body stands. */
+    double[] positions(HeldBreath breath) {
+        return joined(breath::mesh).positions();
+    }
+
+    /** How many numbers {@link #positions} has. */
+    int length() {
+        return rest.positions().length;
+    }
+
+    /** Whether another looks at the same surfaces of the body. */
+    boolean isOfSamePart(TargetDistance other) {
+        return surfaces.equals(other.surfaces);
+    }
+
+    /** How the mean distance changes as the part moves; not of pairs of points. */
+    DistanceSlope slope(FitHalf half) {
+        double[] all = new double[rest.vertexCount()];
+        Arrays.fill(all, 1);
+        return new DistanceSlope(
+                rest,
+                weights(all, modelBase, rest, half),
+                target.surface(),
+                weights(targetAreas, targetBase, target.surface(), half));
     }
 
     private FitDistances of(TriangleMesh model, FitHalf half) {
