@@ -25,10 +25,10 @@ final class DescentSearch {
     private static final double WIDER = 1.5;
     private static final double NARROWER = 0.3;
     /** A round that gains less than this share gains nothing; so many of them are enough. */
-    private static final double GAIN = 0.004;
+    private static final double GAIN = 0.01;
 
-    private static final int PATIENCE = 2;
-    private static final int MOST_MEASUREMENTS = 4;
+    private static final int PATIENCE = 1;
+    private static final int MOST_MEASUREMENTS = 5;
 
     /** Works out a batch. */
     interface Work {

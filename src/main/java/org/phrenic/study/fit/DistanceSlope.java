@@ -12,7 +12,7 @@ import org.phrenic.geometry.TriangleTree;
  */
 final class DistanceSlope {
     /** So many vertices of a target are enough to say where to go. */
-    private static final int MOST_POINTS = 2500;
+    private static final int MOST_POINTS = 800;
 
     /** Told of one distance. */
     interface Told {

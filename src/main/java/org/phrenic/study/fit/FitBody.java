@@ -75,7 +75,7 @@ final class FitBody implements AutoCloseable {
         double mean = 0;
         for (int i = 0; i < offsets.length; i++) {
             double[] part = counting.get(i).positions(breath);
-            mean += weights[i] * counting.get(i).of(part, half).mean();
+            mean += weights[i] * counting.get(i).mean(part, half);
             for (int k = 0; k < part.length; k++) {
                 shape[offsets[i] + k] = (float) part[k];
             }

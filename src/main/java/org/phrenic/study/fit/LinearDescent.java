@@ -5,7 +5,7 @@ package org.phrenic.study.fit;
  * distances. Nearest points are looked for anew after every step.
  */
 final class LinearDescent {
-    private static final int STEPS = 12;
+    private static final int STEPS = 8;
     private static final int HALVINGS = 3;
     /** Smaller distances count as if they were this large, mm: about what a scan is uneven by. */
     private static final double LEAST_MM = 0.5;

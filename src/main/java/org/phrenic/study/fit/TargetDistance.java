@@ -89,9 +89,28 @@ final class TargetDistance {
         return of(joined(breath::mesh), half);
     }
 
-    /** The part with its vertices at these places. */
-    FitDistances of(double[] positions, FitHalf half) {
-        return of(rest.withPositions(positions), half);
+    /** Mean of the distances with the part's vertices at these places: what {@link FitDistances#mean} says, without distances that do not count. */
+    double mean(double[] positions, FitHalf half) {
+        TriangleMesh model = rest.withPositions(positions);
+        if (anchors != null) {
+            return of(model, half).mean();
+        }
+        fromModel.refit(positions);
+        double[] weights = weights(MeshMeasure.vertexAreas(model), modelBase, rest, half);
+        double[] targetWeights = weights(targetAreas, targetBase, target.surface(), half);
+        double sum = counted(fromTarget, model, weights) + counted(fromModel, target.surface(), targetWeights);
+        double total = Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
+        return total > 0 ? sum / total : 0;
+    }
+
+    private static double counted(SurfaceDistance from, TriangleMesh of, double[] weights) {
+        double sum = 0;
+        for (int v = 0; v < weights.length; v++) {
+            if (weights[v] > 0) {
+                sum += weights[v] * from.of(of.x(v), of.y(v), of.z(v));
+            }
+        }
+        return sum;
     }
 
     /** Places of the part's vertices as the body stands. */
