@@ -30,8 +30,8 @@ public final class ScanImport {
     private static final double MM3_PER_ML = 1000;
     /** Pieces of less than this share of a structure are not worth a sentence. */
     private static final double LITTLE = 0.02;
-    /** The heart takes room from the left lung. */
-    private static final double LARGER_LEFT = 1.1;
+    /** Names in a sentence. */
+    private static final int MOST_NAMED = 8;
     /** A structure of fewer voxels has no shape. */
     private static final int LEAST_VOXELS = 30;
 
@@ -64,12 +64,18 @@ public final class ScanImport {
      */
     public FittedBody run(LabelMap map, String name) {
         Parts parts = Parts.of(volume, map, file);
+        if (!map.absent().isEmpty()) {
+            notes.add("the volume lacks what the table names: " + String.join(", ", map.absent()));
+        }
+        noteUnused(map);
         if (parts.find(LabelMap.LUNGS) > 0) {
+            progress.now("telling the lungs apart");
             LungSplitter.split(parts).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
         }
         if (parts.find(LabelMap.COSTAL_CARTILAGES) > 0) {
+            progress.now("telling the cartilages apart");
             CartilageSplitter.split(parts).ifPresent(notes::add);
         }
         LabelGrid grid = parts.grid();
@@ -89,6 +95,7 @@ public final class ScanImport {
             throw new BadInputException(
                     file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
         }
+        progress.now("laying a net between " + built.size() + " structures");
         PartMesher mesher = new PartMesher(grid, partNumbers, steps);
         AtomicInteger done = new AtomicInteger();
         List<Organ> organs = IntStream.range(0, built.size())
@@ -144,21 +151,24 @@ public final class ScanImport {
             notes.add("cut off by the end of the scan, at the side in brackets, and closed flat there: "
                     + String.join(", ", cut));
         }
-        double right = lungMl(organs, "lung_R");
-        double left = lungMl(organs, "lung_L");
-        if (right > 0 && left > LARGER_LEFT * right) {
-            notes.add(String.format(
-                    Locale.ROOT,
-                    "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly, see --axes",
-                    left,
-                    right));
-        }
+        notes.addAll(LungRemarks.of(organs));
     }
 
-    private static double lungMl(List<Organ> organs, String name) {
-        return organs.stream()
-                .filter(o -> o.structure().name().equals(name))
-                .mapToDouble(o -> o.scan().orElseThrow().volumeMl())
-                .sum();
+    /** The labels that the volume has beside those of structures. */
+    private void noteUnused(LabelMap map) {
+        int[] counts = volume.grid().counts();
+        List<String> unused = new ArrayList<>();
+        for (int label = 1; label < counts.length; label++) {
+            if (counts[label] > 0 && !map.structures().containsKey(label)) {
+                String name = volume.names().get(label);
+                unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
+            }
+        }
+        if (!unused.isEmpty()) {
+            int shown = Math.min(MOST_NAMED, unused.size());
+            notes.add("labels of the volume that are none of the structures asked for: "
+                    + String.join(", ", unused.subList(0, shown))
+                    + (unused.size() > shown ? " and " + (unused.size() - shown) + " more" : ""));
+        }
     }
 }
