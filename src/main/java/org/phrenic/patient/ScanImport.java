@@ -125,11 +125,7 @@ public final class ScanImport {
         return Organ.ofScan(
                 new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
                 new Organ.Scan(
-                        parts.labels(structure),
-                        count,
-                        count * voxelMm3 / MM3_PER_ML,
-                        parts.cutAt(structure),
-                        meshed));
+                        parts.labels(structure), count, count * voxelMm3 / MM3_PER_ML, parts.cutAt(structure), meshed));
     }
 
     /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */

@@ -50,8 +50,8 @@ class LabelNetTest {
         for (int v = 0; v < labels.length; v++) {
             labels[v] = (byte) (whole.label(v) + organ.label(v));
         }
-        TriangleMesh outline =
-                LabelNet.of(LabelGrid.of(14, 14, 14, labels, affine(1, 1, 1)), SAME).outline();
+        TriangleMesh outline = LabelNet.of(LabelGrid.of(14, 14, 14, labels, affine(1, 1, 1)), SAME)
+                .outline();
         TriangleMesh solid = LabelNet.of(whole, SAME).surface(1);
         assertThat(outline.triangleCount()).isEqualTo(solid.triangleCount());
         assertThat(MeshMeasure.signedVolume(outline))
