@@ -99,7 +99,7 @@ final class Docks {
         rehearse = new RehearsalDock(session, door, breath::choose);
         attempts = new AttemptsDock(session, door, view, null);
         sections = new SectionDock(door);
-        door.listen(new RehearsalDoor.Events() {
+        door.listen(new DoorEvents() {
             @Override
             public void onAttempt(Rehearsal rehearsal) {
                 right.setSelectedIndex(right.indexOfComponent(attempts));

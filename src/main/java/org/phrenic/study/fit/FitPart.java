@@ -40,6 +40,15 @@ public enum FitPart {
         return base;
     }
 
+    /** The base of a lung; null of what is not one whole lung. */
+    FitPart base() {
+        return switch (this) {
+            case LUNG_RIGHT -> LUNG_BASE_RIGHT;
+            case LUNG_LEFT -> LUNG_BASE_LEFT;
+            default -> null;
+        };
+    }
+
     /** Whether a surface of a scene belongs to it. */
     public boolean has(Surface surface) {
         return surface.kind() == kind && (side == null || surface.side() == side);
