@@ -112,7 +112,10 @@ final class PatientPictures {
                     what + ": lungs in colours of their distance from those at the end of inhale, " + from,
                     what + ", " + from + ".",
                     shot(view),
-                    FitPictures.scale(worst));
+                    FitPictures.scale(worst),
+                    Meshes.merge(List.of(
+                                    lungs(FitResult.TargetResult::initial), lungs(FitResult.TargetResult::residual)))
+                            .bounds());
         }
     }
 

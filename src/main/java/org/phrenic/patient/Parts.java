@@ -18,7 +18,7 @@ final class Parts {
     final int rows;
     final int slices;
     /** Part of each voxel, 0 for none. */
-    final byte[] voxels;
+    byte[] voxels;
 
     private final double[] toMm;
     private final List<String> names = new ArrayList<>();
@@ -202,6 +202,11 @@ final class Parts {
         byte[] wanted = new byte[LabelGrid.LARGEST_BYTE + 1];
         wanted[part] = 1;
         return box(grid(), wanted);
+    }
+
+    /** Gives the voxels' memory back: what else is known of the parts stays. */
+    void forgetVoxels() {
+        voxels = new byte[0];
     }
 
     int[] counts() {

@@ -13,7 +13,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.LabelVolume;
-import org.phrenic.geometry.LabelGrid;
 
 /** Meshes every structure that a volume of labels holds. */
 public final class ScanImport {
@@ -78,7 +77,7 @@ public final class ScanImport {
             progress.now("telling the cartilages apart");
             CartilageSplitter.split(parts).ifPresent(notes::add);
         }
-        LabelGrid grid = parts.grid();
+        double voxelMm3 = parts.grid().voxelVolume();
         int[] counts = parts.counts();
         List<String> built = new ArrayList<>();
         int[] partNumbers = new int[counts.length];
@@ -96,12 +95,13 @@ public final class ScanImport {
                     file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
         }
         progress.now("laying a net between " + built.size() + " structures");
-        PartMesher mesher = new PartMesher(grid, partNumbers, steps);
+        PartMesher mesher = new PartMesher(parts.grid(), partNumbers, steps);
+        parts.forgetVoxels();
         AtomicInteger done = new AtomicInteger();
         List<Organ> organs = IntStream.range(0, built.size())
                 .parallel()
                 .mapToObj(i -> {
-                    Organ organ = organ(built.get(i), parts, counts, grid, mesher);
+                    Organ organ = organ(built.get(i), parts, counts, voxelMm3, mesher);
                     synchronized (done) {
                         progress.done(done.incrementAndGet(), built.size(), built.get(i));
                     }
@@ -113,20 +113,19 @@ public final class ScanImport {
         return new FittedBody(name, organs, ThoraxList.missing(organs), notes);
     }
 
-    private Organ organ(String structure, Parts parts, int[] counts, LabelGrid grid, PartMesher mesher) {
+    private Organ organ(String structure, Parts parts, int[] counts, double voxelMm3, PartMesher mesher) {
         StructureName known = StructureName.parse(structure).orElseThrow();
         int part = parts.find(structure);
-        double voxelMm = Math.cbrt(grid.voxelVolume());
+        double voxelMm = Math.cbrt(voxelMm3);
         double edge = edgeMm.orElse(Math.max(voxelMm, EDGES_MM.getOrDefault(known.kind(), BONE_EDGE_MM)));
-        MeshedPart meshed = mesher.mesh(part, edge);
+        // The skin holds all else that the scan shows: its inner side is of no interest.
+        boolean outline = known.kind() == StructureKind.SKIN;
+        MeshedPart meshed = outline ? mesher.outline(edge) : mesher.mesh(part, edge);
+        int count = outline ? IntStream.of(counts).skip(1).sum() : counts[part];
         return Organ.ofScan(
                 new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
                 new Organ.Scan(
-                        parts.labels(structure),
-                        counts[part],
-                        counts[part] * grid.voxelVolume() / MM3_PER_ML,
-                        parts.cutAt(structure),
-                        meshed));
+                        parts.labels(structure), count, count * voxelMm3 / MM3_PER_ML, parts.cutAt(structure), meshed));
     }
 
     /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */

@@ -54,7 +54,7 @@ public final class LayersPicture implements AutoCloseable {
             style = style.withLook(surfaces.get(i).name(), layers.get(i).look());
         }
         Renderer renderer = new Renderer(surfaces, List.of());
-        BufferedImage picture = FieldPicture.picture(gl, renderer, surfaces, style, shot);
+        BufferedImage picture = FieldPicture.picture(gl, renderer, surfaces, style, shot, SceneBounds.of(surfaces));
         gl.release(renderer);
         return new FigurePicture(name, alternative, caption, picture);
     }

@@ -221,9 +221,9 @@ final class PatientSection {
         return timed.map(c -> new Claim(
                         what,
                         printed,
-                        SpeedSection.grouped(Math.round(HeldBreath.UNTIL_S
+                        SpeedSection.grouped(HeldBreath.UNTIL_S
                                         / c.fit().scenario().timeStepS()
-                                        / c.fit().cpuPerEvaluationS()))
+                                        / c.fit().cpuPerEvaluationS())
                                 + " at low resolution",
                         Verdict.SHOWN,
                         "As printed the table repeats table 1, vertices included, although the patient's mesh is another: the"

@@ -45,7 +45,7 @@ public final class PatientStudy {
     public static final int MOST_PATIENTS = 3;
 
     /** Breaths of the search for each patient. */
-    private static final int EVALUATIONS = 37;
+    private static final int EVALUATIONS = 25;
 
     private static final int THREADS = 2;
     private static final double NOISE_MM = 1;
