@@ -8,9 +8,7 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.format.BadInputException;
-import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Frame;
-import org.phrenic.simulation.Observation;
 
 /**
  * A needle in a breathing body, step by step: it is placed on the skin, advanced, redirected, withdrawn, and takes a sample, while frames move the body on. What follows is a function of the frames and of the commands
@@ -23,8 +21,6 @@ import org.phrenic.simulation.Observation;
  * <p>Used by one thread.
  */
 public final class NeedleSession {
-    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
-    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
     private static final double STOPPED_MM = 1e-9;
 
     private final MovingScene scene;
@@ -35,21 +31,10 @@ public final class NeedleSession {
     private final PathReader reader;
     private final AttemptLog log;
 
-    private double timeS = Double.NaN;
-    private int breath = 1;
-    private double phase;
-    private double phaseBefore;
-    private double passedS;
-    private BreathLabel label = BreathLabel.PAUSE;
-    private Optional<SkinPoint> skin = Optional.empty();
-    private double[] entry = new double[3];
-    private double[] direction = new double[3];
-    private double depth;
+    private final BreathClock clock = new BreathClock();
+    private final Shaft shaft;
     private double speed;
     private double goal;
-    private Optional<LiverTissue.Point> tip = Optional.empty();
-    private LiverTissue.Point capsule;
-    private double[] directionAtCapsule = new double[3];
 
     /**
      * @param scene that has taken a frame; the session takes all further ones
@@ -61,6 +46,7 @@ public final class NeedleSession {
         this.needle = needle;
         tissue = new LiverTissue(scene);
         middle = tissue.at(target.restMm());
+        shaft = new Shaft(tissue);
         reader = new PathReader(scene, needle);
         log = new AttemptLog(avoided);
     }
@@ -71,35 +57,17 @@ public final class NeedleSession {
      * @param doing what the breath is doing
      */
     public void take(Frame frame, BreathLabel doing) {
-        double passed = Double.isNaN(timeS) ? 0 : frame.timeS() - timeS;
-        if (passed < 0) {
-            throw new IllegalArgumentException(
-                    "found a frame of " + frame.timeS() + " s after one of " + timeS + " s, expected frames in order");
-        }
+        double passed = clock.take(frame, doing);
         scene.take(frame);
-        timeS = frame.timeS();
-        int breathNow = 1 + (int) frame.values()[BREATH];
-        phaseBefore = breathNow == breath ? phase : 0;
-        passedS = passed;
-        breath = breathNow;
-        phase = frame.values()[PHASE];
-        label = doing;
         log.targetAt(targetNow());
-        if (skin.isEmpty()) {
+        if (!shaft.isPlaced()) {
             return;
         }
-        entry = skin.get().now();
-        if (tip.isPresent()) {
-            double[] line = Vectors.minus(tissue.now(tip.get()), entry);
-            double length = Vectors.length(line);
-            log.slipped(length - depth);
-            depth = length;
-            direction = Vectors.unit(line);
-        }
-        double before = depth;
+        log.slipped(shaft.follow());
+        double before = shaft.depth();
         move(passed);
         meet(before, passed);
-        if (tip.isPresent()) {
+        if (shaft.isHeld()) {
             log.pulled(capsulePullMm(), swingDeg());
         }
     }
@@ -108,6 +76,7 @@ public final class NeedleSession {
         if (speed == 0) {
             return;
         }
+        double depth = shaft.depth();
         double next = depth + Math.signum(goal - depth) * speed * passed;
         boolean arrives = (next - goal) * (depth - goal) <= 0;
         next = arrives ? goal : next;
@@ -115,7 +84,7 @@ public final class NeedleSession {
             Optional<Crossing> bone = bone(next);
             if (bone.isPresent()) {
                 next = Math.max(depth, bone.get().fromMm());
-                event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next, timeS);
+                event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next, clock.timeS());
                 arrives = true;
             }
         }
@@ -123,45 +92,43 @@ public final class NeedleSession {
             speed = 0;
         }
         log.travelled(Math.abs(next - depth));
-        depth = next;
-        tip = tip.map(held -> tissue.thatIsNowAt(tipNow()));
+        shaft.moveTo(next);
     }
 
     /** The bone that stands in the way between here and there. */
     private Optional<Crossing> bone(double next) {
-        double[] from = Vectors.add(entry, direction, depth);
-        double[] to = Vectors.add(entry, direction, next);
+        double[] from = shaft.tip();
+        double[] to = shaft.at(next);
         return scene.hazards().stream()
                 .filter(s -> s.noGo().orElseThrow() == NoGo.BONE && s.gap(from, to) <= 0)
-                .flatMap(s -> reader.within(s, entry, to).stream())
-                .filter(c -> c.fromMm() >= depth - STOPPED_MM)
+                .flatMap(s -> reader.within(s, shaft.entry(), to).stream())
+                .filter(c -> c.fromMm() >= shaft.depth() - STOPPED_MM)
                 .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 
     /** Notes what the tip has come into, and takes hold of the tissue or lets it go. */
     private void meet(double before, double passed) {
+        double depth = shaft.depth();
         if (before == 0 && depth > 0) {
-            event(AttemptEvent.Kind.SKIN_PUNCTURE, "", 0, timeS - passed);
-            log.punctured(timeS - passed);
+            event(AttemptEvent.Kind.SKIN_PUNCTURE, "", 0, timeS() - passed);
+            log.punctured(timeS() - passed);
         }
         if (before > 0 && depth == 0) {
-            event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS);
-            log.left(timeS);
-            skin = Optional.empty();
-            tip = Optional.empty();
-            return;
+            event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS());
+            log.left(timeS());
+            shaft.takeOut();
         }
         if (depth == 0) {
             return;
         }
-        PathReading shaft = reader.read(entry, tipNow());
-        log.in(shaft, passed);
+        PathReading path = reader.read(shaft.entry(), tipNow());
+        log.in(path, passed);
         Optional<Crossing> liver = Optional.empty();
-        for (Crossing c : shaft.crossings()) {
+        for (Crossing c : path.crossings()) {
             boolean isLiver = c.kind() == StructureKind.LIVER;
             if (log.isNew(c.name())) {
                 double share = depth > before ? (c.fromMm() - before) / (depth - before) : 1;
-                double when = timeS - passed * (1 - Math.max(0, Math.min(1, share)));
+                double when = timeS() - passed * (1 - Math.max(0, Math.min(1, share)));
                 event(
                         isLiver ? AttemptEvent.Kind.CAPSULE_PUNCTURE : AttemptEvent.Kind.ENTERS,
                         c.label(),
@@ -172,22 +139,15 @@ public final class NeedleSession {
                 liver = Optional.of(c);
             }
         }
-        if (liver.isPresent() && tip.isEmpty()) {
-            tip = Optional.of(tissue.thatIsNowAt(tipNow()));
-            capsule =
-                    tissue.thatIsNowAt(Vectors.add(entry, direction, liver.get().fromMm()));
-            directionAtCapsule = direction.clone();
-        } else if (liver.isEmpty()) {
-            tip = Optional.empty();
+        if (liver.isEmpty()) {
+            shaft.letGo();
+        } else if (!shaft.isHeld()) {
+            shaft.hold(liver.get().fromMm());
         }
     }
 
     private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
-        // Between two frames the phase is taken to go on evenly; a breath that began in between counts from its
-        // beginning.
-        double before = passedS > 0 ? (timeS - when) / passedS : 0;
-        double at = phase - before * (phase - phaseBefore);
-        log.add(new AttemptEvent(kind, structure, when, breath, at, label, atDepth));
+        log.add(clock.event(kind, structure, atDepth, when));
     }
 
     /**
@@ -209,23 +169,19 @@ public final class NeedleSession {
     private void place(SkinPoint point, double[] aim) {
         double[] from = point.now();
         needle.requireReach(from, aim);
-        if (depth > 0) {
+        if (shaft.depth() > 0) {
             withdrawAtOnce();
         }
-        skin = Optional.of(point);
-        entry = from;
-        direction = Vectors.unit(Vectors.minus(aim, from));
-        depth = 0;
+        shaft.place(point, from, aim);
         speed = 0;
-        tip = Optional.empty();
         log.newAttempt();
-        event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS);
+        event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS());
     }
 
     private void withdrawAtOnce() {
-        log.travelled(depth);
-        event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS);
-        log.left(timeS);
+        log.travelled(shaft.depth());
+        event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS());
+        log.left(timeS());
     }
 
     /**
@@ -235,12 +191,12 @@ public final class NeedleSession {
      */
     public void redirect(double[] aim) {
         requirePlaced();
-        if (tip.isPresent()) {
+        if (shaft.isHeld()) {
             throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
         }
-        needle.requireReach(entry, aim);
-        direction = Vectors.unit(Vectors.minus(aim, entry));
-        event(AttemptEvent.Kind.REDIRECTION, "", depth, timeS);
+        needle.requireReach(shaft.entry(), aim);
+        shaft.turnTo(aim);
+        event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth(), timeS());
     }
 
     /**
@@ -263,7 +219,7 @@ public final class NeedleSession {
                     needle.lengthMm()));
         }
         goal = toDepthMm;
-        speed = goal == depth ? 0 : speedMmPerS;
+        speed = goal == shaft.depth() ? 0 : speedMmPerS;
     }
 
     /** The needle stays as deep as it is. */
@@ -278,24 +234,24 @@ public final class NeedleSession {
      */
     public Miss sample() {
         requirePlaced();
-        if (depth == 0) {
+        if (shaft.depth() == 0) {
             throw new BadInputException("sample: found the needle outside of the body, expected it advanced first");
         }
-        event(AttemptEvent.Kind.SAMPLE, tip.isPresent() ? "liver" : "", depth, timeS);
+        event(AttemptEvent.Kind.SAMPLE, shaft.isHeld() ? "liver" : "", shaft.depth(), timeS());
         Miss miss = miss();
-        log.sampled(miss, timeS);
+        log.sampled(miss, timeS());
         return miss;
     }
 
     private void requirePlaced() {
-        if (skin.isEmpty()) {
+        if (!shaft.isPlaced()) {
             throw new BadInputException("needle: found it in no body, expected it placed on the skin first");
         }
     }
 
     /** Whether it is on or in the body. */
     public boolean isPlaced() {
-        return skin.isPresent();
+        return shaft.isPlaced();
     }
 
     /** Whether it is being advanced or withdrawn. */
@@ -305,32 +261,32 @@ public final class NeedleSession {
 
     /** Whether the tip is in the liver. */
     public boolean isInLiver() {
-        return tip.isPresent();
+        return shaft.isHeld();
     }
 
     /** Where the needle goes through the skin, LPS, mm; a copy. */
     public double[] entryNow() {
-        return entry.clone();
+        return shaft.entry().clone();
     }
 
     /** Unit direction from skin to tip; a copy. */
     public double[] directionNow() {
-        return direction.clone();
+        return shaft.direction().clone();
     }
 
     /** Where the tip is, LPS, mm. */
     public double[] tipNow() {
-        return Vectors.add(entry, direction, depth);
+        return shaft.tip();
     }
 
     /** Where the hub is, LPS, mm. */
     public double[] hubNow() {
-        return Vectors.add(entry, direction, depth - needle.lengthMm());
+        return shaft.at(shaft.depth() - needle.lengthMm());
     }
 
     /** Depth of the tip below the skin, along the needle, mm. */
     public double depthMm() {
-        return depth;
+        return shaft.depth();
     }
 
     /** Where the middle of the target is, LPS, mm. */
@@ -340,12 +296,12 @@ public final class NeedleSession {
 
     /** How the tip lies to the target. */
     public Miss miss() {
-        return Miss.of(tipNow(), direction, targetNow(), target);
+        return Miss.of(tipNow(), shaft.direction(), targetNow(), target);
     }
 
     /** What the path from the skin to a place meets as the body stands; for advice before and while the needle goes in. */
     public PathReading readTo(double[] at) {
-        return reader.read(entry, at);
+        return reader.read(shaft.entry(), at);
     }
 
     /** What a path from a place on the skin to another meets as the body stands. */
@@ -355,22 +311,24 @@ public final class NeedleSession {
 
     /** Distance between the needle and where it went through the capsule, which has moved with the liver, mm; 0 while it is not in the liver. */
     public double capsulePullMm() {
-        return tip.isEmpty() ? 0 : Vectors.toLine(tissue.now(capsule), entry, direction);
+        return shaft.capsulePullMm();
     }
 
     /** How far the liver has turned the needle since it went through the capsule, degrees; 0 while it is not in the liver. */
     public double swingDeg() {
-        return tip.isEmpty() ? 0 : Vectors.angleDeg(direction, directionAtCapsule);
+        return shaft.swingDeg();
     }
 
     /** What is wrong at this moment, a few words each: in no-go structures, capsule pulled aside. */
     public List<String> warnings() {
-        return log.warnings(depth > 0 ? Optional.of(reader.read(entry, tipNow())) : Optional.empty(), capsulePullMm());
+        return log.warnings(
+                shaft.depth() > 0 ? Optional.of(reader.read(shaft.entry(), tipNow())) : Optional.empty(),
+                capsulePullMm());
     }
 
     /** Time of the last frame, s. */
     public double timeS() {
-        return timeS;
+        return clock.timeS();
     }
 
     /** The scene as it stands. */
@@ -390,6 +348,6 @@ public final class NeedleSession {
 
     /** The record so far. */
     public AttemptRecord record() {
-        return log.record(target, needle, timeS);
+        return log.record(target, needle, timeS());
     }
 }

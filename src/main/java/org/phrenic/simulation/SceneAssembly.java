@@ -23,6 +23,7 @@ import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.ActionLine;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
@@ -147,6 +148,7 @@ final class SceneAssembly {
             base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions, tracks));
         }
         if (wall != null && lungs.isPresent()) {
+            push(system, lungs.get(), drive);
             int[] pleural = lungs.get().pleural();
             system.add(SlidingContact.adhering(
                     layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
@@ -259,6 +261,20 @@ final class SceneAssembly {
         springs.setKernel(kernel);
         system.add(springs);
         return Optional.of(springs);
+    }
+
+    /** Lets the drive push the mediastinal surfaces out; the loads are those of tethers that are neither stiffer nor multiplied. */
+    private void push(ParticleSystem system, LungPart lungs, BreathDrive drive) {
+        ConstantLoad[] loads = new ConstantLoad[2];
+        for (int side = 0; side < loads.length; side++) {
+            double[] load = lungs.outward(side == 1, system.layout().nodeCount());
+            for (int i = 0; i < load.length; i++) {
+                load[i] /= value(Parameter.LUNG_STIFFNESS);
+            }
+            loads[side] = new ConstantLoad(system.layout(), load);
+            system.add(loads[side]);
+        }
+        drive.drives(loads);
     }
 
     /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */

@@ -23,7 +23,7 @@ import org.phrenic.ui.clinic.ReportCard;
 import org.phrenic.ui.clinic.Words;
 
 /** The report card of an attempt, and all attempts of the session to compare. */
-final class AttemptsDock extends JPanel implements RehearsalDoor.Events {
+final class AttemptsDock extends JPanel implements DoorEvents {
     private static final String[] COLUMNS = {"", "Exercise", "Result", "mm off", "s", "no-go s"};
     private static final String[] TIPS = {
         "Number of the attempt",

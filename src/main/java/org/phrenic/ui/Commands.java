@@ -126,9 +126,14 @@ final class Commands {
     }
 
     private void needle(Desk desk) {
-        needle("Set target", "Then click on the liver", "T", () -> desk.door().choose(RehearsalDoor.Choosing.TARGET));
-        needle("Set entry", "Then click on the skin", "E", () -> desk.door().choose(RehearsalDoor.Choosing.ENTRY));
+        needle("Set target", "Then click on the liver", "T", () -> desk.door()
+                .clicks()
+                .choose(ClickChoice.Of.TARGET));
+        needle("Set entry", "Then click on the skin", "E", () -> desk.door()
+                .clicks()
+                .choose(ClickChoice.Of.ENTRY));
         needle("Best path", "The best entry of the access map", "B", () -> desk.door()
+                .way()
                 .enterAtBest(false));
         needle("Insert", "2 mm deeper; with Shift 10 mm", "I", () -> desk.door()
                 .hand()

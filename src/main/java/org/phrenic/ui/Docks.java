@@ -1,8 +1,12 @@
 package org.phrenic.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -99,7 +103,7 @@ final class Docks {
         rehearse = new RehearsalDock(session, door, breath::choose);
         attempts = new AttemptsDock(session, door, view, null);
         sections = new SectionDock(door);
-        door.listen(new RehearsalDoor.Events() {
+        door.listen(new DoorEvents() {
             @Override
             public void onAttempt(Rehearsal rehearsal) {
                 right.setSelectedIndex(right.indexOfComponent(attempts));
@@ -120,6 +124,28 @@ final class Docks {
         boolean shown = layout.component(place) == null;
         preferences.setFlag("shown." + place, shown);
         layout.put(place, shown ? docks.get(place) : null);
+    }
+
+    /** All docks, wherever they stand. */
+    List<Component> all() {
+        return Stream.of(
+                        left,
+                        right,
+                        bottom,
+                        organs,
+                        show,
+                        parameters,
+                        breath,
+                        forces,
+                        settings,
+                        plots,
+                        timeline,
+                        rehearse,
+                        attempts,
+                        sections)
+                .filter(Objects::nonNull)
+                .map(Component.class::cast)
+                .toList();
     }
 
     RehearsalDoor door() {

@@ -42,12 +42,12 @@ final class NeedleHand {
 
     /** Whether the needle can be moved: an entry is chosen. */
     boolean canMove() {
-        return door.usable().isPresent() && door.entry().isPresent();
+        return door.usable().isPresent() && door.way().entry().isPresent();
     }
 
     /** Moves the needle's tip to a depth; one that is not in the body is set on the skin first. */
     void moveTo(double depthMm) {
-        if (door.usable().isPresent() && door.entry().isEmpty()) {
+        if (door.usable().isPresent() && door.way().entry().isEmpty()) {
             session.say(Session.Message.Kind.NOTE, "Choose an entry first (E), or take the best path (B).");
         } else if (canMove()) {
             goalMm = Math.max(0, Math.min(door.plan().orElseThrow().needle().lengthMm(), depthMm));

@@ -16,20 +16,20 @@ final class NeedleTool implements SceneView.Tool {
 
     @Override
     public boolean isAwaiting() {
-        return door.choosing() != RehearsalDoor.Choosing.NOTHING;
+        return door.clicks().choosing() != ClickChoice.Of.NOTHING;
     }
 
     @Override
     public double catches(Surface surface) {
         StructureKind sought =
-                door.choosing() == RehearsalDoor.Choosing.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
+                door.clicks().choosing() == ClickChoice.Of.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
         return surface.kind() == sought ? 1 : 0;
     }
 
     @Override
     public void clicked(Optional<Pick> found) {
         if (isAwaiting()) {
-            door.chosen(found);
+            door.clicks().chosen(found);
         }
     }
 

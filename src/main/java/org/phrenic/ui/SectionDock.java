@@ -9,7 +9,7 @@ import org.phrenic.scene.Section;
 import org.phrenic.ui.clinic.SectionView;
 
 /** The section along the needle and what lies at its tip, one above the other. */
-final class SectionDock extends JPanel implements RehearsalDoor.Events {
+final class SectionDock extends JPanel implements DoorEvents {
     private static final double ALONG_HALF_MM = 105;
     private static final double ACROSS_HALF_MM = 36;
     private static final String NONE = "Choose an entry (E)\nor take the best path (B)";
@@ -30,6 +30,14 @@ final class SectionDock extends JPanel implements RehearsalDoor.Events {
         onDoor();
     }
 
+    SectionView along() {
+        return along;
+    }
+
+    SectionView across() {
+        return across;
+    }
+
     @Override
     public void onDoor() {
         if (door.state().filter(NeedleState::hasNeedle).isEmpty()) {
@@ -42,8 +50,8 @@ final class SectionDock extends JPanel implements RehearsalDoor.Events {
     public void onSections(Section one, Section other) {
         Optional<NeedleState> state = door.state().filter(NeedleState::hasNeedle);
         state.ifPresent(now -> {
-            along.show(one, door.level(now), now.placed(), "");
-            across.show(other, door.level(now), now.placed(), "");
+            along.show(one, door.way().level(now), now.placed(), "");
+            across.show(other, door.way().level(now), now.placed(), "");
         });
     }
 }

@@ -13,11 +13,16 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.IntervalMarker;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.ui.Layer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.breathing.BreathLabel;
 import org.phrenic.breathing.BreathingPreset;
 import org.phrenic.format.MeshFiles;
 import org.phrenic.geometry.TriangleMesh;
@@ -265,6 +270,21 @@ class DocksTest {
         assertThat(header.subList(0, Observation.COLUMNS.size())).isEqualTo(Observation.COLUMNS);
         assertThat(header).hasSize(Observation.COLUMNS.size() + 1).endsWith("point_1_up_mm");
         assertThat(lines).hasSizeGreaterThan(20);
+    }
+
+    @Test
+    void theBreathIsShadedBehindTheCurves() {
+        PlotDock dock = on(() -> new PlotDock(session));
+        double from = session.live().status().timeS();
+        Edt.until("a breath and more", () -> session.live().status().timeS() > from + 2.5);
+        Edt.run(() -> dock.onTick(session.live().status()));
+        Edt.run(dock::draw);
+        XYPlot plot = Edt.get(() -> (XYPlot)
+                ((CombinedDomainXYPlot) dock.chart().getXYPlot()).getSubplots().get(0));
+        assertThat(Edt.get(() -> plot.getDomainMarkers(Layer.BACKGROUND)))
+                .extracting(marker -> ((IntervalMarker) marker).getPaint())
+                .contains(PhaseColours.of(BreathLabel.INSPIRATION), PhaseColours.of(BreathLabel.EXPIRATION))
+                .doesNotContain(PhaseColours.of(BreathLabel.PAUSE));
     }
 
     @Test

@@ -42,12 +42,12 @@ public final class RehearsalGallery {
             return made;
         });
         RehearsalDoor door = window.docks().door();
-        until(() -> door.stage() == RehearsalDoor.Stage.READY && door.state().isPresent());
+        until(() -> door.stage() == DoorStage.READY && door.state().isPresent());
         Edt.run(() -> door.open(RehearsalPlan.exercises().get(0)));
-        until(() -> door.stage() != RehearsalDoor.Stage.READY);
-        until(() -> door.stage() == RehearsalDoor.Stage.READY && door.state().isPresent());
-        Edt.run(() -> door.enterAtBest(false));
-        until(() -> door.advice().isPresent() && door.state().get().hasNeedle());
+        until(() -> door.stage() != DoorStage.READY);
+        until(() -> door.stage() == DoorStage.READY && door.state().isPresent());
+        Edt.run(() -> door.way().enterAtBest(false));
+        until(() -> door.way().advice().isPresent() && door.state().get().hasNeedle());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-entry.png"));
         Edt.run(() -> door.hand().moveTo(58));

@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import javax.swing.JButton;
-import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterAll;
@@ -22,7 +20,6 @@ import org.phrenic.rehearsal.PathAdvice;
 import org.phrenic.rehearsal.Rehearsal;
 import org.phrenic.rehearsal.RehearsalPlan;
 import org.phrenic.rehearsal.RehearsalReport;
-import org.phrenic.simulation.Scenario;
 
 /** The clinician's door on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report. */
 @Timeout(180)
@@ -30,6 +27,7 @@ class RehearsalWindowTest {
     /** Longest that an event may keep the window, ms of processor time. */
     private static final double LONGEST_EVENT_MS = 50;
 
+    private static ClinicHarness clinic;
     private static WindowHarness window;
 
     @TempDir
@@ -40,73 +38,37 @@ class RehearsalWindowTest {
         assumeThat(PhrenicWindow.isPossible())
                 .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
                 .isTrue();
-        window = new WindowHarness(
-                "rehearsal",
-                Scenario.defaults()
-                        .with(
-                                "preset=rapid-shallow",
-                                "resolution=low",
-                                "lungs=embedded",
-                                "sternum=kinematic",
-                                "threads=1"));
-        WindowHarness.doOnEdt(() -> {
-            window.control(JButton.class, "Rehearse liver access").doClick();
-            window.control(JComboBox.class, "Speed").setSelectedItem(Speed.FLAT_OUT);
-        });
-        ready();
+        clinic = new ClinicHarness("rehearsal");
+        window = clinic.window();
     }
 
     @AfterAll
     static void close() throws Exception {
-        if (window != null) {
-            window.close();
+        if (clinic != null) {
+            clinic.close();
         }
     }
 
     private static RehearsalDoor door() {
-        return window.window().docks().door();
+        return clinic.door();
     }
 
     private static AttemptsDock attempts() {
-        return window.window().docks().attempts();
+        return clinic.attempts();
     }
 
     private static void until(String what, java.util.function.BooleanSupplier holds) throws InterruptedException {
-        WindowHarness.await(what, () -> WindowHarness.onEdt(holds::getAsBoolean));
-    }
-
-    private static void ready() throws InterruptedException {
-        until(
-                "the needle",
-                () -> door().stage() == RehearsalDoor.Stage.READY
-                        && door().state().isPresent());
+        clinic.until(what, holds);
     }
 
     private static NeedleState state() {
-        return door().state().orElseThrow();
-    }
-
-    /** A new attempt from the best entry. */
-    private static void begin() throws InterruptedException {
-        WindowHarness.doOnEdt(() -> {
-            door().retry();
-            door().enterAtBest(false);
-        });
-        until("an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
-        until("advice", () -> door().advice().isPresent());
-    }
-
-    private static Rehearsal ended() throws InterruptedException {
-        int before = WindowHarness.onEdt(() -> attempts().attempts().size());
-        window.command("Take out");
-        until("a report", () -> attempts().attempts().size() > before);
-        return WindowHarness.onEdt(() -> attempts().attempts().get(before));
+        return clinic.state();
     }
 
     @Test
     void aNeedleToTheTargetHitsAndItsReportIsThatOfThePlanWithoutAWindow() throws Exception {
-        begin();
-        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().level()))
+        clinic.begin();
+        assertThat(WindowHarness.onEdt(() -> door().way().advice().orElseThrow().level()))
                 .isNotEqualTo(PathAdvice.Level.BARRED);
         window.command("Insert far");
         until("the needle in the skin", () -> state().depthMm() > 9);
@@ -119,7 +81,7 @@ class RehearsalWindowTest {
         window.screenshot("rehearse-in");
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
-        Rehearsal attempt = ended();
+        Rehearsal attempt = clinic.ended();
         window.screenshot("rehearse-hit");
         assertThat(attempt.record().hit()).isTrue();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Hit");
@@ -140,12 +102,12 @@ class RehearsalWindowTest {
 
     @Test
     void aSampleBeforeTheTargetIsAMiss() throws Exception {
-        begin();
+        clinic.begin();
         WindowHarness.doOnEdt(() -> door().hand().moveTo(20));
         until("the needle in", () -> state().placed() && state().depthMm() > 19);
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
-        assertThat(ended().record().hit()).isFalse();
+        assertThat(clinic.ended().record().hit()).isFalse();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Missed");
         window.screenshot("rehearse-miss");
     }
@@ -162,11 +124,12 @@ class RehearsalWindowTest {
                     .toList();
         });
         WindowHarness.doOnEdt(
-                () -> door().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
-        until("advice", () -> door().advice()
+                () -> door().way().enterAt(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
+        until("advice", () -> door().way()
+                .advice()
                 .filter(a -> a.level() == PathAdvice.Level.BARRED)
                 .isPresent());
-        assertThat(WindowHarness.onEdt(() -> door().advice().orElseThrow().reasons()))
+        assertThat(WindowHarness.onEdt(() -> door().way().advice().orElseThrow().reasons()))
                 .isNotEmpty();
         window.screenshot("rehearse-barred");
     }
@@ -181,10 +144,10 @@ class RehearsalWindowTest {
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());
         WindowHarness.doOnEdt(() -> window.window().files().open(wrong));
         until("the sentence", () -> window.window().banner().sentence().contains("wrong.yaml"));
-        assertThat(WindowHarness.onEdt(() -> door().stage())).isEqualTo(RehearsalDoor.Stage.READY);
+        assertThat(WindowHarness.onEdt(() -> door().stage())).isEqualTo(DoorStage.READY);
         WindowHarness.doOnEdt(() -> window.window().files().open(outside));
         until("the sentence", () -> window.window().banner().sentence().contains("outside of the liver"));
-        ready();
+        clinic.ready();
         assertThat(WindowHarness.onEdt(() -> door().exercise())).isEmpty();
         assertThat(WindowHarness.onEdt(() -> attempts().attempts().size())).isEqualTo(before);
         window.screenshot("rehearse-refused");
@@ -207,13 +170,13 @@ class RehearsalWindowTest {
 
     @Test
     void theWindowStaysResponsiveWhileAMapIsWorkedOut() throws Exception {
-        begin();
+        clinic.begin();
         window.forgetDispatches();
         WindowHarness.doOnEdt(() -> door().setTargetMm(24));
         until(
                 "another target",
                 () -> door().study().filter(s -> s.target().diameterMm() == 24).isPresent());
-        ready();
+        clinic.ready();
         window.breathe(0.5);
         List<Double> took = window.dispatches();
         // One in a hundred may be the first of its kind, before Java has made it fast.

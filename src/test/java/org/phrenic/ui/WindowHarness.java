@@ -6,7 +6,13 @@ import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
+import java.awt.Point;
 import java.awt.Toolkit;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -23,6 +29,7 @@ import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
 import javax.accessibility.Accessible;
 import javax.imageio.ImageIO;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.phrenic.simulation.Observation;
 import org.phrenic.simulation.Scenario;
@@ -192,6 +199,87 @@ final class WindowHarness implements AutoCloseable {
                 .findFirst()
                 .orElseThrow()
                 .actionPerformed(null));
+    }
+
+    /** Presses and releases a key, as {@link KeyStroke#getKeyStroke(String)} names it, with the view in focus. */
+    void key(String name) {
+        KeyStroke stroke = KeyStroke.getKeyStroke(name);
+        doOnEdt(() -> {
+            for (int id : new int[] {KeyEvent.KEY_PRESSED, KeyEvent.KEY_RELEASED}) {
+                // A display without a window manager gives no window the focus, so the event is led to the view by
+                // hand.
+                KeyboardFocusManager.getCurrentKeyboardFocusManager()
+                        .redispatchEvent(
+                                window.view(),
+                                new KeyEvent(
+                                        window.view(),
+                                        id,
+                                        System.currentTimeMillis(),
+                                        stroke.getModifiers(),
+                                        stroke.getKeyCode(),
+                                        KeyEvent.CHAR_UNDEFINED));
+            }
+        });
+    }
+
+    /** Presses, releases and clicks the left button at a place of a part, by way of the window: what lies above gets it. */
+    void click(Component part, double x, double y) {
+        mouse(
+                part,
+                x,
+                y,
+                MouseEvent.MOUSE_MOVED,
+                MouseEvent.MOUSE_PRESSED,
+                MouseEvent.MOUSE_RELEASED,
+                MouseEvent.MOUSE_CLICKED);
+    }
+
+    /** Clicks in the middle of a part. */
+    void click(Component part) {
+        click(part, part.getWidth() / 2.0, part.getHeight() / 2.0);
+    }
+
+    /** Sends mouse events of the left button at a place of a part, by way of the window. */
+    void mouse(Component part, double x, double y, int... ids) {
+        doOnEdt(() -> {
+            Point at = SwingUtilities.convertPoint(part, (int) Math.round(x), (int) Math.round(y), window.frame());
+            for (int id : ids) {
+                boolean down = id == MouseEvent.MOUSE_PRESSED || id == MouseEvent.MOUSE_DRAGGED;
+                window.frame()
+                        .dispatchEvent(new MouseEvent(
+                                window.frame(),
+                                id,
+                                System.currentTimeMillis(),
+                                down ? InputEvent.BUTTON1_DOWN_MASK : 0,
+                                at.x,
+                                at.y,
+                                id == MouseEvent.MOUSE_MOVED ? 0 : 1,
+                                false,
+                                id == MouseEvent.MOUSE_MOVED || id == MouseEvent.MOUSE_DRAGGED
+                                        ? MouseEvent.NOBUTTON
+                                        : MouseEvent.BUTTON1));
+            }
+        });
+    }
+
+    /** Turns the wheel over the middle of a part; away from the user is negative. */
+    void wheel(Component part, int notches) {
+        doOnEdt(() -> {
+            Point at = SwingUtilities.convertPoint(part, part.getWidth() / 2, part.getHeight() / 2, window.frame());
+            window.frame()
+                    .dispatchEvent(new MouseWheelEvent(
+                            window.frame(),
+                            MouseEvent.MOUSE_WHEEL,
+                            System.currentTimeMillis(),
+                            0,
+                            at.x,
+                            at.y,
+                            0,
+                            false,
+                            MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                            3,
+                            notches));
+        });
     }
 
     /** Paints the window into a picture that can be looked at afterwards. */

@@ -1,0 +1,86 @@
+package org.phrenic.ui;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import org.phrenic.rehearsal.NeedleState;
+import org.phrenic.rehearsal.Rehearsal;
+import org.phrenic.simulation.Scenario;
+
+/** A window under test whose clinician's door is open, on the virtual body at low resolution, breathing fast. */
+final class ClinicHarness implements AutoCloseable {
+    private final WindowHarness window;
+
+    ClinicHarness(String name) throws Exception {
+        window = new WindowHarness(
+                name,
+                Scenario.defaults()
+                        .with(
+                                "preset=rapid-shallow",
+                                "resolution=low",
+                                "lungs=embedded",
+                                "sternum=kinematic",
+                                "threads=1"));
+        WindowHarness.doOnEdt(() -> {
+            window.control(JButton.class, "Rehearse liver access").doClick();
+            window.control(JComboBox.class, "Speed").setSelectedItem(Speed.FLAT_OUT);
+        });
+        ready();
+    }
+
+    WindowHarness window() {
+        return window;
+    }
+
+    RehearsalDoor door() {
+        return window.window().docks().door();
+    }
+
+    AttemptsDock attempts() {
+        return window.window().docks().attempts();
+    }
+
+    void until(String what, BooleanSupplier holds) throws InterruptedException {
+        WindowHarness.await(what, () -> WindowHarness.onEdt(holds::getAsBoolean));
+    }
+
+    void ready() throws InterruptedException {
+        until(
+                "the needle",
+                () -> door().stage() == DoorStage.READY && door().state().isPresent());
+    }
+
+    NeedleState state() {
+        return door().state().orElseThrow();
+    }
+
+    /** Says whether the tip rests within half a millimetre of a depth. */
+    boolean isAt(double depthMm) {
+        Optional<NeedleState> now = door().state();
+        return now.isPresent() && !now.get().moving() && Math.abs(now.get().depthMm() - depthMm) < 0.5;
+    }
+
+    /** A new attempt from the best entry. */
+    void begin() throws InterruptedException {
+        WindowHarness.doOnEdt(() -> {
+            door().retry();
+            door().way().enterAtBest(false);
+        });
+        until("an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
+        until("advice", () -> door().way().advice().isPresent());
+    }
+
+    /** Takes the needle out; the attempt that ends with that. */
+    Rehearsal ended() throws InterruptedException {
+        int before = WindowHarness.onEdt(() -> attempts().attempts().size());
+        window.key("O");
+        until("a report", () -> attempts().attempts().size() > before);
+        return WindowHarness.onEdt(() -> attempts().attempts().get(before));
+    }
+
+    @Override
+    public void close() throws Exception {
+        window.close();
+    }
+}
