@@ -99,8 +99,42 @@ public final class RibCage {
         return bodies.get(bodies.size() - 1).name().equals("sternum") ? bodies.size() - 1 : TRUNK;
     }
 
-    /** Motion of a body; null for one that stays. */
-    HelicalBody motion(int body) {
-        return motions[body];
+    /**
+     * Motion of every body, null for one that stays, if each rib's turn about the antero-posterior axis (the bucket handle) is multiplied and the rest of its turn is not; its head stays on the axis. The sternum is led by the ribs as ever.
+     */
+    HelicalBody[] motions(double bucket) {
+        if (bucket == 1) {
+            return motions;
+        }
+        HelicalBody[] other = new HelicalBody[motions.length];
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
+        for (int i = 0; i < other.length; i++) {
+            Body body = bodies.get(i);
+            if (body.ends().isPresent()) {
+                HelicalAxis axis = bucketed(body.axis().orElseThrow(), bucket);
+                other[i] = new HelicalBody(axis);
+                if (body.level() <= LAST_TRUE_RIB) {
+                    double[] end = body.ends().get().anterior();
+                    from.add(end);
+                    to.add(axis.motion().apply(end[0], end[1], end[2]));
+                }
+            }
+        }
+        int sternum = sternum();
+        if (sternum != TRUNK) {
+            other[sternum] = new HelicalBody(HelicalAxis.of(RigidMotion.fit(flat(from), flat(to))));
+        }
+        return other;
+    }
+
+    private static HelicalAxis bucketed(HelicalAxis axis, double bucket) {
+        double[] turn = {axis.directionX(), bucket * axis.directionY(), axis.directionZ()};
+        double length = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
+        return HelicalAxis.through(
+                turn,
+                new double[] {axis.pointX(), axis.pointY(), axis.pointZ()},
+                length * axis.angle(),
+                axis.slide());
     }
 }

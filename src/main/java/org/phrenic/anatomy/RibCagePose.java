@@ -31,12 +31,15 @@ public final class RibCagePose {
     private final double[][] pose;
     private final double[][] twist;
     private final RibGains gains;
+    private HelicalBody[] motions;
+    private double bucket = 1;
     private double time = Double.NaN;
 
     public RibCagePose(RibCage cage, Drive drive) {
         this.cage = cage;
         this.drive = drive;
         gains = new RibGains(cage);
+        motions = cage.motions(1);
         int n = cage.bodies().size();
         pose = new double[n][HelicalBody.POSE_LENGTH];
         twist = new double[n][HelicalBody.TWIST_LENGTH];
@@ -55,8 +58,13 @@ public final class RibCagePose {
         time = now;
         drive.at(now, amplitudeAndRate);
         boolean unlike = drive.gains(now, gains);
+        double wanted = unlike ? gains.bucket() : 1;
+        if (wanted != bucket) {
+            bucket = wanted;
+            motions = cage.motions(bucket);
+        }
         for (int i = 0; i < pose.length; i++) {
-            HelicalBody body = cage.motion(i);
+            HelicalBody body = motions[i];
             if (body != null) {
                 double s = unlike ? gains.of(i) * amplitudeAndRate[0] : amplitudeAndRate[0];
                 double rate = unlike

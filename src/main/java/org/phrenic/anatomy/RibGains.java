@@ -16,6 +16,7 @@ public final class RibGains {
     private double upperRate;
     private double lowerRate;
     private double sidesRate;
+    private double bucket = 1;
 
     RibGains(RibCage cage) {
         this.cage = cage;
@@ -39,6 +40,15 @@ public final class RibGains {
         upperRate = upperRibs;
         lowerRate = lowerRibs;
         sidesRate = leftOverRight;
+    }
+
+    /** Sets by how much what raises the side of each rib is multiplied ({@link RibCage#motions}). */
+    public void setBucket(double factor) {
+        bucket = factor;
+    }
+
+    double bucket() {
+        return bucket;
     }
 
     /** Factor of a body. */

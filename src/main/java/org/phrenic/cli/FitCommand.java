@@ -222,8 +222,14 @@ final class FitCommand implements Callable<Integer> {
         List<FitTarget> list = new ArrayList<>();
         for (String text : targets) {
             FitTarget target = FitTarget.read(text);
-            list.add(heldOut.contains(target.part().label()) ? target.weighing(0) : target);
+            list.add(target);
         }
+        list = FitTarget.withBases(list);
+        // Without a lung its base is not fitted to either.
+        list.replaceAll(t -> heldOut.contains(t.part().label())
+                        || heldOut.contains(t.part().label().replace("_base", ""))
+                ? t.weighing(0)
+                : t);
         for (String what : heldOut) {
             if (!what.equals(HALF)
                     && list.stream().noneMatch(t -> t.part().label().equals(what))) {

@@ -113,6 +113,7 @@ final class ImportCommand implements Callable<Integer> {
         OutputFolder.require(out);
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionNumbers.number("--edge", text, 0, LONGEST_EDGE_MM));
+        ImportProgress progress = new Lines(spec.commandLine().getErr());
         LabelVolume read = LabelVolumes.read(file);
         LabelVolume turned = axes == null ? read : StatedAxes.apply(read, axes);
         LabelVolume volume = spacing == null ? turned : StatedSpacing.apply(turned, spacing);
@@ -120,9 +121,9 @@ final class ImportCommand implements Callable<Integer> {
         String name = out.toAbsolutePath().normalize().getFileName().toString();
         Optional<Thorax> template = template();
         FittedBody scanned =
-                new ScanImport(volume, file.toString(), MeshingSteps.PAPER, edgeMm, progress()).run(map, name);
+                new ScanImport(volume, file.toString(), MeshingSteps.PAPER, edgeMm, progress).run(map, name);
         FittedBody body = alignTo == null
-                ? template.map(t -> BodyCompletion.complete(scanned, t)).orElse(scanned)
+                ? template.map(t -> completed(scanned, t, progress)).orElse(scanned)
                 : aligned(scanned, ThoraxFolder.load(alignTo));
         Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
         report.put("notice", Notice.TEXT);
@@ -131,6 +132,11 @@ final class ImportCommand implements Callable<Integer> {
         stdout.print(json ? Json.format(report) : text(volume.grid(), body));
         stdout.flush();
         return ExitCode.DONE;
+    }
+
+    private static FittedBody completed(FittedBody scanned, Thorax template, ImportProgress progress) {
+        progress.now("bringing " + template.name() + " to the scan for what it lacks");
+        return BodyCompletion.complete(scanned, template);
     }
 
     private FittedBody aligned(FittedBody scanned, Thorax first) {
@@ -158,23 +164,32 @@ final class ImportCommand implements Callable<Integer> {
                 : LabelMap.read(Path.of(labels), volume);
     }
 
-    private ImportProgress progress() {
-        PrintWriter err = spec.commandLine().getErr();
-        return (count, total, structure) -> {
-            err.println(count + " of " + total + " structures meshed: " + structure);
+    /** A line a stage. */
+    private record Lines(PrintWriter err) implements ImportProgress {
+        @Override
+        public void done(int count, int total, String structure) {
+            now(count + " of " + total + " structures meshed: " + structure);
+        }
+
+        @Override
+        public void now(String what) {
+            err.println(what);
             err.flush();
-        };
+        }
     }
 
     private String text(LabelGrid grid, FittedBody body) {
-        Table table = new Table(false, false, true, true, true, true, true, true, true, false)
+        Table table = new Table(false, false, true, true, true, true, true, true, true, true, true, true, false)
                 .row(
                         "structure",
                         "from",
                         "label ml",
                         "mesh ml",
+                        "label nodes",
+                        "decimated",
                         "vertices",
                         "off label mm",
+                        "in voxels",
                         "max mm",
                         "angle deg",
                         "edge ratio",
@@ -212,8 +227,11 @@ final class ImportCommand implements Callable<Integer> {
                 "source",
                 "label_volume_ml",
                 "mesh_volume_ml",
+                "label_surface_vertices",
+                "decimated_vertices",
                 "vertices",
                 "off_label_mean_mm",
+                "off_label_mean_voxels",
                 "off_label_maximum_mm",
                 "smallest_angle_deg",
                 "edge_ratio",
@@ -221,7 +239,8 @@ final class ImportCommand implements Callable<Integer> {
             Object value = row.get(key);
             cells.add(
                     value instanceof Double number
-                            ? String.format(Locale.ROOT, key.endsWith("mm") ? "%.2f" : "%.1f", number)
+                            ? String.format(
+                                    Locale.ROOT, key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f", number)
                             : value == null ? "-" : value.toString());
         }
         return cells.toArray(String[]::new);

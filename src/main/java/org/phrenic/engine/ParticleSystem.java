@@ -25,20 +25,10 @@ public final class ParticleSystem {
     private final double[] inverseMass;
     private final double[] viscosity;
     private final List<ForceField> allFields = new ArrayList<>();
-    private final List<Constraint> allConstraints = new ArrayList<>();
     private ForceField[] fields = {};
-    private Constraint[] constraints = {};
-    /** Those of them that share nodes with another. */
-    private Constraint[] entangled = {};
-
     private boolean velocityDependent;
-    private int projectionSweeps = 1;
-
-    private int[] prescribedNode = {};
-    private PrescribedMotion prescribed = PrescribedMotion.still(new double[0]);
-    private double[] prescribedPosition = {};
-    private double[] prescribedVelocity = {};
-    private boolean stillInPlace;
+    private final ConstraintSet constraints;
+    private final PrescribedNodes prescribed = new PrescribedNodes();
 
     /** One number a block, there only so that the compiler cannot leave out the reading. */
     private final double[] fetched;
@@ -69,6 +59,7 @@ public final class ParticleSystem {
         this.mass = new double[n];
         this.inverseMass = new double[n];
         this.viscosity = new double[n];
+        this.constraints = new ConstraintSet(n);
         this.fetched = new double[n < FETCH_FROM_NODES ? 0 : layout.blockCount()];
         for (int i = 0; i < n; i++) {
             double m = mass[layout.caller(i)];
@@ -160,8 +151,7 @@ public final class ParticleSystem {
 
     /** Adds a constraint, switched on; constraints are put right in the order they were added. */
     public void add(Constraint constraint) {
-        allConstraints.add(constraint);
-        setEnabled(constraint, true);
+        constraints.add(constraint);
     }
 
     /** Switches a field on or off; off, it costs nothing. */
@@ -177,31 +167,19 @@ public final class ParticleSystem {
 
     /** Switches a constraint on or off; off, it costs nothing. */
     public void setEnabled(Constraint constraint, boolean on) {
-        List<Constraint> active = new ArrayList<>(Arrays.asList(constraints));
-        active.remove(constraint);
-        if (on) {
-            active.add(constraint);
-        }
-        constraints = allConstraints.stream().filter(active::contains).toArray(Constraint[]::new);
-        int[] movers = new int[mass.length];
-        for (Constraint each : constraints) {
-            each.nodes().map(n -> n / 3).distinct().forEach(n -> movers[n]++);
-        }
-        entangled = Arrays.stream(constraints)
-                .filter(each -> each.nodes().anyMatch(n -> movers[n / 3] > 1))
-                .toArray(Constraint[]::new);
+        constraints.setEnabled(constraint, on);
     }
 
     /** Whether a constraint is switched on. */
     public boolean isEnabled(Constraint constraint) {
-        return Arrays.asList(constraints).contains(constraint);
+        return constraints.active().contains(constraint);
     }
 
     /** Lets all fields and constraints forget what they kept from earlier times: to be called after state, parameters or time were changed from outside. */
     public void forget() {
         allFields.forEach(ForceField::forget);
-        allConstraints.forEach(Constraint::forget);
-        stillInPlace = false;
+        constraints.forget();
+        prescribed.forget();
     }
 
     /**
@@ -224,7 +202,7 @@ public final class ParticleSystem {
 
     /** The constraints switched on, in the order they were added. */
     public List<Constraint> constraints() {
-        return List.of(constraints);
+        return constraints.active();
     }
 
     /** Whether any field switched on depends on velocity. */
@@ -239,21 +217,12 @@ public final class ParticleSystem {
      * @param motion their positions and velocities in the same order
      */
     public void prescribe(int[] callerNodes, PrescribedMotion motion) {
-        if (callerNodes.length != motion.pointCount()) {
-            throw new IllegalArgumentException("found " + callerNodes.length + " nodes and " + motion.pointCount()
-                    + " prescribed points, expected as many");
-        }
-        for (int node : prescribedNode) {
+        for (int node : prescribed.nodes()) {
             inverseMass[node] = 1 / mass[node];
         }
-        prescribed = motion;
-        stillInPlace = false;
-        prescribedNode = new int[callerNodes.length];
-        prescribedPosition = new double[3 * callerNodes.length];
-        prescribedVelocity = new double[3 * callerNodes.length];
-        for (int i = 0; i < callerNodes.length; i++) {
-            prescribedNode[i] = layout.internal(callerNodes[i]);
-            inverseMass[prescribedNode[i]] = 0;
+        prescribed.follow(Arrays.stream(callerNodes).map(layout::internal).toArray(), motion);
+        for (int node : prescribed.nodes()) {
+            inverseMass[node] = 0;
         }
     }
 
@@ -268,25 +237,7 @@ public final class ParticleSystem {
 
     /** Puts the nodes of given motion where they are at a time, in the arrays given; nodes that are still are put there once. */
     public void applyPrescribed(double time, double[] position, double[] velocity) {
-        if (prescribedNode.length == 0 || (stillInPlace && position == x && velocity == v)) {
-            return;
-        }
-        double[] givenX = prescribedPosition;
-        double[] givenV = prescribedVelocity;
-        int[] node = prescribedNode;
-        prescribed.at(time, givenX, givenV);
-        for (int i = 0; i < node.length; i++) {
-            int at = 3 * node[i];
-            int from = 3 * i;
-            position[at] = givenX[from];
-            position[at + 1] = givenX[from + 1];
-            position[at + 2] = givenX[from + 2];
-            velocity[at] = givenV[from];
-            velocity[at + 1] = givenV[from + 1];
-            velocity[at + 2] = givenV[from + 2];
-        }
-        // Nothing moves a node without inverse mass and without speed, so it need not be put back every step.
-        stillInPlace = prescribed.isStill() && position == x && velocity == v;
+        prescribed.apply(time, position, velocity, position == x && velocity == v);
     }
 
     /**
@@ -370,54 +321,33 @@ public final class ParticleSystem {
      * @throws IllegalArgumentException if it is not positive
      */
     public void setProjectionSweeps(int sweeps) {
-        if (sweeps < 1) {
-            throw new IllegalArgumentException("projection sweeps: found " + sweeps + ", expected at least 1");
-        }
-        projectionSweeps = sweeps;
+        constraints.setSweeps(sweeps);
     }
 
     /** Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s. */
     public void setRefreshInterval(double seconds) {
         allFields.forEach(field -> field.setRefreshInterval(seconds));
-        allConstraints.forEach(constraint -> constraint.setRefreshInterval(seconds));
+        constraints.setRefreshInterval(seconds);
     }
 
     /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
     public void project(double time, double h) {
-        for (Constraint constraint : constraints) {
-            constraint.prepare(time);
-        }
-        for (Constraint constraint : constraints) {
-            constraint.project(this, h);
-        }
-        for (int sweep = 1; sweep < projectionSweeps; sweep++) {
-            for (Constraint constraint : entangled) {
-                constraint.project(this, h);
-            }
-        }
+        constraints.project(this, time, h);
     }
 
     /** Takes away what velocities have against the constraints; see {@link Constraint#projectVelocities}. */
     public void projectVelocities() {
-        for (Constraint constraint : constraints) {
-            constraint.projectVelocities(this);
-        }
+        constraints.projectVelocities(this);
     }
 
     /** Whether nodes may lean on a constraint, switched on or off. */
     public boolean hasWalls() {
-        return allConstraints.stream().anyMatch(Constraint::isWall);
+        return constraints.hasWalls();
     }
 
     /** What a constraint switched on could not make hold in the last step; null where all hold. */
     public String unmet() {
-        for (Constraint constraint : constraints) {
-            String cause = constraint.unmet();
-            if (cause != null) {
-                return cause;
-            }
-        }
-        return null;
+        return constraints.unmet();
     }
 
     /** Energy of motion, µJ. */

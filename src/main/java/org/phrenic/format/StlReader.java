@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
@@ -18,7 +19,7 @@ final class StlReader {
 
     private final ByteCursor cursor;
     private final PolygonSoup soup = new PolygonSoup();
-    private final VertexWelder welder = new VertexWelder(soup);
+    private int corners;
 
     private StlReader(String file, byte[] bytes) {
         this.cursor = new ByteCursor(file, bytes);
@@ -31,7 +32,8 @@ final class StlReader {
         } else {
             reader.readBinary();
         }
-        return reader.soup.toMesh(file);
+        // STL writes every corner out, and corners of one vertex are written alike.
+        return MeshRepair.weld(reader.soup.toMesh(file), 0).mesh();
     }
 
     private static boolean isBinary(byte[] bytes) {
@@ -63,16 +65,15 @@ final class StlReader {
                     + " bytes after that, expected " + promised + " bytes");
         }
         double[] corner = new double[3];
-        int[] triangle = new int[3];
         for (long t = 0; t < count; t++) {
             cursor.skip(12, "a normal");
             for (int c = 0; c < 3; c++) {
                 for (int axis = 0; axis < 3; axis++) {
                     corner[axis] = cursor.real(ScalarType.FLOAT32, "a coordinate");
                 }
-                triangle[c] = welder.index(cursor, corner[0], corner[1], corner[2]);
+                soup.vertex(cursor, corner[0], corner[1], corner[2]);
             }
-            soup.triangle(cursor, triangle[0], triangle[1], triangle[2]);
+            closeTriangle();
             cursor.skip(2, "the attribute of a triangle");
         }
     }
@@ -115,17 +116,21 @@ final class StlReader {
         }
         expect("outer");
         expect("loop");
-        int[] triangle = new int[3];
         for (int c = 0; c < 3; c++) {
             expect("vertex");
             double x = cursor.number("a coordinate");
             double y = cursor.number("a coordinate");
             double z = cursor.number("a coordinate");
-            triangle[c] = welder.index(cursor, x, y, z);
+            soup.vertex(cursor, x, y, z);
         }
-        soup.triangle(cursor, triangle[0], triangle[1], triangle[2]);
+        closeTriangle();
         expect("endloop");
         expect("endfacet");
+    }
+
+    private void closeTriangle() {
+        soup.triangle(cursor, corners, corners + 1, corners + 2);
+        corners += 3;
     }
 
     private void expect(String keyword) {

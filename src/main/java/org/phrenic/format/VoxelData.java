@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.zip.ZipException;
 import org.phrenic.geometry.LabelGrid;
@@ -24,6 +25,10 @@ record VoxelData(int[] sizes, ScalarType type, ByteOrder order, double slope, do
     private static final long MOST_PACKED = 1032;
 
     private static final long MOST_VOXELS = Integer.MAX_VALUE - 8;
+    /** Labels for which there is room at first: what a header promises beyond has to come before it takes memory. */
+    private static final int FIRST_ROOM = 1 << 22;
+    /** A volume of labels takes no more than this share of Java's memory, as an array that grows is held twice for a moment. */
+    private static final double MOST_OF_MEMORY = 0.5;
 
     /** Stored values are labels as they are. */
     VoxelData(int[] sizes, ScalarType type, ByteOrder order) {
@@ -62,6 +67,20 @@ record VoxelData(int[] sizes, ScalarType type, ByteOrder order, double slope, do
                     + (packed ? "enough for " : "") + needed + " for " + shown(sizes) + " of " + type.size()
                     + (type.size() == 1 ? " byte" : " bytes"));
         }
+        checkMemory(file);
+    }
+
+    /** Refuses more labels than there is memory for. */
+    private void checkMemory(String file) {
+        long memory = Runtime.getRuntime().maxMemory();
+        if (voxels() > MOST_OF_MEMORY * memory) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "%s: found a size of %s voxels, expected no more than fit into half of Java's memory, which is %d MB (java -Xmx8g gives it 8 GB)",
+                    file,
+                    shown(sizes),
+                    memory >> 20));
+        }
     }
 
     private static String shown(int[] sizes) {
@@ -76,7 +95,7 @@ record VoxelData(int[] sizes, ScalarType type, ByteOrder order, double slope, do
      */
     LabelGrid read(String file, InputStream in, double[] affine) {
         int count = (int) voxels();
-        byte[] small = new byte[count];
+        byte[] small = new byte[Math.min(count, FIRST_ROOM)];
         short[] large = new short[0];
         byte[] chunk = new byte[CHUNK * type.size()];
         ByteBuffer buffer = ByteBuffer.wrap(chunk).order(order);
@@ -85,6 +104,11 @@ record VoxelData(int[] sizes, ScalarType type, ByteOrder order, double slope, do
         try {
             while (done < count) {
                 int now = Math.min(CHUNK, count - done);
+                if (large.length > 0) {
+                    large = done + now > large.length ? Arrays.copyOf(large, room(large.length, count)) : large;
+                } else if (done + now > small.length) {
+                    small = Arrays.copyOf(small, room(small.length, count));
+                }
                 if (plain) {
                     now = in.readNBytes(small, done, now);
                 } else {
@@ -118,6 +142,10 @@ record VoxelData(int[] sizes, ScalarType type, ByteOrder order, double slope, do
         return large.length > 0
                 ? LabelGrid.of(sizes[0], sizes[1], sizes[2], large, affine)
                 : LabelGrid.of(sizes[0], sizes[1], sizes[2], small, affine);
+    }
+
+    private static int room(int before, int count) {
+        return (int) Math.min(count, 2L * before);
     }
 
     /** False as soon as a label does not fit into a byte. */

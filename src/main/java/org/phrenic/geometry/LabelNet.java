@@ -1,6 +1,6 @@
 package org.phrenic.geometry;
 
-import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * The surfaces between the parts of a volume of labels, as one net whose vertices neighbours share, so that their surfaces meet (Gibson 1998, Constrained Elastic Surface Nets, doi 10.1007/BFb0056277;
@@ -62,12 +62,26 @@ public final class LabelNet {
 
     /** The surface of one part, closed and facing outward; without triangles if there is no such part. */
     public TriangleMesh surface(int part) {
-        int[] own = new int[4 * faces.length];
-        long[] voxels = new long[faces.length];
+        return surface(side -> side == part);
+    }
+
+    /** The surface of all parts together, closed and facing outward. */
+    public TriangleMesh outline() {
+        return surface(side -> side != 0);
+    }
+
+    private TriangleMesh surface(IntPredicate inside) {
+        int wanted = 0;
+        for (int q = 0; q < faces.length; q++) {
+            wanted += inside.test(sides[2 * q]) != inside.test(sides[2 * q + 1]) ? 1 : 0;
+        }
+        // A net may have millions of faces, of which a rib has a few thousand.
+        int[] own = new int[4 * wanted];
+        long[] voxels = new long[wanted];
         int count = 0;
         for (int q = 0; q < faces.length; q++) {
-            boolean first = sides[2 * q] == part;
-            if (first || sides[2 * q + 1] == part) {
+            boolean first = inside.test(sides[2 * q]);
+            if (first != inside.test(sides[2 * q + 1])) {
                 for (int corner = 0; corner < 4; corner++) {
                     own[4 * count + corner] = quads[4 * q + (first ? corner : 3 - corner)];
                 }
@@ -75,6 +89,6 @@ public final class LabelNet {
                 voxels[count++] = first ? voxel : voxel + strides[(int) (faces[q] % 3)];
             }
         }
-        return new QuadStitcher(positions, Arrays.copyOf(own, 4 * count), voxels).mesh();
+        return new QuadStitcher(positions, own, voxels).mesh();
     }
 }

@@ -6,15 +6,12 @@ import java.util.Arrays;
 final class VertexWelder {
     private final double[] positions;
     private final double tolerance;
-    private final double cell;
     private final int[] head;
     private final int[] chain;
 
     VertexWelder(double[] positions, double tolerance) {
         this.positions = positions;
         this.tolerance = tolerance;
-        // With no tolerance any cell size finds equal points; one near the spacing keeps the chains short.
-        cell = tolerance > 0 ? tolerance : 1.0;
         int count = positions.length / 3;
         head = new int[Math.max(16, Integer.highestOneBit(Math.max(1, count)) * 4)];
         chain = new int[count];
@@ -55,8 +52,9 @@ final class VertexWelder {
         return keeper;
     }
 
+    /** With no tolerance a cell is one number, whose bits name it; -0 is 0. */
     private long cellOf(double coordinate) {
-        return (long) Math.floor(coordinate / cell);
+        return tolerance > 0 ? (long) Math.floor(coordinate / tolerance) : Double.doubleToLongBits(coordinate + 0.0);
     }
 
     private int slot(long x, long y, long z) {

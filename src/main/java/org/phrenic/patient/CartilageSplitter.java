@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.geometry.LabelGrid;
 
 /** Tells costal cartilages under one label apart: each voxel belongs to the rib from which the fewest steps through cartilage lead to it. */
 final class CartilageSplitter {
@@ -16,31 +17,38 @@ final class CartilageSplitter {
     /** Replaces the part of all cartilages by one for each rib; a sentence about what no rib leads to. */
     static Optional<String> split(Parts parts) {
         int all = parts.find(LabelMap.COSTAL_CARTILAGES);
-        int[] marks = new int[parts.voxels.length];
         List<String> names = new ArrayList<>();
+        byte[] markOfPart = new byte[LabelGrid.LARGEST_BYTE + 1];
         for (String side : List.of("R", "L")) {
             for (int level = 1; level <= CARTILAGES; level++) {
                 int rib = parts.find(String.format(Locale.ROOT, "rib_%02d_%s", level, side));
                 if (rib > 0) {
                     names.add(String.format(Locale.ROOT, "costal_cartilage_%02d_%s", level, side));
-                    mark(parts, all, rib, names.size(), marks);
+                    markOfPart[rib] = (byte) names.size();
                 }
             }
         }
-        new VoxelFlood(parts, all).spread(marks);
+        VoxelFlood flood = new VoxelFlood(parts, all);
+        byte[] marks = new byte[flood.cells()];
+        for (int cell = 0; cell < marks.length; cell++) {
+            if (flood.isMember(cell)) {
+                marks[cell] = firstBeside(parts, markOfPart, flood.voxel(cell));
+            }
+        }
+        flood.spread(marks);
         byte[] part = new byte[names.size() + 1];
         int lost = 0;
         int total = 0;
-        for (int v = 0; v < marks.length; v++) {
-            if (parts.voxels[v] == (byte) all) {
+        for (int cell = 0; cell < marks.length; cell++) {
+            if (flood.isMember(cell)) {
                 total++;
-                int mark = marks[v];
+                int mark = marks[cell];
                 lost += mark == 0 ? 1 : 0;
                 if (mark > 0 && part[mark] == 0) {
                     part[mark] = (byte) parts.part(names.get(mark - 1));
                     parts.inherit(names.get(mark - 1), LabelMap.COSTAL_CARTILAGES);
                 }
-                parts.voxels[v] = part[mark];
+                parts.voxels[flood.voxel(cell)] = part[mark];
             }
         }
         return lost == 0
@@ -52,29 +60,21 @@ final class CartilageSplitter {
                         100.0 * lost / total));
     }
 
-    private static void mark(Parts parts, int all, int rib, int mark, int[] marks) {
-        int voxel = 0;
-        for (int k = 0; k < parts.slices; k++) {
-            for (int j = 0; j < parts.rows; j++) {
-                for (int i = 0; i < parts.columns; i++, voxel++) {
-                    if (parts.voxels[voxel] == (byte) all && marks[voxel] == 0 && isBeside(parts, rib, i, j, k)) {
-                        marks[voxel] = mark;
-                    }
-                }
-            }
-        }
-    }
-
-    private static boolean isBeside(Parts parts, int rib, int i, int j, int k) {
+    /** The first of the ribs that a voxel lies beside, 0 for none. */
+    private static byte firstBeside(Parts parts, byte[] markOfPart, int voxel) {
+        int i = voxel % parts.columns;
+        int j = voxel / parts.columns % parts.rows;
+        int k = voxel / parts.columns / parts.rows;
+        byte first = 0;
         for (int z = Math.max(0, k - GAP); z <= Math.min(parts.slices - 1, k + GAP); z++) {
             for (int y = Math.max(0, j - GAP); y <= Math.min(parts.rows - 1, j + GAP); y++) {
                 for (int x = Math.max(0, i - GAP); x <= Math.min(parts.columns - 1, i + GAP); x++) {
-                    if (parts.voxels[x + parts.columns * (y + parts.rows * z)] == (byte) rib) {
-                        return true;
-                    }
+                    int part = parts.voxels[x + parts.columns * (y + parts.rows * z)] & LabelGrid.LARGEST_BYTE;
+                    byte mark = markOfPart[part];
+                    first = mark > 0 && (first == 0 || mark < first) ? mark : first;
                 }
             }
         }
-        return false;
+        return first;
     }
 }

@@ -4,4 +4,7 @@ package org.phrenic.patient;
 public interface ImportProgress {
     /** So many of all structures are meshed, the last of them this. */
     void done(int count, int total, String structure);
+
+    /** What is done now, such as {@code lungs are told apart}. */
+    default void now(String what) {}
 }

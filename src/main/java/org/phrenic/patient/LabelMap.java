@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -18,8 +19,9 @@ import org.phrenic.format.LabelVolume;
  * Which structure each label of a volume is. Several labels may be one structure, as the lobes are a lung.
  *
  * @param structures name of a structure by label: one that a thorax folder knows, {@link #LUNGS} or {@link #COSTAL_CARTILAGES}
+ * @param absent labels or names that a user's table has and the volume lacks
  */
-public record LabelMap(Map<Integer, String> structures) {
+public record LabelMap(Map<Integer, String> structures, List<String> absent) {
     /** Both lungs under one label; they are told apart. */
     public static final String LUNGS = "lungs";
     /** All costal cartilages under one label; they are told apart by the ribs they begin at. */
@@ -31,6 +33,12 @@ public record LabelMap(Map<Integer, String> structures) {
 
     public LabelMap {
         structures = Collections.unmodifiableMap(new TreeMap<>(structures));
+        absent = List.copyOf(absent);
+    }
+
+    /** A map of labels that are there. */
+    public LabelMap(Map<Integer, String> structures) {
+        this(structures, List.of());
     }
 
     /**
@@ -39,12 +47,12 @@ public record LabelMap(Map<Integer, String> structures) {
      * @throws BadInputException if it cannot be read, or a structure is none that can be built
      */
     public static LabelMap read(Path file, LabelVolume volume) {
-        return of(file.toString(), CsvTable.read(file), volume);
+        return of(file.toString(), CsvTable.read(file), volume, true);
     }
 
     /** TotalSegmentator's labels. */
     public static LabelMap totalSegmentator(LabelVolume volume) {
-        return of("totalsegmentator.csv", shipped(), volume);
+        return of("totalsegmentator.csv", shipped(), volume, false);
     }
 
     /**
@@ -86,10 +94,15 @@ public record LabelMap(Map<Integer, String> structures) {
         }
     }
 
-    private static LabelMap of(String file, CsvTable table, LabelVolume volume) {
+    private static LabelMap of(String file, CsvTable table, LabelVolume volume, boolean tellAbsent) {
         List<String> structures = table.texts("structure");
+        if (structures.isEmpty()) {
+            throw new BadInputException(file + ": found no row, expected labels and their structures");
+        }
         boolean byName = table.has("name") && !(volume.names().isEmpty() && table.has("label"));
+        int[] counts = volume.grid().counts();
         Map<Integer, String> map = new TreeMap<>();
+        List<String> absent = new ArrayList<>();
         for (int row = 0; row < structures.size(); row++) {
             String structure = structures.get(row);
             if (!isStructure(structure)) {
@@ -99,25 +112,33 @@ public record LabelMap(Map<Integer, String> structures) {
                         "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, " + LUNGS
                                 + " or " + COSTAL_CARTILAGES);
             }
-            if (byName) {
-                String name = table.texts("name").get(row);
-                volume.names().forEach((label, given) -> {
-                    if (given.equals(name)) {
-                        map.put(label, structure);
-                    }
-                });
-            } else {
-                double label = table.numbers("label")[row];
-                if (label != (int) label || label < 1) {
-                    throw table.bad(row, "label", "found " + label + ", expected a whole number from 1");
-                }
-                map.put((int) label, structure);
+            List<Integer> labels =
+                    byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));
+            labels.forEach(label -> map.put(label, structure));
+            if (labels.stream().noneMatch(label -> label < counts.length && counts[label] > 0)) {
+                absent.add((byName ? "name '" + table.texts("name").get(row) + "'" : "label " + labels.get(0)) + " ("
+                        + structure + ")");
             }
         }
         if (map.isEmpty()) {
             throw new BadInputException(file + ": found no row for a label of the volume, expected some");
         }
-        return new LabelMap(map);
+        return new LabelMap(map, tellAbsent ? absent : List.of());
+    }
+
+    private static List<Integer> labelsNamed(LabelVolume volume, String name) {
+        return volume.names().entrySet().stream()
+                .filter(given -> given.getValue().equals(name))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    private static int label(CsvTable table, int row) {
+        double label = table.numbers("label")[row];
+        if (label != (int) label || label < 1) {
+            throw table.bad(row, "label", "found " + label + ", expected a whole number from 1");
+        }
+        return (int) label;
     }
 
     private static boolean isStructure(String name) {

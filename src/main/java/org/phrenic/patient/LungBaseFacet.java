@@ -23,7 +23,7 @@ public final class LungBaseFacet {
     /**
      * The facet as a surface of its own.
      *
-     * @param lung one lung, closed, outward, LPS, mm
+     * @param lung one lung, closed, LPS, mm
      * @return without triangles if nothing looks down
      */
     public static TriangleMesh of(TriangleMesh lung) {
@@ -55,9 +55,20 @@ public final class LungBaseFacet {
         return new TriangleMesh(Arrays.copyOf(p, 3 * vertices), Arrays.copyOf(corners, count));
     }
 
+    /** Whether each vertex is a corner of the facet. */
+    public static boolean[] vertices(TriangleMesh lung) {
+        boolean[] facet = triangles(lung);
+        boolean[] corner = new boolean[lung.vertexCount()];
+        for (int c = 0; c < lung.triangles().length; c++) {
+            corner[lung.triangles()[c]] |= facet[c / 3];
+        }
+        return corner;
+    }
+
     /** Whether each triangle belongs to the facet. */
-    public static boolean[] triangles(TriangleMesh lung) {
+    static boolean[] triangles(TriangleMesh lung) {
         double[] normals = smoothed(lung);
+        double outward = MeshMeasure.signedVolume(lung) < 0 ? -1 : 1;
         TriangleTree tree = new TriangleTree(lung);
         TriangleTree.Hit hit = new TriangleTree.Hit();
         int[] t = lung.triangles();
@@ -66,7 +77,7 @@ public final class LungBaseFacet {
             double up = 0;
             double[] middle = new double[3];
             for (int c = 3 * i; c < 3 * i + 3; c++) {
-                up += normals[3 * t[c] + 2] / 3;
+                up += outward * normals[3 * t[c] + 2] / 3;
                 middle[0] += lung.x(t[c]) / 3;
                 middle[1] += lung.y(t[c]) / 3;
                 middle[2] += lung.z(t[c]) / 3;

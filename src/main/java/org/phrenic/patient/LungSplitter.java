@@ -18,14 +18,14 @@ final class LungSplitter {
     static Optional<String> split(Parts parts) {
         int both = parts.find(LabelMap.LUNGS);
         VoxelFlood flood = new VoxelFlood(parts, both);
-        int[] depth = flood.depth();
-        int[] piece = new int[depth.length];
+        flood.countDepth();
+        byte[] piece = new byte[flood.cells()];
         for (int worn = 0; worn < MOST_STEPS; worn++) {
-            int[] sizes = flood.pieces(depth, worn, piece);
+            int[] sizes = flood.pieces(worn, piece);
             int first = largest(sizes, 0);
             int second = largest(sizes, first);
             if (second > 0 && sizes[second] > LEAST_SHARE * sizes[first]) {
-                divide(parts, flood, both, piece, first, second);
+                divide(parts, flood, piece, first, second);
                 return Optional.empty();
             }
             if (first == 0) {
@@ -47,16 +47,16 @@ final class LungSplitter {
         return largest;
     }
 
-    private static void divide(Parts parts, VoxelFlood flood, int both, int[] piece, int first, int second) {
+    private static void divide(Parts parts, VoxelFlood flood, byte[] piece, int first, int second) {
         double[] x = new double[2];
         double[] count = new double[2];
-        for (int v = 0; v < piece.length; v++) {
-            int which = piece[v] == first ? 0 : piece[v] == second ? 1 : -1;
+        for (int cell = 0; cell < piece.length; cell++) {
+            int which = piece[cell] == first ? 0 : piece[cell] == second ? 1 : -1;
             if (which >= 0) {
-                x[which] += parts.place(v, 0);
+                x[which] += parts.place(flood.voxel(cell), 0);
                 count[which]++;
             } else {
-                piece[v] = 0;
+                piece[cell] = 0;
             }
         }
         flood.spread(piece);
@@ -64,11 +64,11 @@ final class LungSplitter {
         boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
         byte right = (byte) parts.part("lung_R");
         byte left = (byte) parts.part("lung_L");
-        for (int v = 0; v < piece.length; v++) {
-            if (parts.voxels[v] == both) {
-                boolean isFirst = piece[v] == first;
+        for (int cell = 0; cell < piece.length; cell++) {
+            if (flood.isMember(cell)) {
+                boolean isFirst = piece[cell] == first;
                 // Specks that no path joins to a lung are left out.
-                parts.voxels[v] = piece[v] == 0 ? 0 : isFirst == firstIsRight ? right : left;
+                parts.voxels[flood.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
             }
         }
         parts.inherit("lung_R", LabelMap.LUNGS);

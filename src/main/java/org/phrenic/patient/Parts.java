@@ -1,7 +1,6 @@
 package org.phrenic.patient;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,12 +12,13 @@ import org.phrenic.geometry.LabelGrid;
 /** The voxels of the structures asked for, in a box that just holds them: a part's number is its place in the names plus 1. Parts may be told apart further before {@link #grid}. */
 final class Parts {
     private static final int MOST = LabelGrid.LARGEST_BYTE;
+    private static final int MOST_NAMED = 8;
 
     final int columns;
     final int rows;
     final int slices;
     /** Part of each voxel, 0 for none. */
-    final byte[] voxels;
+    byte[] voxels;
 
     private final double[] toMm;
     private final List<String> names = new ArrayList<>();
@@ -40,7 +40,7 @@ final class Parts {
             }
         }
         if (names.isEmpty()) {
-            throw new BadInputException(file + ": found none of the "
+            throw new BadInputException(file + ": found " + held(counts) + " and none of the "
                     + map.structures().size() + " labels asked for, expected at least one");
         }
         int[] box = box(all, partOfLabel);
@@ -59,6 +59,18 @@ final class Parts {
         }
         toMm = shifted(all, box);
         findCuts(all, box);
+    }
+
+    private static String held(int[] counts) {
+        List<String> labels = new ArrayList<>();
+        for (int label = 1; label < counts.length && labels.size() < MOST_NAMED; label++) {
+            if (counts[label] > 0) {
+                labels.add(String.valueOf(label));
+            }
+        }
+        return labels.isEmpty()
+                ? "background alone"
+                : "labels " + String.join(", ", labels) + (labels.size() == MOST_NAMED ? " ..." : "");
     }
 
     static Parts of(LabelVolume volume, LabelMap map, String file) {
@@ -185,6 +197,18 @@ final class Parts {
         return labels.get(name);
     }
 
+    /** First and last column, row and slice of a part, in the order of {@link #box(LabelGrid, byte[])}. */
+    int[] box(int part) {
+        byte[] wanted = new byte[LabelGrid.LARGEST_BYTE + 1];
+        wanted[part] = 1;
+        return box(grid(), wanted);
+    }
+
+    /** Gives the voxels' memory back: what else is known of the parts stays. */
+    void forgetVoxels() {
+        voxels = new byte[0];
+    }
+
     int[] counts() {
         int[] counts = new int[names.size() + 1];
         for (byte voxel : voxels) {
@@ -201,7 +225,8 @@ final class Parts {
         return toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
     }
 
+    /** The voxels as they are now and will be: they are shared, not copied. */
     LabelGrid grid() {
-        return LabelGrid.of(columns, rows, slices, Arrays.copyOf(voxels, voxels.length), toMm);
+        return LabelGrid.of(columns, rows, slices, voxels, toMm);
     }
 }

@@ -13,7 +13,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.LabelVolume;
-import org.phrenic.geometry.LabelGrid;
 
 /** Meshes every structure that a volume of labels holds. */
 public final class ScanImport {
@@ -30,8 +29,8 @@ public final class ScanImport {
     private static final double MM3_PER_ML = 1000;
     /** Pieces of less than this share of a structure are not worth a sentence. */
     private static final double LITTLE = 0.02;
-    /** The heart takes room from the left lung. */
-    private static final double LARGER_LEFT = 1.1;
+    /** Names in a sentence. */
+    private static final int MOST_NAMED = 8;
     /** A structure of fewer voxels has no shape. */
     private static final int LEAST_VOXELS = 30;
 
@@ -64,15 +63,21 @@ public final class ScanImport {
      */
     public FittedBody run(LabelMap map, String name) {
         Parts parts = Parts.of(volume, map, file);
+        if (!map.absent().isEmpty()) {
+            notes.add("the volume lacks what the table names: " + String.join(", ", map.absent()));
+        }
+        noteUnused(map);
         if (parts.find(LabelMap.LUNGS) > 0) {
+            progress.now("telling the lungs apart");
             LungSplitter.split(parts).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
         }
         if (parts.find(LabelMap.COSTAL_CARTILAGES) > 0) {
+            progress.now("telling the cartilages apart");
             CartilageSplitter.split(parts).ifPresent(notes::add);
         }
-        LabelGrid grid = parts.grid();
+        double voxelMm3 = parts.grid().voxelVolume();
         int[] counts = parts.counts();
         List<String> built = new ArrayList<>();
         int[] partNumbers = new int[counts.length];
@@ -89,12 +94,14 @@ public final class ScanImport {
             throw new BadInputException(
                     file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
         }
-        PartMesher mesher = new PartMesher(grid, partNumbers, steps);
+        progress.now("laying a net between " + built.size() + " structures");
+        PartMesher mesher = new PartMesher(parts.grid(), partNumbers, steps);
+        parts.forgetVoxels();
         AtomicInteger done = new AtomicInteger();
         List<Organ> organs = IntStream.range(0, built.size())
                 .parallel()
                 .mapToObj(i -> {
-                    Organ organ = organ(built.get(i), parts, counts, grid, mesher);
+                    Organ organ = organ(built.get(i), parts, counts, voxelMm3, mesher);
                     synchronized (done) {
                         progress.done(done.incrementAndGet(), built.size(), built.get(i));
                     }
@@ -106,20 +113,19 @@ public final class ScanImport {
         return new FittedBody(name, organs, ThoraxList.missing(organs), notes);
     }
 
-    private Organ organ(String structure, Parts parts, int[] counts, LabelGrid grid, PartMesher mesher) {
+    private Organ organ(String structure, Parts parts, int[] counts, double voxelMm3, PartMesher mesher) {
         StructureName known = StructureName.parse(structure).orElseThrow();
         int part = parts.find(structure);
-        double voxelMm = Math.cbrt(grid.voxelVolume());
+        double voxelMm = Math.cbrt(voxelMm3);
         double edge = edgeMm.orElse(Math.max(voxelMm, EDGES_MM.getOrDefault(known.kind(), BONE_EDGE_MM)));
-        MeshedPart meshed = mesher.mesh(part, edge);
+        // The skin holds all else that the scan shows: its inner side is of no interest.
+        boolean outline = known.kind() == StructureKind.SKIN;
+        MeshedPart meshed = outline ? mesher.outline(edge) : mesher.mesh(part, edge);
+        int count = outline ? IntStream.of(counts).skip(1).sum() : counts[part];
         return Organ.ofScan(
                 new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
                 new Organ.Scan(
-                        parts.labels(structure),
-                        counts[part],
-                        counts[part] * grid.voxelVolume() / MM3_PER_ML,
-                        parts.cutAt(structure),
-                        meshed));
+                        parts.labels(structure), count, count * voxelMm3 / MM3_PER_ML, parts.cutAt(structure), meshed));
     }
 
     /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */
@@ -144,21 +150,24 @@ public final class ScanImport {
             notes.add("cut off by the end of the scan, at the side in brackets, and closed flat there: "
                     + String.join(", ", cut));
         }
-        double right = lungMl(organs, "lung_R");
-        double left = lungMl(organs, "lung_L");
-        if (right > 0 && left > LARGER_LEFT * right) {
-            notes.add(String.format(
-                    Locale.ROOT,
-                    "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly, see --axes",
-                    left,
-                    right));
-        }
+        notes.addAll(LungRemarks.of(organs));
     }
 
-    private static double lungMl(List<Organ> organs, String name) {
-        return organs.stream()
-                .filter(o -> o.structure().name().equals(name))
-                .mapToDouble(o -> o.scan().orElseThrow().volumeMl())
-                .sum();
+    /** The labels that the volume has beside those of structures. */
+    private void noteUnused(LabelMap map) {
+        int[] counts = volume.grid().counts();
+        List<String> unused = new ArrayList<>();
+        for (int label = 1; label < counts.length; label++) {
+            if (counts[label] > 0 && !map.structures().containsKey(label)) {
+                String name = volume.names().get(label);
+                unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
+            }
+        }
+        if (!unused.isEmpty()) {
+            int shown = Math.min(MOST_NAMED, unused.size());
+            notes.add("labels of the volume that are none of the structures asked for: "
+                    + String.join(", ", unused.subList(0, shown))
+                    + (unused.size() > shown ? " and " + (unused.size() - shown) + " more" : ""));
+        }
     }
 }

@@ -2,100 +2,149 @@ package org.phrenic.patient;
 
 import java.util.Arrays;
 
-/** Walks from voxel to voxel across faces, within one part of a volume. */
+/**
+ * Walks from voxel to voxel across faces, within one part of a volume. It has a box of its own, one voxel wider all round than the part, so that no step leads out of it: a cell of this box has a number of its
+ * own, by which all arrays here go.
+ */
 final class VoxelFlood {
-    private static final int NONE = -1;
+    /** Mark of pieces that are too small to be told apart. */
+    static final byte CRUMB = 1;
+
+    private static final short NOT_YET = Short.MAX_VALUE;
+    /** Pieces of less than this share of the part are crumbs: fewer than 100 are not, so that a byte numbers them. */
+    private static final int LEAST_SHARE = 100;
 
     private final Parts parts;
-    private final byte part;
+    /** First voxel of the part along columns, rows and slices. */
+    private final int[] low;
+
+    private final int wide;
+    private final int high;
+    private final int[] steps;
+    /** Steps from each cell of the part to the nearest one outside it; 0 outside, {@link #NOT_YET} where they are not counted. */
+    private final short[] depth;
+
     private final int[] queue;
 
     VoxelFlood(Parts parts, int part) {
         this.parts = parts;
-        this.part = (byte) part;
-        queue = new int[parts.voxels.length];
+        int[] box = parts.box(part);
+        low = new int[] {box[0], box[1], box[2]};
+        wide = box[3] - box[0] + 3;
+        high = box[4] - box[1] + 3;
+        steps = new int[] {-1, 1, -wide, wide, -wide * high, wide * high};
+        depth = new short[wide * high * (box[5] - box[2] + 3)];
+        int members = 0;
+        for (int k = box[2]; k <= box[5]; k++) {
+            for (int j = box[1]; j <= box[4]; j++) {
+                int voxel = parts.columns * (j + parts.rows * k);
+                int cell = 1 - box[0] + wide * (j - box[1] + 1 + high * (k - box[2] + 1));
+                for (int i = box[0]; i <= box[3]; i++) {
+                    if (parts.voxels[voxel + i] == (byte) part) {
+                        depth[cell + i] = NOT_YET;
+                        members++;
+                    }
+                }
+            }
+        }
+        queue = new int[members];
     }
 
-    /** The neighbour of a voxel in one of six directions, -1 beyond the box. */
-    int neighbour(int voxel, int direction) {
-        int axis = direction >> 1;
-        int step = (direction & 1) == 0 ? -1 : 1;
-        int at = axis == 0
-                ? voxel % parts.columns
-                : axis == 1 ? voxel / parts.columns % parts.rows : voxel / parts.columns / parts.rows;
-        int size = axis == 0 ? parts.columns : axis == 1 ? parts.rows : parts.slices;
-        int stride = axis == 0 ? 1 : axis == 1 ? parts.columns : parts.columns * parts.rows;
-        return at + step < 0 || at + step >= size ? NONE : voxel + step * stride;
+    /** How many cells the box has. */
+    int cells() {
+        return depth.length;
     }
 
-    /** Steps from each voxel of the part to the nearest one outside it; 0 outside. */
-    int[] depth() {
-        int[] depth = new int[parts.voxels.length];
+    /** Whether a cell is of the part. */
+    boolean isMember(int cell) {
+        return depth[cell] != 0;
+    }
+
+    /** The voxel of a cell that is of the part. */
+    int voxel(int cell) {
+        int i = low[0] + cell % wide - 1;
+        int j = low[1] + cell / wide % high - 1;
+        int k = low[2] + cell / wide / high - 1;
+        return i + parts.columns * (j + parts.rows * k);
+    }
+
+    /** Counts for each cell of the part the steps to the nearest one outside it. */
+    void countDepth() {
         int length = 0;
-        for (int v = 0; v < depth.length; v++) {
+        for (int cell = 0; cell < depth.length; cell++) {
             boolean edge = false;
-            for (int d = 0; d < 6 && parts.voxels[v] == part && !edge; d++) {
-                int n = neighbour(v, d);
-                edge = n == NONE || parts.voxels[n] != part;
+            for (int s = 0; s < 6 && depth[cell] != 0 && !edge; s++) {
+                edge = depth[cell + steps[s]] == 0;
             }
             if (edge) {
-                depth[v] = 1;
-                queue[length++] = v;
+                queue[length++] = cell;
             }
         }
         for (int at = 0; at < length; at++) {
-            for (int d = 0; d < 6; d++) {
-                int n = neighbour(queue[at], d);
-                if (n != NONE && parts.voxels[n] == part && depth[n] == 0) {
-                    depth[n] = depth[queue[at]] + 1;
-                    queue[length++] = n;
+            depth[queue[at]] = 1;
+        }
+        for (int at = 0; at < length; at++) {
+            for (int step : steps) {
+                int next = queue[at] + step;
+                if (depth[next] == NOT_YET) {
+                    depth[next] = (short) (depth[queue[at]] + 1);
+                    queue[length++] = next;
                 }
             }
         }
-        return depth;
     }
 
-    /** Pieces of what lies deeper than a bound: number of the piece of each voxel from 1, 0 elsewhere; sizes by number. */
-    int[] pieces(int[] depth, int deeperThan, int[] pieceOf) {
-        Arrays.fill(pieceOf, 0);
-        int[] sizes = new int[16];
-        int count = 0;
-        for (int v = 0; v < depth.length; v++) {
-            if (depth[v] > deeperThan && pieceOf[v] == 0) {
-                count++;
-                sizes = count < sizes.length ? sizes : Arrays.copyOf(sizes, 2 * count);
-                pieceOf[v] = count;
-                queue[0] = v;
+    /**
+     * Pieces of what lies deeper than a bound.
+     *
+     * @param marks gets the number of the piece of each cell, from 2, {@link #CRUMB} for small ones, 0 elsewhere
+     * @return sizes by number
+     */
+    int[] pieces(int deeperThan, byte[] marks) {
+        Arrays.fill(marks, (byte) 0);
+        int[] sizes = new int[LEAST_SHARE + 2];
+        int count = CRUMB;
+        for (int seed = 0; seed < depth.length; seed++) {
+            if (depth[seed] > deeperThan && marks[seed] == 0) {
+                byte mark = (byte) (count + 1);
+                marks[seed] = mark;
+                queue[0] = seed;
                 int length = 1;
                 for (int at = 0; at < length; at++) {
-                    for (int d = 0; d < 6; d++) {
-                        int n = neighbour(queue[at], d);
-                        if (n != NONE && depth[n] > deeperThan && pieceOf[n] == 0) {
-                            pieceOf[n] = count;
-                            queue[length++] = n;
+                    for (int step : steps) {
+                        int next = queue[at] + step;
+                        if (depth[next] > deeperThan && marks[next] == 0) {
+                            marks[next] = mark;
+                            queue[length++] = next;
                         }
                     }
                 }
-                sizes[count] = length;
+                if ((long) LEAST_SHARE * length > queue.length) {
+                    sizes[++count] = length;
+                } else {
+                    for (int at = 0; at < length; at++) {
+                        marks[queue[at]] = CRUMB;
+                    }
+                }
             }
         }
         return Arrays.copyOf(sizes, count + 1);
     }
 
-    /** Gives each voxel of the part the mark of the marked one that is fewest steps away; 0 stays where none leads there. */
-    void spread(int[] marks) {
+    /** Gives each cell of the part the mark of the marked one that is fewest steps away; 0 stays where none leads there. */
+    void spread(byte[] marks) {
         int length = 0;
-        for (int v = 0; v < marks.length; v++) {
-            if (marks[v] != 0) {
-                queue[length++] = v;
+        for (int cell = 0; cell < marks.length; cell++) {
+            if (marks[cell] != 0) {
+                queue[length++] = cell;
             }
         }
         for (int at = 0; at < length; at++) {
-            for (int d = 0; d < 6; d++) {
-                int n = neighbour(queue[at], d);
-                if (n != NONE && parts.voxels[n] == part && marks[n] == 0) {
-                    marks[n] = marks[queue[at]];
-                    queue[length++] = n;
+            for (int step : steps) {
+                int next = queue[at] + step;
+                if (depth[next] != 0 && marks[next] == 0) {
+                    marks[next] = marks[queue[at]];
+                    queue[length++] = next;
                 }
             }
         }

@@ -5,6 +5,7 @@ import org.phrenic.anatomy.RibGains;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.force.ActionLine;
+import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.force.FacePressure;
 import org.phrenic.engine.force.Springs;
 
@@ -23,10 +24,15 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
     private Dial upperRibs;
     private Dial lowerRibs;
     private Dial ribSides;
+    private Dial bucket;
+    private Dial[] mediastinum;
+    private Dial lungStiffness;
+    private Dial coupling;
     private Dial lineForce;
     private Springs muscle;
     private FacePressure pressure;
     private ActionLine[] lines = {};
+    private ConstantLoad[] outward = {};
     private boolean atRest;
     private double stateTime = Double.NaN;
 
@@ -50,6 +56,10 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
         upperRibs = dials.of(Knob.UPPER_RIBS);
         lowerRibs = dials.of(Knob.LOWER_RIBS);
         ribSides = dials.of(Knob.RIB_SIDES);
+        bucket = dials.of(Knob.BUCKET);
+        mediastinum = new Dial[] {dials.of(Knob.MEDIASTINUM_RIGHT), dials.of(Knob.MEDIASTINUM_LEFT)};
+        lungStiffness = dials.of(Knob.LUNG_STIFFNESS);
+        coupling = dials.of(Knob.COUPLING);
         lineForce = dials.of(Knob.LINE_FORCE);
     }
 
@@ -59,6 +69,11 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
 
     void drives(FacePressure faces) {
         pressure = faces;
+    }
+
+    /** @param loads what pushes the mediastinal surface of the right and of the left lung out by 1 mm, over the stiffness of lungs and coupling */
+    void drives(ConstantLoad... loads) {
+        outward = loads;
     }
 
     void drives(ActionLine[] actionLines) {
@@ -111,9 +126,11 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
         double upper = upperRibs.at(time);
         double lower = lowerRibs.at(time);
         double sides = ribSides.at(time);
-        if (upper == 1 && lower == 1 && sides == 1) {
+        double side = bucket.at(time);
+        if (upper == 1 && lower == 1 && sides == 1 && side == 1) {
             return false;
         }
+        gains.setBucket(side);
         gains.set(upper, lower, sides);
         gains.setRates(upperRibs.rate(time), lowerRibs.rate(time), ribSides.rate(time));
         return true;
@@ -131,6 +148,10 @@ final class BreathDrive implements ForceField, RibCagePose.Drive {
             double right = Math.min(1, 1 / leftOverRight);
             pressure.setPressure(restPressure.at(time) + right * effort);
             pressure.setMore((Math.min(1, leftOverRight) - right) * effort);
+        }
+        double inspired = 0.5 * (s.activation + s.ribTurn) * lungStiffness.at(time) * coupling.at(time);
+        for (int i = 0; i < outward.length; i++) {
+            outward[i].setFactor(inspired * mediastinum[i].at(time));
         }
         for (ActionLine line : lines) {
             line.setForce(lineForce.at(time) * s.activation);

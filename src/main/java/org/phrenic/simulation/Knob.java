@@ -22,6 +22,9 @@ enum Knob {
     UPPER_RIBS(false),
     LOWER_RIBS(false),
     RIB_SIDES(false),
+    BUCKET(false),
+    MEDIASTINUM_RIGHT(false),
+    MEDIASTINUM_LEFT(false),
     /** Rigid links at their given length (1) or as long as they were found (0). */
     LINKS(false),
     /** The wall as hard as it gets (1) or not there (0). */
@@ -65,6 +68,9 @@ enum Knob {
             case UPPER_RIBS -> s.value(Parameter.UPPER_RIB_ROTATION);
             case LOWER_RIBS -> s.value(Parameter.LOWER_RIB_ROTATION);
             case RIB_SIDES -> s.value(Parameter.RIB_LEFT_OVER_RIGHT);
+            case BUCKET -> s.value(Parameter.BUCKET_HANDLE);
+            case MEDIASTINUM_RIGHT -> physical ? s.value(Parameter.MEDIASTINUM_RIGHT) : 0;
+            case MEDIASTINUM_LEFT -> physical ? s.value(Parameter.MEDIASTINUM_LEFT) : 0;
             case RIB_ROTATION -> s.ribs() ? s.value(Parameter.RIB_ROTATION) : 0;
             case LINKS -> s.tensegrity() ? 1 : 0;
             case CONTACT -> s.contact() ? 1 : 0;

@@ -5,6 +5,7 @@ import java.util.List;
 import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.geometry.MeshMeasure;
@@ -30,6 +31,9 @@ final class LungPart {
     private static final double PLEURAL_MM = 8;
 
     private static final double LATERAL = 0.5;
+    /** What faces upward more than this is the cupola, which the first rib and its fascia hold. */
+    private static final double UPWARD = 0.5;
+
     /** Against wrinkling: the tissue behind the surface tethers every vertex to its place a little, as a share of an edge's stiffness. */
     private static final double PARENCHYMA = 0.1;
 
@@ -44,6 +48,10 @@ final class LungPart {
     final LungBase.Ties base = new LungBase.Ties(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
 
     private final List<Integer> onWall = new ArrayList<>();
+    /** Nodes of the mediastinal surface, the stiffness that holds each to its place, and the outward normal, weighted, three numbers each; right lung, then left. */
+    private final List<List<Integer>> mediastinal = List.of(new ArrayList<>(), new ArrayList<>());
+
+    private final List<List<Double>> outward = List.of(new ArrayList<>(), new ArrayList<>());
 
     /**
      * @param stiffness of the lungs as a multiple of relaxed muscle's
@@ -81,11 +89,30 @@ final class LungPart {
                     base.stiffness().add((wall == null ? LINK : SLIDING_LINK) * edge);
                 } else {
                     double costalShare = toBone[i] < COSTAL_MM ? WALL * (1 - FallOff.at(distance, FADE_MM)) : 0;
-                    parts.attach(first + i, edge * Math.max(PARENCHYMA, costalShare));
+                    double held = edge * Math.max(PARENCHYMA, costalShare);
+                    parts.attach(first + i, held);
+                    double facing = Math.max(0, Math.min(1, 1 - normals[3 * i + 2] / UPWARD));
+                    if (!costal && costalShare <= PARENCHYMA && facing > 0) {
+                        int side = s.side() == Side.LEFT ? 1 : 0;
+                        mediastinal.get(side).add(first + i);
+                        for (int axis = 0; axis < 3; axis++) {
+                            outward.get(side).add(facing * held * normals[3 * i + axis]);
+                        }
+                    }
                 }
             }
         }
         Ties.between(parts, lungs, firsts, edge);
+    }
+
+    /** What pushes the mediastinal surface of a lung out by 1 mm against what tethers it: three numbers a node of the scene, mN. */
+    double[] outward(boolean left, int nodes) {
+        double[] load = new double[3 * nodes];
+        int side = left ? 1 : 0;
+        for (int i = 0; i < outward.get(side).size(); i++) {
+            load[3 * mediastinal.get(side).get(i / 3) + i % 3] = outward.get(side).get(i);
+        }
+        return load;
     }
 
     /** Nodes that slide on the chest wall and cannot leave it. */

@@ -31,7 +31,7 @@ import org.phrenic.format.YamlMap;
  * @param resolution how finely to mesh
  * @param givenDurationS simulated time, s; NaN for as long as the breathing pattern takes, two breaths or a whole hold or recording
  * @param givenTimeStepS step, s; NaN for that of the material
- * @param integrator scheme
+ * @param givenIntegrator scheme; empty for that of the material
  * @param stepPolicy what to do with a step beyond the stability limit
  * @param givenProjectionSweeps sweeps over all constraints a step; 0 for those of the material
  * @param givenRefreshS time after which anchors and wall planes are taken anew, s; NaN for that of material and step
@@ -63,7 +63,7 @@ public record Scenario(
         Resolution resolution,
         double givenDurationS,
         double givenTimeStepS,
-        IntegratorKind integrator,
+        Optional<IntegratorKind> givenIntegrator,
         StepPolicy stepPolicy,
         int givenProjectionSweeps,
         double givenRefreshS,
@@ -121,7 +121,7 @@ public record Scenario(
                 Resolution.MEDIUM,
                 Double.NaN,
                 Double.NaN,
-                IntegratorKind.VERLET,
+                Optional.empty(),
                 StepPolicy.SUBSTEP,
                 0,
                 Double.NaN,
@@ -212,7 +212,7 @@ public record Scenario(
                 resolution,
                 givenDurationS,
                 givenTimeStepS,
-                integrator,
+                givenIntegrator,
                 stepPolicy,
                 givenProjectionSweeps,
                 givenRefreshS,
@@ -279,6 +279,11 @@ public record Scenario(
         return material == Material.PHYSICAL ? PHYSICAL_SWEEPS : 1;
     }
 
+    /** Scheme: that of the file, else that of the material. */
+    public IntegratorKind integrator() {
+        return givenIntegrator.orElse(material.integrator());
+    }
+
     /** Time after which anchors and wall planes are taken anew, s: that of the file, else 0.02 s and at least four steps, but no more than 0.04 s. */
     public double refreshS() {
         return Double.isNaN(givenRefreshS)
@@ -341,7 +346,7 @@ public record Scenario(
             map.put("steps", givenSteps);
         }
         map.put("time_step_s", timeStepS());
-        map.put("integrator", integrator.label());
+        map.put("integrator", integrator().label());
         map.put("step_policy", ScenarioReader.label(stepPolicy));
         map.put("projection_sweeps", projectionSweeps());
         map.put("refresh_s", refreshS());

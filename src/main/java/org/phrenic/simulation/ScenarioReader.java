@@ -93,7 +93,10 @@ final class ScenarioReader {
                 choice("resolution", Resolution.values(), ScenarioReader::label, base.resolution()),
                 time("duration_s", base.givenDurationS(), LONGEST_S),
                 time("time_step_s", base.givenTimeStepS(), LONGEST_STEP_S),
-                choice("integrator", IntegratorKind.values(), IntegratorKind::label, base.integrator()),
+                yaml.has("integrator")
+                        ? Optional.of(
+                                choice("integrator", IntegratorKind.values(), IntegratorKind::label, base.integrator()))
+                        : base.givenIntegrator(),
                 choice("step_policy", StepPolicy.values(), ScenarioReader::label, base.stepPolicy()),
                 yaml.has("projection_sweeps")
                         ? whole("projection_sweeps", 1, MOST_SWEEPS)

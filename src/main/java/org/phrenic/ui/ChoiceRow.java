@@ -96,6 +96,7 @@ final class ChoiceRow extends SettingRow {
             case "rk2" -> "Midpoint Runge-Kutta (rk2)";
             case "rk4" -> "Classical Runge-Kutta (rk4)";
             case "verlet" -> "Velocity Verlet";
+            case "stormer" -> "Störmer";
             case "symplectic-euler" -> "Symplectic Euler";
             case "backward-euler" -> "Backward Euler";
             case "lagged" -> "Lagged (the paper's eq. 6)";

@@ -19,6 +19,7 @@ import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.simulation.Assignment;
 import org.phrenic.simulation.Choice;
 import org.phrenic.simulation.Material;
@@ -156,11 +157,9 @@ public final class ParameterDock extends JPanel implements Session.Events {
         if (scenario.timeStepS() != defaultStep(scenario)) {
             list.add(new Assignment("window", Choice.TIME_STEP.key(), Settings.plain(defaultStep(scenario))));
         }
-        if (scenario.integrator() != Scenario.defaults().integrator()) {
-            list.add(new Assignment(
-                    "window",
-                    Choice.INTEGRATOR.key(),
-                    Scenario.defaults().integrator().label()));
+        IntegratorKind integrator = scenario.material().integrator();
+        if (scenario.integrator() != integrator) {
+            list.add(new Assignment("window", Choice.INTEGRATOR.key(), integrator.label()));
         }
         session.edits().close();
         if (!list.isEmpty()) {

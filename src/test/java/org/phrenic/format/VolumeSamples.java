@@ -14,17 +14,17 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.GZIPOutputStream;
 
 /** Volumes of 4 x 3 x 2 voxels as bytes of files: voxel (i, j, k) has the label i + 4 j + 12 k. */
-final class VolumeSamples {
-    static final int COLUMNS = 4;
-    static final int ROWS = 3;
-    static final int SLICES = 2;
-    static final int VOXELS = COLUMNS * ROWS * SLICES;
-    static final int NIFTI_HEADER = 352;
+public final class VolumeSamples {
+    public static final int COLUMNS = 4;
+    public static final int ROWS = 3;
+    public static final int SLICES = 2;
+    public static final int VOXELS = COLUMNS * ROWS * SLICES;
+    public static final int NIFTI_HEADER = 352;
 
     private VolumeSamples() {}
 
     /** Voxels of a NIfTI datatype code; values are the labels, times a factor. */
-    static byte[] voxels(int datatype, ByteOrder order, double factor) {
+    public static byte[] voxels(int datatype, ByteOrder order, double factor) {
         int size =
                 switch (datatype) {
                     case 2, 256 -> 1;
@@ -52,7 +52,7 @@ final class VolumeSamples {
      *
      * @param change made to the header before it is joined with the voxels
      */
-    static byte[] nifti(int datatype, ByteOrder order, Consumer<ByteBuffer> change) {
+    public static byte[] nifti(int datatype, ByteOrder order, Consumer<ByteBuffer> change) {
         ByteBuffer h = ByteBuffer.allocate(NIFTI_HEADER).order(order);
         h.putInt(0, 348);
         short[] dim = {3, COLUMNS, ROWS, SLICES, 1, 1, 1, 1};
@@ -76,12 +76,12 @@ final class VolumeSamples {
         return join(h.array(), voxels(datatype, order, 1));
     }
 
-    static byte[] nifti() {
+    public static byte[] nifti() {
         return nifti(2, ByteOrder.LITTLE_ENDIAN, h -> {});
     }
 
     /** A NRRD header without the empty line at its end; the place of {@link #nifti} in RAS. */
-    static String nrrd(String type, String encoding) {
+    public static String nrrd(String type, String encoding) {
         return "NRRD0004\n# made by hand\ntype: " + type
                 + "\ndimension: 3\nspace: right-anterior-superior\nsizes: 4 3 2\n"
                 + "space directions: (-2,0,0) (0,3,0) (0,0,4)\nkinds: domain domain domain\nendian: little\nencoding: "
@@ -89,18 +89,18 @@ final class VolumeSamples {
     }
 
     /** A MetaImage header up to the data file; the place of {@link #nifti} in LPS. */
-    static String meta(String type, boolean packed) {
+    public static String meta(String type, boolean packed) {
         return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
                 + (packed ? "True" : "False")
                 + "\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\nOffset = -10 -20 30\nElementSpacing = 2 3 4\nDimSize = 4 3 2\nElementType = "
                 + type + "\nElementDataFile = ";
     }
 
-    static byte[] gzip(byte[] content) {
+    public static byte[] gzip(byte[] content) {
         return packed(content, true);
     }
 
-    static byte[] zlib(byte[] content) {
+    public static byte[] zlib(byte[] content) {
         return packed(content, false);
     }
 
@@ -114,18 +114,18 @@ final class VolumeSamples {
         return bytes.toByteArray();
     }
 
-    static byte[] join(byte[] first, byte[] second) {
+    public static byte[] join(byte[] first, byte[] second) {
         return ByteBuffer.allocate(first.length + second.length)
                 .put(first)
                 .put(second)
                 .array();
     }
 
-    static byte[] join(String header, byte[] data) {
+    public static byte[] join(String header, byte[] data) {
         return join(header.getBytes(StandardCharsets.UTF_8), data);
     }
 
-    static Path write(Path folder, String name, byte[] content) {
+    public static Path write(Path folder, String name, byte[] content) {
         try {
             return Files.write(folder.resolve(name), content);
         } catch (IOException failure) {

@@ -65,4 +65,27 @@ class LungBaseFacetTest {
                         + LungBaseFacet.rest(lung).triangleCount())
                 .isEqualTo(lung.triangleCount());
     }
+
+    @Test
+    void itIsTheSameWhicheverWayTrianglesTurn() {
+        TriangleMesh lung = MALE.all(StructureKind.LUNG).get(0).mesh();
+        int[] turned = lung.triangles().clone();
+        for (int i = 0; i < turned.length; i += 3) {
+            int corner = turned[i];
+            turned[i] = turned[i + 1];
+            turned[i + 1] = corner;
+        }
+        assertThat(LungBaseFacet.vertices(new TriangleMesh(lung.positions(), turned)))
+                .containsExactly(LungBaseFacet.vertices(lung));
+    }
+
+    @Test
+    void verticesAreThoseOfTheFacet() {
+        TriangleMesh lung = MALE.all(StructureKind.LUNG).get(0).mesh();
+        int count = 0;
+        for (boolean corner : LungBaseFacet.vertices(lung)) {
+            count += corner ? 1 : 0;
+        }
+        assertThat(count).isEqualTo(LungBaseFacet.of(lung).vertexCount());
+    }
 }

@@ -9,6 +9,8 @@ import org.phrenic.engine.ParticleSystem;
 public enum IntegratorKind {
     /** Velocity Verlet with semi-implicit viscous damping. */
     VERLET("verlet", 2, 1),
+    /** Störmer's formula with second differences: Verlet for smooth motion, an order higher. */
+    STORMER("stormer", 3, 1),
     /** Eq. 6 of Villard, Bourne and Bello 2009 as its visible terms read: a lagged acceleration. */
     LAGGED("lagged", 1, 1),
     /** Midpoint Runge-Kutta. */
@@ -63,6 +65,7 @@ public enum IntegratorKind {
     public Integrator on(ParticleSystem system) {
         return switch (this) {
             case VERLET -> new VelocityVerlet(system);
+            case STORMER -> new Stormer(system);
             case LAGGED -> new LaggedAcceleration(system);
             case RK2 -> new MidpointRungeKutta(system);
             case RK4 -> new ClassicalRungeKutta(system);
@@ -77,6 +80,7 @@ public enum IntegratorKind {
     public double[][] amplification(double a, double b) {
         return switch (this) {
             case VERLET -> VelocityVerlet.amplification(a, b);
+            case STORMER -> Stormer.amplification(a, b, 0);
             case LAGGED -> LaggedAcceleration.amplification(a, b);
             case RK2 -> MidpointRungeKutta.amplification(a, b);
             case RK4 -> ClassicalRungeKutta.amplification(a, b);
@@ -95,6 +99,7 @@ public enum IntegratorKind {
         }
         return switch (this) {
             case VERLET -> VelocityVerlet.amplification(a, b, c);
+            case STORMER -> Stormer.amplification(a, b, c);
             case BACKWARD_EULER -> BackwardEuler.amplification(a, b, c);
             default -> amplification(a, b + c);
         };

@@ -1,12 +1,21 @@
 package org.phrenic.engine.integrator;
 
-/** Largest absolute eigenvalue of a 2x2 or 3x3 matrix, from its characteristic polynomial. */
+/** Largest absolute eigenvalue of a small matrix: of 2x2 and 3x3 from the characteristic polynomial, of larger ones from the growth of powers. */
 final class SpectralRadius {
+    /** Powers up to M^(2^40): what growth like that of a double root adds to the logarithm is then below 1e-10. */
+    private static final int SQUARINGS = 40;
+
+    /** A power this small settles that all eigenvalues are below 1. */
+    private static final double GONE = 1e-3;
+
     private SpectralRadius() {}
 
     static double of(double[][] m) {
         if (m.length == 2) {
             return block(m[0][0], m[0][1], m[1][0], m[1][1]);
+        }
+        if (m.length > 3) {
+            return ofPowers(m);
         }
         if (m[1][0] == 0 && m[2][0] == 0) {
             // A mode without stiffness: its eigenvalue stands alone. The polynomial would mix it with its neighbour,
@@ -28,6 +37,34 @@ final class SpectralRadius {
         double t = trace - real;
         double d = minors - real * t;
         return Math.max(Math.abs(real), quadratic(t, d, t * t - 4 * d));
+    }
+
+    /** lim |M^n|^(1/n), n a power of two; an upper bound below 1 as soon as a power shows that it is below 1. */
+    private static double ofPowers(double[][] m) {
+        double[][] power = m;
+        double logarithm = 0;
+        double n = 1;
+        for (int i = 0; i < SQUARINGS; i++) {
+            double norm = 0;
+            for (double[] row : power) {
+                double sum = 0;
+                for (double entry : row) {
+                    sum += Math.abs(entry);
+                }
+                norm = Math.max(norm, sum);
+            }
+            if (!(norm > 0 && norm < Double.POSITIVE_INFINITY)) {
+                return norm;
+            }
+            logarithm += Math.log(norm) / n;
+            if (logarithm * n < Math.log(GONE)) {
+                break;
+            }
+            double[][] scaled = AbstractIntegrator.combine(1 / norm, power, 0, power);
+            power = AbstractIntegrator.product(scaled, scaled);
+            n *= 2;
+        }
+        return Math.exp(logarithm);
     }
 
     /** Of a 2x2 matrix; the discriminant is taken from its entries, which keeps nearly equal eigenvalues apart. */

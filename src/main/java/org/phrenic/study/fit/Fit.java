@@ -17,56 +17,19 @@ import org.phrenic.study.Jobs;
 import org.phrenic.study.StudyProgress;
 
 /**
- * Tunes a body until its surfaces, breathed in and held, lie on those of a second breath level: the mean symmetric distance is made small by {@link GenerationSearch} within bounds.
+ * Tunes a body until its surfaces, breathed in and held, lie on those of a second breath level: the mean symmetric distance is made small within bounds by {@link DescentSearch} and what that leaves by {@link GenerationSearch}.
  *
  * <p>The same setup gives the same result, on any number of threads, and also if it was killed and gone on with, as long as what ends it is not a time.
  */
 public final class Fit {
-    /** What a body that came apart is worth, mm: worse than any that did not. */
-    private static final double CAME_APART_MM = 1000;
-
     private static final double EFFECT_STEP = 0.05;
 
     private final FitSetup setup;
     private final FitJournal journal;
     private final FitProgress progress;
-    private final BlockingQueue<Body> bodies;
+    private final BlockingQueue<FitBody> bodies;
     private final AtomicLong cpuNanos = new AtomicLong();
     private int made;
-
-    /** A body that breathes, and how far it is from its targets. */
-    private static final class Body {
-        final HeldBreath breath;
-        final List<TargetDistance> distances;
-
-        Body(FitSetup setup) {
-            breath = new HeldBreath(setup.base().with("threads=1"), setup.thorax(), setup.parameters());
-            distances = setup.targets().stream()
-                    .map(t -> new TargetDistance(t, breath.surfaces()))
-                    .toList();
-        }
-
-        double mean(FitHalf half) {
-            return weighted(d -> d.of(breath, half).mean());
-        }
-
-        double initial(FitHalf half) {
-            return weighted(d -> d.atRest(half).mean());
-        }
-
-        private double weighted(java.util.function.ToDoubleFunction<TargetDistance> mean) {
-            double sum = 0;
-            double weights = 0;
-            for (TargetDistance d : distances) {
-                double weight = d.target().weight();
-                if (weight > 0) {
-                    sum += weight * mean.applyAsDouble(d);
-                    weights += weight;
-                }
-            }
-            return sum / weights;
-        }
-    }
 
     private Fit(FitSetup setup, FitJournal journal, FitProgress progress) {
         this.setup = setup;
@@ -90,16 +53,17 @@ public final class Fit {
     private FitResult run() {
         long begun = System.nanoTime();
         try {
-            Jobs.<Body>run(
+            Jobs.<FitBody>run(
                             IntStream.range(0, setup.threads())
-                                    .mapToObj(i -> new Jobs.Job<>("body", () -> new Body(setup)))
+                                    .mapToObj(i -> new Jobs.Job<>("body", () -> new FitBody(setup)))
                                     .toList(),
                             setup.threads(),
                             silent())
                     .forEach(bodies::add);
-            Body first = bodies.peek();
-            double initial = first.initial(setup.fitted());
+            FitBody first = bodies.peek();
+            double initial = first.initial();
             FitSearch search = new FitSearch(setup.parameters(), journal, setup.threads());
+            DescentSearch.Down down = first.tells() ? this::ways : null;
             FitSearch.Found found = search.run(
                     setup.generation(),
                     setup.sigma(),
@@ -107,12 +71,14 @@ public final class Fit {
                     setup.maxEvaluations(),
                     setup.budgetS(),
                     this::evaluate,
+                    down,
                     (count, best) -> progress.tried(count, setup.maxEvaluations(), best, initial));
             Trial best = found.best();
-            List<FitResult.Effect> effects = setup.sensitivity() ? effects(best.values()) : List.of();
+            double[] values = setup.parameters(best.values());
+            List<FitResult.Effect> effects = setup.sensitivity() ? effects(values) : List.of();
             return result(
                     first,
-                    setup.parameters(best.values()),
+                    values,
                     best.value(),
                     initial,
                     found.trials(),
@@ -120,15 +86,15 @@ public final class Fit {
                     found.ended(),
                     begun);
         } finally {
-            bodies.forEach(b -> b.breath.close());
+            bodies.forEach(FitBody::close);
         }
     }
 
-    private double evaluate(double[] values) {
-        Body body = bodies.remove();
+    private Outcome evaluate(double[] values) {
+        FitBody body = bodies.remove();
         long from = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         try {
-            return body.breath.to(values) ? body.mean(setup.fitted()) : CAME_APART_MM;
+            return body.breathe(values);
         } finally {
             cpuNanos.addAndGet(ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - from);
             synchronized (this) {
@@ -138,30 +104,48 @@ public final class Fit {
         }
     }
 
+    /** Ways down, some side by side. */
+    private List<double[]> ways(LinearBody linear, double reach, double[][] tries) {
+        List<Jobs.Job<double[]>> jobs = new ArrayList<>();
+        for (double[] way : tries) {
+            jobs.add(new Jobs.Job<>("way", () -> {
+                FitBody body = bodies.remove();
+                try {
+                    return new LinearDescent(body, linear).find(reach * way[0], way[1]);
+                } finally {
+                    bodies.add(body);
+                }
+            }));
+        }
+        return Jobs.run(jobs, setup.threads(), silent());
+    }
+
     /** One parameter after the other is moved a little to both sides. */
-    private List<FitResult.Effect> effects(double[] unit) {
+    private List<FitResult.Effect> effects(double[] values) {
         List<Jobs.Job<Double>> jobs = new ArrayList<>();
-        for (int i = 0; i < unit.length; i++) {
+        for (int i = 0; i < values.length; i++) {
+            FitParameter p = setup.parameters().get(i);
             for (int side = -1; side <= 1; side += 2) {
-                double[] moved = unit.clone();
-                moved[i] += side * EFFECT_STEP;
-                boolean within = moved[i] >= 0 && moved[i] <= 1;
-                jobs.add(new Jobs.Job<>("effect", () -> within ? evaluate(setup.parameters(moved)) : Double.NaN));
+                double to = p.unit(values[i]) + side * EFFECT_STEP;
+                double[] moved = values.clone();
+                moved[i] = p.at(to);
+                jobs.add(new Jobs.Job<>(
+                        "effect", () -> to >= 0 && to <= 1 ? evaluate(moved).value() : Double.NaN));
             }
         }
         progress.note("Moving each parameter to both sides");
         List<Double> means = Jobs.run(jobs, setup.threads(), silent());
         List<FitResult.Effect> effects = new ArrayList<>();
-        for (int i = 0; i < unit.length; i++) {
+        for (int i = 0; i < values.length; i++) {
             FitParameter p = setup.parameters().get(i);
-            double step = p.at(Math.min(1, unit[i] + EFFECT_STEP)) - p.at(unit[i]);
+            double step = p.at(Math.min(1, p.unit(values[i]) + EFFECT_STEP)) - values[i];
             effects.add(new FitResult.Effect(p, step, means.get(2 * i), means.get(2 * i + 1)));
         }
         return effects;
     }
 
     private FitResult result(
-            Body body,
+            FitBody body,
             double[] values,
             double bestMm,
             double initialMm,
@@ -169,19 +153,19 @@ public final class Fit {
             List<FitResult.Effect> effects,
             String ended,
             long begun) {
-        body.breath.to(values);
-        List<FitResult.TargetResult> targets = body.distances.stream()
+        body.breath().to(values);
+        List<FitResult.TargetResult> targets = body.distances().stream()
                 .map(d -> new FitResult.TargetResult(
                         d.target(),
                         d.atRest(FitHalf.ALL),
-                        d.of(body.breath, FitHalf.ALL),
+                        d.of(body.breath(), FitHalf.ALL),
                         setup.holdOutHalf() ? d.atRest(FitHalf.HELD_OUT) : null,
-                        setup.holdOutHalf() ? d.of(body.breath, FitHalf.HELD_OUT) : null,
-                        setup.holdOutHalf() ? d.of(body.breath, FitHalf.FITTED) : null))
+                        setup.holdOutHalf() ? d.of(body.breath(), FitHalf.HELD_OUT) : null,
+                        setup.holdOutHalf() ? d.of(body.breath(), FitHalf.FITTED) : null))
                 .toList();
         Map<String, Double> observed = new LinkedHashMap<>();
         for (String column : Observation.COLUMNS) {
-            observed.put(column, body.breath.observed(column));
+            observed.put(column, body.breath().observed(column));
         }
         Scenario scenario = HeldBreath.scenario(setup.base(), setup.parameters(), values);
         return new FitResult(
@@ -194,7 +178,7 @@ public final class Fit {
                 effects,
                 observed,
                 scenario,
-                stateHash(scenario).equals(body.breath.stateHash()),
+                stateHash(scenario).equals(body.breath().stateHash()),
                 trials.stream().mapToDouble(Trial::value).toArray(),
                 ended,
                 made == 0 ? Double.NaN : cpuNanos.get() * 1e-9 / made,

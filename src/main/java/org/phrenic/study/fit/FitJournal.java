@@ -16,13 +16,14 @@ import org.phrenic.format.CsvTable;
 import org.phrenic.format.OutputException;
 
 /**
- * What a fit has tried, a line an evaluation, written through as each is done: a fit that was killed goes on from here. A line carries the mark of its fit; a last line that was cut off is dropped.
+ * What a fit has tried, a line an evaluation, written through as each is done: a fit that was killed goes on from here. A line carries the mark of its fit; a last line that was cut off is dropped. Shapes that the search learns from lie in a file beside it.
  */
 final class FitJournal implements AutoCloseable {
     private final Path file;
     private final String mark;
     private final List<String> columns = new ArrayList<>();
     private final Map<Integer, Trial> known = new TreeMap<>();
+    private final ShapeFile shapes;
     private BufferedWriter writer;
 
     /**
@@ -40,6 +41,8 @@ final class FitJournal implements AutoCloseable {
         if (Files.exists(file)) {
             read(parameters);
         }
+        String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+        shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), mark);
     }
 
     private void read(List<FitParameter> parameters) {
@@ -75,6 +78,18 @@ final class FitJournal implements AutoCloseable {
     /** What is known of an evaluation; null if it has not been made. */
     synchronized Trial known(int number) {
         return known.get(number);
+    }
+
+    /** Shape of an evaluation; null if it was not kept. */
+    float[] shape(int number) {
+        return shapes.shape(number);
+    }
+
+    /** Writes an evaluation and its shape. */
+    void add(int number, Trial trial, float[] shape) {
+        // The shape first: an evaluation that is known has one.
+        shapes.add(number, shape);
+        add(number, trial);
     }
 
     /** How many evaluations are known. */
@@ -115,6 +130,7 @@ final class FitJournal implements AutoCloseable {
 
     @Override
     public synchronized void close() {
+        shapes.close();
         if (writer != null) {
             try {
                 writer.close();

@@ -84,15 +84,15 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
                         Parameter.GREATEST_PRESSURE,
                         Parameter.PRESSURE_LEFT_OVER_RIGHT,
                         Parameter.REST_PRESSURE,
-                        Parameter.CHEST_SHARE,
                         Parameter.RIB_ROTATION,
                         Parameter.UPPER_RIB_ROTATION,
                         Parameter.LOWER_RIB_ROTATION,
                         Parameter.RIB_LEFT_OVER_RIGHT,
+                        Parameter.BUCKET_HANDLE,
                         Parameter.MUSCLE_STIFFNESS,
-                        Parameter.TENDON_RATIO,
                         Parameter.LUNG_STIFFNESS,
-                        Parameter.STERNUM_COUPLING)
+                        Parameter.MEDIASTINUM_RIGHT,
+                        Parameter.MEDIASTINUM_LEFT)
                 .map(p -> of(p, scenario))
                 .toList();
     }
@@ -108,6 +108,8 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
             case CHEST_SHARE -> new double[] {0.3, 0.7};
             case UPPER_RIB_ROTATION, LOWER_RIB_ROTATION -> new double[] {0.3, 1.7};
             case RIB_LEFT_OVER_RIGHT -> new double[] {0.6, 1.6};
+            case BUCKET_HANDLE -> new double[] {0, 2};
+            case MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT -> new double[] {0, 40};
             case MUSCLE_STIFFNESS -> new double[] {100, 450};
             case TENDON_RATIO -> new double[] {2, 20};
             case LUNG_STIFFNESS -> new double[] {1, 20};

@@ -35,9 +35,18 @@ public enum FitPart {
         return label;
     }
 
-    /** Whether only what looks down of it counts: the surface of a lung that lies on the diaphragm. */
+    /** Whether only its base counts ({@link org.phrenic.patient.LungBaseFacet}): the surface of a lung that lies on the diaphragm. */
     public boolean isBase() {
         return base;
+    }
+
+    /** The base of a lung; null of what is not one whole lung. */
+    FitPart base() {
+        return switch (this) {
+            case LUNG_RIGHT -> LUNG_BASE_RIGHT;
+            case LUNG_LEFT -> LUNG_BASE_LEFT;
+            default -> null;
+        };
     }
 
     /** Whether a surface of a scene belongs to it. */

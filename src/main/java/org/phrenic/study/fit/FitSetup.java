@@ -94,7 +94,7 @@ public record FitSetup(
 
     /** Values of the parameters at a place of the unit cube. */
     double[] parameters(double[] unit) {
-        return FitSearch.values(parameters, unit);
+        return new FitSpace(parameters).values(unit);
     }
 
     /** Which half of the surfaces is fitted to. */
@@ -117,7 +117,8 @@ public record FitSetup(
                 .append(' ')
                 .append(generation())
                 .append(' ')
-                .append(sigma);
+                .append(sigma)
+                .append(" descent");
         double[][] arrays =
                 new double[1 + 3 * targets.size() + thorax.structures().size()][];
         int next = 0;

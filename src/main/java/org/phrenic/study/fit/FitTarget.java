@@ -1,6 +1,8 @@
 package org.phrenic.study.fit;
 
 import java.nio.file.Path;
+import java.util.List;
+import java.util.ArrayList;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.CsvTable;
 import org.phrenic.format.MeshFiles;
@@ -48,6 +50,21 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
     /** The same with another weight; 0 holds it out: it is reported on and not fitted to. */
     public FitTarget weighing(double other) {
         return new FitTarget(name, part, surface, from, to, other);
+    }
+
+    /**
+     * The targets, and after each lung its base as a target of its own with the same weight, where none is given: a dome is a small part of a lung's surface, and alone decides how its base lies.
+     */
+    public static List<FitTarget> withBases(List<FitTarget> targets) {
+        List<FitTarget> all = new ArrayList<>();
+        for (FitTarget target : targets) {
+            all.add(target);
+            FitPart base = target.isPairs() ? null : target.part().base();
+            if (base != null && targets.stream().noneMatch(t -> t.part() == base)) {
+                all.add(of(base, target.surface).weighing(target.weight));
+            }
+        }
+        return all;
     }
 
     /** Whether it is pairs of points. */

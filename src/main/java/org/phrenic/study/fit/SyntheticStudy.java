@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.format.Notice;
 import org.phrenic.format.ReportDocument;
@@ -18,9 +19,10 @@ public final class SyntheticStudy {
     public static final List<Column> COLUMNS = List.of(
             Column.text("patient"),
             Column.number("initial"),
-            Column.number("untuned"),
             Column.number("residual"),
             Column.number("residual / initial"),
+            Column.number("bases, initial"),
+            Column.number("bases, residual"),
             Column.number("floor of the noise"),
             Column.number("dome right, true"),
             Column.number("fitted"),
@@ -38,6 +40,24 @@ public final class SyntheticStudy {
      * @param result what was found
      */
     public record Case(SyntheticPatient patient, SyntheticTruth truth, FitResult result) {
+        /** Mean distance at rest of the whole lungs, or of their bases, mm. */
+        public double initialMm(boolean bases) {
+            return mean(bases, t -> t.initial().mean());
+        }
+
+        /** The same of the body as fitted. */
+        public double residualMm(boolean bases) {
+            return mean(bases, t -> t.residual().mean());
+        }
+
+        private double mean(boolean bases, ToDoubleFunction<FitResult.TargetResult> of) {
+            return result.targets().stream()
+                    .filter(t -> t.target().part().isBase() == bases)
+                    .mapToDouble(of)
+                    .average()
+                    .orElse(Double.NaN);
+        }
+
         /** Height of the right dome as fitted less the true one, mm. */
         public double domeRightErrorMm() {
             return result.observed().get("dome_right_mm") - truth.domeRightMm();
@@ -83,7 +103,7 @@ public final class SyntheticStudy {
             FitSetup setup = new FitSetup(
                     base,
                     patient.body(resolution),
-                    truth.targets(),
+                    FitTarget.withBases(truth.targets()),
                     FitParameter.usual(base),
                     false,
                     "none: both levels are of one body in one place",
@@ -117,10 +137,11 @@ public final class SyntheticStudy {
         return cases.stream()
                 .map(c -> List.of(
                         c.patient().name(),
-                        mm(c.result().initialMm()),
-                        mm(c.result().untunedMm()),
-                        mm(c.result().bestMm()),
-                        String.format(Locale.ROOT, "%.3f", c.result().ratio()),
+                        mm(c.initialMm(false)),
+                        mm(c.residualMm(false)),
+                        String.format(Locale.ROOT, "%.3f", c.residualMm(false) / c.initialMm(false)),
+                        mm(c.initialMm(true)),
+                        mm(c.residualMm(true)),
                         mm(c.truth().floorMm()),
                         mm(c.truth().domeRightMm()),
                         mm(c.result().observed().get("dome_right_mm")),
@@ -154,6 +175,9 @@ public final class SyntheticStudy {
             Map<String, Object> row = new LinkedHashMap<>();
             row.put("patient", c.patient().name());
             row.put("hidden", c.patient().hidden());
+            row.put("initial_mm", c.initialMm(false));
+            row.put("residual_mm", c.residualMm(false));
+            row.put("ratio", c.residualMm(false) / c.initialMm(false));
             row.put("floor_mm", c.truth().floorMm());
             row.put("true_dome_right_mm", c.truth().domeRightMm());
             row.put("true_dome_left_mm", c.truth().domeLeftMm());

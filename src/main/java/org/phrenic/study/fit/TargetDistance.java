@@ -1,6 +1,7 @@
 package org.phrenic.study.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.phrenic.format.BadInputException;
@@ -8,11 +9,12 @@ import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.SurfaceDistance;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.patient.LungBaseFacet;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Surface;
 
 /**
- * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by area. Of a lung's base only the vertices that look down count on either side, but their nearest
+ * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by area. Of a lung's base only the vertices of its {@link LungBaseFacet} count on either side, but their nearest
  * points may lie anywhere, so that where the base ends does not matter.
  *
  * <p>Used by one thread.
@@ -56,10 +58,21 @@ final class TargetDistance {
             anchors = null;
             fromModel = new SurfaceDistance(rest);
             fromTarget = new SurfaceDistance(target.surface());
-            modelBase = target.part().isBase() ? LookingDown.of(rest) : null;
-            targetBase = target.part().isBase() ? LookingDown.of(target.surface()) : null;
+            modelBase = target.part().isBase() ? base(rest, "the body's lung") : null;
+            targetBase = target.part().isBase() ? base(target.surface(), "its surface") : null;
             targetAreas = MeshMeasure.vertexAreas(target.surface());
         }
+    }
+
+    private boolean[] base(TriangleMesh lung, String whose) {
+        boolean[] base = LungBaseFacet.vertices(lung);
+        for (boolean corner : base) {
+            if (corner) {
+                return base;
+            }
+        }
+        throw new BadInputException("target " + target.name() + ": found nothing that looks down in " + whose
+                + ", expected a whole lung with a base");
     }
 
     FitTarget target() {
@@ -74,6 +87,56 @@ final class TargetDistance {
     /** The part as the body stands. */
     FitDistances of(HeldBreath breath, FitHalf half) {
         return of(joined(breath::mesh), half);
+    }
+
+    /** Mean of the distances with the part's vertices at these places: what {@link FitDistances#mean} says, without distances that do not count. */
+    double mean(double[] positions, FitHalf half) {
+        TriangleMesh model = rest.withPositions(positions);
+        if (anchors != null) {
+            return of(model, half).mean();
+        }
+        fromModel.refit(positions);
+        double[] weights = weights(MeshMeasure.vertexAreas(model), modelBase, rest, half);
+        double[] targetWeights = weights(targetAreas, targetBase, target.surface(), half);
+        double sum = counted(fromTarget, model, weights) + counted(fromModel, target.surface(), targetWeights);
+        double total = Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
+        return total > 0 ? sum / total : 0;
+    }
+
+    private static double counted(SurfaceDistance from, TriangleMesh of, double[] weights) {
+        double sum = 0;
+        for (int v = 0; v < weights.length; v++) {
+            if (weights[v] > 0) {
+                sum += weights[v] * from.of(of.x(v), of.y(v), of.z(v));
+            }
+        }
+        return sum;
+    }
+
+    /** Places of the part's vertices as the body stands. */
+    double[] positions(HeldBreath breath) {
+        return joined(breath::mesh).positions();
+    }
+
+    /** How many numbers {@link #positions} has. */
+    int length() {
+        return rest.positions().length;
+    }
+
+    /** Whether another looks at the same surfaces of the body. */
+    boolean isOfSamePart(TargetDistance other) {
+        return surfaces.equals(other.surfaces);
+    }
+
+    /** How the mean distance changes as the part moves; not of pairs of points. */
+    DistanceSlope slope(FitHalf half) {
+        double[] all = new double[rest.vertexCount()];
+        Arrays.fill(all, 1);
+        return new DistanceSlope(
+                rest,
+                weights(all, modelBase, rest, half),
+                target.surface(),
+                weights(targetAreas, targetBase, target.surface(), half));
     }
 
     private FitDistances of(TriangleMesh model, FitHalf half) {

@@ -93,7 +93,7 @@ final class ModelSection {
                                 "Integration",
                                 "Runge-Kutta of second order, eq. 6",
                                 "Midpoint Runge-Kutta (rk2) and eq. 6 as it reads, with an acceleration of the step before"
-                                        + " (lagged); velocity Verlet otherwise",
+                                        + " (lagged); Störmer's formula and velocity Verlet otherwise",
                                 "As printed, eq. 6 can be read in more ways than one."),
                         part(
                                 "Ribs",

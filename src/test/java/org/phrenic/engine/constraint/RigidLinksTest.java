@@ -123,7 +123,6 @@ class RigidLinksTest {
                 new ParticleSystem(NodeLayout.morton(x), x, Scenes.masses(2 * pairs, 0.1), Workers.of(2));
         RigidLinks links = sweeping(system, a, b, rest, 1e-9, 50);
         assertThat(links.count()).isEqualTo(pairs);
-        assertThat(links.colourCount()).isEqualTo(1);
         links.project(system, 0.01);
         assertThat(links.sweepsLast()).isEqualTo(1);
         assertThat(links.error(system)).isLessThan(1e-11);

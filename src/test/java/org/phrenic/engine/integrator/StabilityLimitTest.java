@@ -136,6 +136,8 @@ class StabilityLimitTest {
         assertThat(limit.largestStep(IntegratorKind.VERLET)).isCloseTo(2.0 / 40, within(NEAR / 40));
         assertThat(limit.largestStep(IntegratorKind.SYMPLECTIC_EULER)).isCloseTo(2.0 / 40, within(NEAR / 40));
         assertThat(limit.largestStep(IntegratorKind.RK4)).isCloseTo(2 * Math.sqrt(2) / 40, within(NEAR / 40));
+        // det(M - λ) has a root -1 at ω h = √3.
+        assertThat(limit.largestStep(IntegratorKind.STORMER)).isCloseTo(Math.sqrt(3) / 40, within(NEAR / 40));
         assertThat(limit.largestStep(IntegratorKind.BACKWARD_EULER)).isInfinite();
         assertThat(limit.largestStep(IntegratorKind.RK2)).isZero();
         assertThat(limit.largestStep(IntegratorKind.LAGGED)).isZero();

@@ -34,7 +34,15 @@ class FitSearchTest {
     private FitSearch.Found search(String file, int threads, int most, ToDoubleFunction<double[]> work) {
         try (FitJournal journal = new FitJournal(folder.resolve(file), "mark", PARAMETERS)) {
             return new FitSearch(PARAMETERS, journal, threads)
-                    .run(7, 0.2, 3, most, Double.POSITIVE_INFINITY, work, (count, best) -> {});
+                    .run(
+                            7,
+                            0.2,
+                            3,
+                            most,
+                            Double.POSITIVE_INFINITY,
+                            v -> new Outcome(work.applyAsDouble(v), new float[0]),
+                            null,
+                            (count, best) -> {});
         }
     }
 

@@ -1,0 +1,117 @@
+package org.phrenic.study.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A body that breathes, how far it is from its targets, and which way leads nearer.
+ *
+ * <p>Used by one thread at a time.
+ */
+final class FitBody implements AutoCloseable {
+    /** What a body that came apart is worth, mm: worse than any that did not. */
+    private static final double CAME_APART_MM = 1000;
+
+    private final FitHalf half;
+    private final HeldBreath breath;
+    private final List<TargetDistance> distances;
+    /** Those that count, where the part of each begins in a shape, and its share of the mean. */
+    private final List<TargetDistance> counting = new ArrayList<>();
+
+    private final int[] offsets;
+    private final double[] weights;
+    private final int length;
+    private List<DistanceSlope> slopes = List.of();
+
+    FitBody(FitSetup setup) {
+        half = setup.fitted();
+        breath = new HeldBreath(setup.base().with("threads=1"), setup.thorax(), setup.parameters());
+        distances = setup.targets().stream()
+                .map(t -> new TargetDistance(t, breath.surfaces()))
+                .toList();
+        distances.stream().filter(d -> d.target().weight() > 0).forEach(counting::add);
+        offsets = new int[counting.size()];
+        weights = new double[counting.size()];
+        double all = counting.stream().mapToDouble(d -> d.target().weight()).sum();
+        int next = 0;
+        for (int i = 0; i < offsets.length; i++) {
+            weights[i] = counting.get(i).target().weight() / all;
+            offsets[i] = next;
+            for (int j = 0; j < i && offsets[i] == next; j++) {
+                if (counting.get(j).isOfSamePart(counting.get(i))) {
+                    offsets[i] = offsets[j];
+                }
+            }
+            next += offsets[i] == next ? counting.get(i).length() : 0;
+        }
+        length = next;
+    }
+
+    HeldBreath breath() {
+        return breath;
+    }
+
+    /** One a target, also of those held out. */
+    List<TargetDistance> distances() {
+        return distances;
+    }
+
+    /** Mean distance at rest of what is fitted to, by the targets' weights. */
+    double initial() {
+        double sum = 0;
+        for (int i = 0; i < weights.length; i++) {
+            sum += weights[i] * counting.get(i).atRest(half).mean();
+        }
+        return sum;
+    }
+
+    /** Breathes in with these values of the parameters. */
+    Outcome breathe(double[] values) {
+        if (!breath.to(values)) {
+            return new Outcome(CAME_APART_MM, new float[0]);
+        }
+        float[] shape = new float[length];
+        double mean = 0;
+        for (int i = 0; i < offsets.length; i++) {
+            double[] part = counting.get(i).positions(breath);
+            mean += weights[i] * counting.get(i).mean(part, half);
+            for (int k = 0; k < part.length; k++) {
+                shape[offsets[i] + k] = (float) part[k];
+            }
+        }
+        return new Outcome(mean, shape);
+    }
+
+    /** Tells of every distance that counts of a shape, with places in the shape instead of vertices. */
+    void tell(double[] shape, DistanceSlope.Told told) {
+        if (slopes.isEmpty()) {
+            slopes = counting.stream().map(d -> d.slope(half)).toList();
+        }
+        int[] places = new int[3];
+        for (int i = 0; i < offsets.length; i++) {
+            int offset = offsets[i];
+            double share = weights[i];
+            slopes.get(i)
+                    .tell(
+                            Arrays.copyOfRange(
+                                    shape, offset, offset + counting.get(i).length()),
+                            (weight, distance, direction, vertices, shares) -> {
+                                for (int c = 0; c < 3; c++) {
+                                    places[c] = offset + 3 * vertices[c];
+                                }
+                                told.distance(share * weight, distance, direction, places, shares);
+                            });
+        }
+    }
+
+    /** Whether {@link #tell} can: not of pairs of points. */
+    boolean tells() {
+        return counting.stream().noneMatch(d -> d.target().isPairs());
+    }
+
+    @Override
+    public void close() {
+        breath.close();
+    }
+}
