@@ -20,7 +20,7 @@ final class LiverPress {
     private static final double FADING = 0.1;
     private static final int SWEEPS = 12;
 
-    /** Deeper than at rest by this much may go what lies on the organ, before that gives way; quiet breathing never does. */
+    /** Deeper than at rest by this much may go what lies on the organ, before that gives way: what a sheet of flat faces cuts off a round organ as it slides. */
     private static final double SLACK_MM = 1;
 
     private final double[] origin = new double[3];
@@ -60,7 +60,8 @@ final class LiverPress {
         for (int i = 0; i < distance.length; i++) {
             double x = origin[0] + SPACING_MM * (i % count[0]);
             double y = origin[1] + SPACING_MM * (i / stride[1] % count[1]);
-            double z = origin[2] + SPACING_MM * (i / stride[2]);
+            int layer = i / stride[2];
+            double z = origin[2] + SPACING_MM * layer;
             tree.closest(x, y, z, hit);
             int a = 3 * corners[3 * hit.triangle];
             int b = 3 * corners[3 * hit.triangle + 1];
