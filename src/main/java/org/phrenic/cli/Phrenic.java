@@ -72,8 +72,7 @@ public final class Phrenic implements Callable<Integer> {
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();
-        CommandLine line = new CommandLine(phrenic);
-        SubCommands.add(line, args);
+        CommandLine line = SubCommands.under(phrenic, args);
         Failures failures = new Failures(() -> phrenic.debug);
         line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
         try {

@@ -24,10 +24,12 @@ final class SubCommands {
 
     private SubCommands() {}
 
-    /** Gives {@code line} the commands that these arguments can ask for. */
-    static void add(CommandLine line, String... args) {
+    /** The command line of {@code phrenic} with the commands that these arguments can ask for. */
+    static CommandLine under(Phrenic phrenic, String... args) {
+        CommandLine line = new CommandLine(phrenic);
         List<String> wanted = args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES;
         wanted.forEach(name -> line.addSubcommand(type(name)));
+        return line;
     }
 
     private static Class<?> type(String name) {
