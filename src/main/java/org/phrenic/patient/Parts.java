@@ -223,7 +223,8 @@ final class Parts {
         for (int row = 0; row < 3; row++) {
             for (int direction = 0; direction < 3; direction++) {
                 large[4 * row + direction] *= times[direction];
-                large[4 * row + 3] += times[direction] / 2 * toMm[4 * row + direction];
+                int middle = times[direction] / 2;
+                large[4 * row + 3] += middle * toMm[4 * row + direction];
             }
         }
         return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);

@@ -60,7 +60,8 @@ final class LiverPress {
         for (int i = 0; i < distance.length; i++) {
             double x = origin[0] + SPACING_MM * (i % count[0]);
             double y = origin[1] + SPACING_MM * (i / stride[1] % count[1]);
-            double z = origin[2] + SPACING_MM * (i / stride[2]);
+            int slice = i / stride[2];
+            double z = origin[2] + SPACING_MM * slice;
             tree.closest(x, y, z, hit);
             int a = 3 * corners[3 * hit.triangle];
             int b = 3 * corners[3 * hit.triangle + 1];
