@@ -1,7 +1,5 @@
 package org.phrenic.geometry;
 
-import java.util.function.IntPredicate;
-
 /**
  * The surfaces between the parts of a volume of labels, as one net whose vertices neighbours share, so that their surfaces meet (Gibson 1998, Constrained Elastic Surface Nets, doi 10.1007/BFb0056277;
  * Frisken 2022, SurfaceNets for Multi-Label Segmentations, https://jcgt.org/published/0011/01/03/). Each face of a voxel between two parts is a quadrilateral; its corners are one vertex for each cube of
@@ -62,26 +60,17 @@ public final class LabelNet {
 
     /** The surface of one part, closed and facing outward; without triangles if there is no such part. */
     public TriangleMesh surface(int part) {
-        return surface(side -> side == part);
-    }
-
-    /** The surface of all parts together, closed and facing outward. */
-    public TriangleMesh outline() {
-        return surface(side -> side != 0);
-    }
-
-    private TriangleMesh surface(IntPredicate inside) {
         int wanted = 0;
-        for (int q = 0; q < faces.length; q++) {
-            wanted += inside.test(sides[2 * q]) != inside.test(sides[2 * q + 1]) ? 1 : 0;
+        for (short side : sides) {
+            wanted += side == part ? 1 : 0;
         }
         // A net may have millions of faces, of which a rib has a few thousand.
         int[] own = new int[4 * wanted];
         long[] voxels = new long[wanted];
         int count = 0;
         for (int q = 0; q < faces.length; q++) {
-            boolean first = inside.test(sides[2 * q]);
-            if (first != inside.test(sides[2 * q + 1])) {
+            boolean first = sides[2 * q] == part;
+            if (first || sides[2 * q + 1] == part) {
                 for (int corner = 0; corner < 4; corner++) {
                     own[4 * count + corner] = quads[4 * q + (first ? corner : 3 - corner)];
                 }

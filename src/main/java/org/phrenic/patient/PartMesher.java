@@ -1,7 +1,6 @@
 package org.phrenic.patient;
 
 import java.util.List;
-import java.util.function.Function;
 import org.phrenic.geometry.Decimator;
 import org.phrenic.geometry.LabelGrid;
 import org.phrenic.geometry.LabelNet;
@@ -42,17 +41,8 @@ public final class PartMesher {
      * @throws IllegalArgumentException if the volume has no such part
      */
     public MeshedPart mesh(int part, double edgeMm) {
-        return mesh(net -> net.surface(part), edgeMm);
-    }
-
-    /** The surface about all parts: of a body with organs in it, which are no cavities. */
-    MeshedPart outline(double edgeMm) {
-        return mesh(LabelNet::outline, edgeMm);
-    }
-
-    private MeshedPart mesh(Function<LabelNet, TriangleMesh> surface, double edgeMm) {
-        TriangleMesh label = largest(surface.apply(voxels));
-        List<TriangleMesh> shells = MeshRepair.components(surface.apply(smooth));
+        TriangleMesh label = largest(voxels.surface(part));
+        List<TriangleMesh> shells = MeshRepair.components(smooth.surface(part));
         TriangleMesh whole = shells.get(indexOfLargest(shells));
         double leftOut = 0;
         for (TriangleMesh shell : shells) {

@@ -14,7 +14,6 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.LabelVolume;
 import org.phrenic.format.LabelVolumes;
-import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.patient.BodyCompletion;
 import org.phrenic.patient.FittedBody;
 import org.phrenic.patient.LabelMap;
@@ -49,12 +48,6 @@ public final class PatientStudy {
 
     private static final int THREADS = 2;
     private static final double NOISE_MM = 1;
-    private static final Map<FitPart, String> TARGETS = Map.of(
-            FitPart.LUNG_RIGHT, "lung_R",
-            FitPart.LUNG_LEFT, "lung_L",
-            FitPart.LUNG_BASE_RIGHT, "lung_R",
-            FitPart.LUNG_BASE_LEFT, "lung_L");
-
     private final boolean quick;
     private final StudyProgress progress;
 
@@ -97,14 +90,14 @@ public final class PatientStudy {
                     pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
         }
         List<FitTarget> targets = new ArrayList<>();
-        for (FitPart part :
-                List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT, FitPart.LUNG_BASE_RIGHT, FitPart.LUNG_BASE_LEFT)) {
-            TriangleMesh lung = inspired.find(TARGETS.get(part))
-                    .orElseThrow(() -> new BadInputException(
-                            pair.inspiration() + ": found no " + TARGETS.get(part) + ", expected both lungs"))
-                    .structure()
-                    .mesh();
-            targets.add(FitTarget.of(part, lung));
+        for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
+            targets.add(FitTarget.of(
+                    part,
+                    inspired.find(part.label())
+                            .orElseThrow(() -> new BadInputException(
+                                    pair.inspiration() + ": found no " + part.label() + ", expected both lungs"))
+                            .structure()
+                            .mesh()));
         }
         progress.note(pair.name() + ": a fit of " + evaluations() + " breaths");
         String alignment = inspired.notes().stream()
@@ -113,7 +106,11 @@ public final class PatientStudy {
                 .orElseThrow();
         List<String> notes = new ArrayList<>(expired.notes());
         notes.add("end of inhale: " + alignment);
-        FitResult fit = fit(Scenario.defaults().with("preset=deep", "resolution=low"), body, targets, alignment);
+        FitResult fit = fit(
+                Scenario.defaults().with("preset=deep", "resolution=low"),
+                body,
+                FitTarget.withBases(targets),
+                alignment);
         return new PatientCase(pair.name(), "CT, two breath holds", false, body, notes, fit);
     }
 
@@ -134,7 +131,8 @@ public final class PatientStudy {
         SyntheticTruth truth = SyntheticTruth.of(patient, quick ? Resolution.LOW : Resolution.MEDIUM, NOISE_MM, 1);
         Thorax body = patient.body(Resolution.LOW);
         Scenario base = Scenario.defaults().with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=low");
-        FitResult fit = fit(base, body, truth.targets(), "none: both levels are of one body in one place");
+        FitResult fit =
+                fit(base, body, FitTarget.withBases(truth.targets()), "none: both levels are of one body in one place");
         List<String> notes = List.of(
                 "what a scan would show of a virtual body that breathes with settings that the fit does not know ("
                         + String.join(", ", patient.hidden()) + "), its surfaces halved and moved by noise of 1 mm",
