@@ -132,9 +132,6 @@ public final class RibCage {
         double[] turn = {axis.directionX(), bucket * axis.directionY(), axis.directionZ()};
         double length = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
         return HelicalAxis.through(
-                turn,
-                new double[] {axis.pointX(), axis.pointY(), axis.pointZ()},
-                length * axis.angle(),
-                axis.slide());
+                turn, new double[] {axis.pointX(), axis.pointY(), axis.pointZ()}, length * axis.angle(), axis.slide());
     }
 }

@@ -110,7 +110,8 @@ final class LungPart {
         double[] load = new double[3 * nodes];
         int side = left ? 1 : 0;
         for (int i = 0; i < outward.get(side).size(); i++) {
-            load[3 * mediastinal.get(side).get(i / 3) + i % 3] = outward.get(side).get(i);
+            load[3 * mediastinal.get(side).get(i / 3) + i % 3] =
+                    outward.get(side).get(i);
         }
         return load;
     }

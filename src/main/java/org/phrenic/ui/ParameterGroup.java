@@ -26,8 +26,15 @@ enum ParameterGroup {
         return switch (parameter) {
             case MUSCLE_STIFFNESS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, FRONT_OVER_BACK, MUSCLE_FORCE, ACTION_RADIUS ->
                 MUSCLE;
-            case TENDON_RATIO, SPRING_STIFFNESS, NODE_MASS, AREA_DENSITY, DAMPING, DAMPING_RATE, LUNG_STIFFNESS, MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT ->
-                TISSUE;
+            case TENDON_RATIO,
+                    SPRING_STIFFNESS,
+                    NODE_MASS,
+                    AREA_DENSITY,
+                    DAMPING,
+                    DAMPING_RATE,
+                    LUNG_STIFFNESS,
+                    MEDIASTINUM_RIGHT,
+                    MEDIASTINUM_LEFT -> TISSUE;
             case RATE,
                     DEPTH,
                     INSPIRATORY_FRACTION,
@@ -35,7 +42,12 @@ enum ParameterGroup {
                     REST_PRESSURE,
                     GREATEST_PRESSURE,
                     PRESSURE_LEFT_OVER_RIGHT -> BREATHING;
-            case RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE, STERNUM_COUPLING -> RIBS;
+            case RIB_ROTATION,
+                    UPPER_RIB_ROTATION,
+                    LOWER_RIB_ROTATION,
+                    RIB_LEFT_OVER_RIGHT,
+                    BUCKET_HANDLE,
+                    STERNUM_COUPLING -> RIBS;
         };
     }
 

@@ -76,15 +76,7 @@ public final class Fit {
             Trial best = found.best();
             double[] values = setup.parameters(best.values());
             List<FitResult.Effect> effects = setup.sensitivity() ? effects(values) : List.of();
-            return result(
-                    first,
-                    values,
-                    best.value(),
-                    initial,
-                    found.trials(),
-                    effects,
-                    found.ended(),
-                    begun);
+            return result(first, values, best.value(), initial, found.trials(), effects, found.ended(), begun);
         } finally {
             bodies.forEach(FitBody::close);
         }

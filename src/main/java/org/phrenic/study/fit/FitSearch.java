@@ -159,7 +159,8 @@ final class FitSearch {
     private Outcome evaluate(int number, double[] values, boolean shapes, Function<double[], Outcome> work) {
         Trial known = journal.known(number);
         if (known != null && !Arrays.equals(known.values(), values)) {
-            throw new IllegalStateException("the journal holds other points than the search asks for, expected the same");
+            throw new IllegalStateException(
+                    "the journal holds other points than the search asks for, expected the same");
         }
         float[] shape = known != null && shapes ? journal.shape(number) : null;
         if (known != null && (!shapes || shape != null)) {

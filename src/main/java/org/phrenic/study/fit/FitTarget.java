@@ -1,8 +1,8 @@
 package org.phrenic.study.fit;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.ArrayList;
+import java.util.List;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.CsvTable;
 import org.phrenic.format.MeshFiles;

@@ -99,7 +99,8 @@ final class TargetDistance {
         double[] weights = weights(MeshMeasure.vertexAreas(model), modelBase, rest, half);
         double[] targetWeights = weights(targetAreas, targetBase, target.surface(), half);
         double sum = counted(fromTarget, model, weights) + counted(fromModel, target.surface(), targetWeights);
-        double total = Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
+        double total =
+                Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
         return total > 0 ? sum / total : 0;
     }
 
