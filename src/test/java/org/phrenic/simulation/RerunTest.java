@@ -41,6 +41,8 @@ class RerunTest {
                 "0:upper_rib_rotation=0.8",
                 "0:lower_rib_rotation=1.3",
                 "0:rib_left_over_right=0.9",
+                "0:bucket_handle=0.6",
+                "0:mediastinum_left_mm=8",
                 "40:hold=true");
         Thorax thorax = SimulationRun.thorax(SCENARIO);
         String fresh;

@@ -88,6 +88,27 @@ class UnlikeSidesTest {
     }
 
     @Test
+    void aSmallerBucketHandleWidensLessAndRaisesTheFrontAsFar() {
+        breathe();
+        double wide = observed("transverse_change_mm");
+        double raised = observed("sternum_cranial_mm");
+        breathe("bucket_handle=0.5");
+        assertThat(observed("transverse_change_mm")).isLessThan(0.8 * wide);
+        assertThat(observed("sternum_cranial_mm") / raised).isCloseTo(1, Offset.offset(0.25));
+    }
+
+    @Test
+    void theMediastinalSurfaceOfOneLungIsPushedOut() {
+        breathe();
+        double volume = observed("lung_volume_change_ml");
+        double right = moved("lung_R");
+        breathe("mediastinum_left_mm=15");
+        // Some 150 cm^2 by a part of 15 mm.
+        assertThat(observed("lung_volume_change_ml")).isBetween(volume + 15, volume + 250);
+        assertThat(moved("lung_R")).isCloseTo(right, Offset.offset(0.05));
+    }
+
+    @Test
     void theSideUnderLessPressureGoesDownFarther() {
         breathe("greatest_pressure_kpa=8");
         double both = observed("dome_left_mm");

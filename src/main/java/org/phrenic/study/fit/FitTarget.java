@@ -7,6 +7,7 @@ import org.phrenic.format.BadInputException;
 import org.phrenic.format.CsvTable;
 import org.phrenic.format.MeshFiles;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.patient.LungBaseFacet;
 
 /**
  * Where a part of the body is at the second breath level: a surface, or pairs of points. In the axes of the body, mm.
@@ -53,14 +54,16 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
     }
 
     /**
-     * The targets, and after each lung its base as a target of its own with the same weight, where none is given: a dome is a small part of a lung's surface, and alone decides how its base lies.
+     * The targets, and after each lung its base as a target of its own with the same weight, where none is given and its shape has one: a dome is a small part of a lung's surface, and alone decides how its base lies.
      */
     public static List<FitTarget> withBases(List<FitTarget> targets) {
         List<FitTarget> all = new ArrayList<>();
         for (FitTarget target : targets) {
             all.add(target);
             FitPart base = target.isPairs() ? null : target.part().base();
-            if (base != null && targets.stream().noneMatch(t -> t.part() == base)) {
+            if (base != null
+                    && LungBaseFacet.of(target.surface).triangleCount() > 0
+                    && targets.stream().noneMatch(t -> t.part() == base)) {
                 all.add(of(base, target.surface).weighing(target.weight));
             }
         }

@@ -75,8 +75,11 @@ final class ShapeFile implements AutoCloseable {
         }
     }
 
-    /** Writes a shape through. */
+    /** Writes a shape through, if it is not there. */
     synchronized void add(int number, float[] shape) {
+        if (places.containsKey(number)) {
+            return;
+        }
         try {
             if (writer == null) {
                 open();

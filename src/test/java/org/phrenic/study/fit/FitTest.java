@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.offset;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -74,10 +76,26 @@ class FitTest {
     }
 
     @Test
-    void findsTheBreathAndTheScenarioDoesItAgain() {
-        FitResult result = Fit.run(setup(7, 2), folder.resolve("journal.csv"), (count, most, best, initial) -> {});
+    void findsTheBreathAndTheScenarioDoesItAgain() throws IOException {
+        Path journal = folder.resolve("journal.csv");
+        FitResult result = Fit.run(setup(8, 2), journal, (count, most, best, initial) -> {});
         assertThat(result.reproduced()).isTrue();
         assertThat(result.ratio()).isLessThan(0.35);
+        assertThat(result.trials()).hasSize(8);
+        assertThat(result.bestMm()).isLessThan(result.trials()[0]);
+
+        // Killed while the last evaluations were written.
+        String whole = Files.readString(journal);
+        Files.writeString(journal, whole.substring(0, whole.length() - 150));
+        Path shapes = folder.resolve("journal.shapes");
+        byte[] bytes = Files.readAllBytes(shapes);
+        Files.write(shapes, Arrays.copyOf(bytes, bytes.length - 99));
+        FitResult again = Fit.run(setup(8, 1), journal, (count, most, best, initial) -> {});
+        assertThat(again.values()).containsExactly(result.values());
+        assertThat(again.trials()).containsExactly(result.trials());
+        assertThat(Files.readString(journal).lines().sorted().toList())
+                .isEqualTo(whole.lines().sorted().toList());
+        assertThat(shapes).hasSize(bytes.length);
     }
 
     @Test
@@ -93,6 +111,8 @@ class FitTest {
             DistanceSummary compared =
                     SurfaceComparison.of(rest, target.surface()).byArea();
             assertThat(distance.atRest(FitHalf.ALL).mean()).isCloseTo(compared.mean(), offset(1e-9));
+            assertThat(distance.mean(rest.positions(), FitHalf.FITTED))
+                    .isCloseTo(distance.atRest(FitHalf.FITTED).mean(), offset(1e-9));
             assertThat(distance.atRest(FitHalf.ALL).summary().percentile95())
                     .isCloseTo(compared.percentile95(), offset(1e-9));
             assertThat(weight(distance, FitHalf.FITTED) + weight(distance, FitHalf.HELD_OUT))
