@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.format.BadInputException;
@@ -169,12 +170,23 @@ public final class PatientStudy {
             try {
                 return Fit.run(setup, journal, new Breaths());
             } finally {
-                Files.deleteIfExists(journal);
-                Files.deleteIfExists(journal.getParent());
+                delete(journal.getParent());
             }
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
+    }
+
+    /** A folder and the files in it: a fit may keep more than its journal. */
+    private static void delete(Path folder) throws IOException {
+        List<Path> kept;
+        try (Stream<Path> files = Files.list(folder)) {
+            kept = files.toList();
+        }
+        for (Path file : kept) {
+            Files.deleteIfExists(file);
+        }
+        Files.delete(folder);
     }
 
     /** Every twelfth breath is told. */
