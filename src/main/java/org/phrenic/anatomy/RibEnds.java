@@ -1,13 +1,8 @@
 package org.phrenic.anatomy;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.PriorityQueue;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.VertexHeap;
 
 /**
  * The two ends of a rib, found from its surface: the head, at the vertebra, and the anterior end, at the cartilage.
@@ -94,51 +89,59 @@ public final class RibEnds {
 
     /** The graph of cells: each stands at the mean of its vertices. */
     private static final class Cells {
+        private static final int NONE = -1;
         private final TriangleMesh rib;
         private final int[] cellOf;
         private final double[] centres;
-        private final List<List<Integer>> links = new ArrayList<>();
+        /** Cells each cell is linked with, and how many those are. */
+        private int[][] links = new int[256][];
+
+        private int[] linkCount = new int[256];
+        private int count;
         /** Distance of each cell from the first. */
         private final double[] fromFirst;
 
         Cells(TriangleMesh rib, double size) {
             this.rib = rib;
             double[] box = rib.bounds();
-            Map<Long, Integer> cells = new HashMap<>();
-            List<long[]> places = new ArrayList<>();
+            // One more on each side, so that every cell has neighbours on the grid.
+            int[] grid = new int[3];
+            for (int axis = 0; axis < 3; axis++) {
+                grid[axis] = (int) ((box[3 + axis] - box[axis]) / size) + 3;
+            }
+            int[] cells = new int[grid[0] * grid[1] * grid[2]];
+            Arrays.fill(cells, NONE);
             cellOf = new int[rib.vertexCount()];
+            int[] place = new int[cellOf.length];
             for (int v = 0; v < cellOf.length; v++) {
-                long[] place = {
-                    (long) ((rib.x(v) - box[0]) / size),
-                    (long) ((rib.y(v) - box[1]) / size),
-                    (long) ((rib.z(v) - box[2]) / size)
-                };
-                Integer known = cells.putIfAbsent(key(place[0], place[1], place[2]), places.size());
-                if (known == null) {
-                    cellOf[v] = places.size();
-                    places.add(place);
-                    links.add(new ArrayList<>());
-                } else {
-                    cellOf[v] = known;
+                int i = (int) ((rib.x(v) - box[0]) / size) + 1;
+                int j = (int) ((rib.y(v) - box[1]) / size) + 1;
+                int k = (int) ((rib.z(v) - box[2]) / size) + 1;
+                int at = (i * grid[1] + j) * grid[2] + k;
+                if (cells[at] == NONE) {
+                    place[count] = at;
+                    cells[at] = count;
+                    addCell();
                 }
+                cellOf[v] = cells[at];
             }
             centres = means();
-            linkNeighbours(cells, places);
-            for (int t = 0; t < rib.triangles().length; t += 3) {
-                for (int k = 0; k < 3; k++) {
-                    link(cellOf[rib.triangles()[t + k]], cellOf[rib.triangles()[t + (k + 1) % 3]]);
-                }
-            }
+            linkNeighbours(cells, place, grid);
+            linkTriangles();
             fromFirst = bridgePatches();
         }
 
-        private static long key(long i, long j, long k) {
-            return (i * 1024 + j) * 1024 + k;
+        private void addCell() {
+            if (count == links.length) {
+                links = Arrays.copyOf(links, 2 * count);
+                linkCount = Arrays.copyOf(linkCount, 2 * count);
+            }
+            links[count++] = new int[32];
         }
 
         private double[] means() {
-            double[] sums = new double[3 * links.size()];
-            int[] counts = new int[links.size()];
+            double[] sums = new double[3 * count];
+            int[] counts = new int[count];
             for (int v = 0; v < cellOf.length; v++) {
                 counts[cellOf[v]]++;
                 for (int axis = 0; axis < 3; axis++) {
@@ -151,15 +154,14 @@ public final class RibEnds {
             return sums;
         }
 
-        private void linkNeighbours(Map<Long, Integer> cells, List<long[]> places) {
-            for (int c = 0; c < places.size(); c++) {
-                long[] p = places.get(c);
-                for (long i = -1; i <= 1; i++) {
-                    for (long j = -1; j <= 1; j++) {
-                        for (long k = -1; k <= 1; k++) {
-                            Integer other = cells.get(key(p[0] + i, p[1] + j, p[2] + k));
-                            if (other != null) {
-                                link(c, other);
+        private void linkNeighbours(int[] cells, int[] place, int[] grid) {
+            for (int c = 0; c < count; c++) {
+                for (int i = -1; i <= 1; i++) {
+                    for (int j = -1; j <= 1; j++) {
+                        int row = place[c] + (i * grid[1] + j) * grid[2];
+                        for (int at = row - 1; at <= row + 1; at++) {
+                            if (cells[at] != NONE) {
+                                link(c, cells[at]);
                             }
                         }
                     }
@@ -167,18 +169,40 @@ public final class RibEnds {
             }
         }
 
-        private void link(int a, int b) {
-            if (a != b && !links.get(a).contains(b)) {
-                links.get(a).add(b);
-                links.get(b).add(a);
+        private void linkTriangles() {
+            int[] t = rib.triangles();
+            for (int i = 0; i < t.length; i += 3) {
+                link(cellOf[t[i]], cellOf[t[i + 1]]);
+                link(cellOf[t[i + 1]], cellOf[t[i + 2]]);
+                link(cellOf[t[i + 2]], cellOf[t[i]]);
             }
+        }
+
+        private void link(int a, int b) {
+            if (a == b) {
+                return;
+            }
+            for (int k = 0; k < linkCount[a]; k++) {
+                if (links[a][k] == b) {
+                    return;
+                }
+            }
+            add(a, b);
+            add(b, a);
+        }
+
+        private void add(int cell, int other) {
+            if (linkCount[cell] == links[cell].length) {
+                links[cell] = Arrays.copyOf(links[cell], 2 * linkCount[cell]);
+            }
+            links[cell][linkCount[cell]++] = other;
         }
 
         /** Links the patch of the first cell to the nearest cell outside it until there is none outside; returns the distances from the first cell. */
         private double[] bridgePatches() {
-            boolean[] reached = new boolean[links.size()];
-            int count = spread(0, reached);
-            while (count < reached.length) {
+            boolean[] reached = new boolean[count];
+            int inReach = spread(0, reached);
+            while (inReach < count) {
                 double nearest = Double.POSITIVE_INFINITY;
                 int inside = -1;
                 int outside = -1;
@@ -192,7 +216,7 @@ public final class RibEnds {
                     }
                 }
                 link(inside, outside);
-                count += spread(outside, reached);
+                inReach += spread(outside, reached);
             }
             return distances(0);
         }
@@ -204,7 +228,8 @@ public final class RibEnds {
             reached[from] = true;
             int tail = 1;
             for (int head = 0; head < tail; head++) {
-                for (int next : links.get(queue[head])) {
+                for (int k = 0; k < linkCount[queue[head]]; k++) {
+                    int next = links[queue[head]][k];
                     if (!reached[next]) {
                         reached[next] = true;
                         queue[tail++] = next;
@@ -214,23 +239,21 @@ public final class RibEnds {
             return tail;
         }
 
-        /** Distance along the rib from a cell to each, mm; -1 where there is no way. */
+        /** Distance along the rib from a cell to each, mm. */
         double[] distances(int start) {
-            double[] found = new double[links.size()];
-            Arrays.fill(found, -1);
-            record Visit(int cell, double distance) {}
-            PriorityQueue<Visit> queue = new PriorityQueue<>(
-                    Comparator.comparingDouble(Visit::distance).thenComparingInt(Visit::cell));
-            queue.add(new Visit(start, 0));
-            while (!queue.isEmpty()) {
-                Visit visit = queue.poll();
-                if (found[visit.cell()] >= 0) {
-                    continue;
-                }
-                found[visit.cell()] = visit.distance();
-                for (int next : links.get(visit.cell())) {
-                    if (found[next] < 0) {
-                        queue.add(new Visit(next, visit.distance() + distance(visit.cell(), next)));
+            double[] found = new double[count];
+            Arrays.fill(found, Double.POSITIVE_INFINITY);
+            found[start] = 0;
+            VertexHeap heap = new VertexHeap(found);
+            heap.lower(start);
+            while (!heap.isEmpty()) {
+                int cell = heap.takeNearest();
+                for (int k = 0; k < linkCount[cell]; k++) {
+                    int next = links[cell][k];
+                    double along = found[cell] + distance(cell, next);
+                    if (along < found[next]) {
+                        found[next] = along;
+                        heap.lower(next);
                     }
                 }
             }
@@ -241,16 +264,16 @@ public final class RibEnds {
         double[] region(double[] distances) {
             double limit = distances[farthest(distances)] - END_REGION_MM;
             double[] mean = new double[3];
-            int count = 0;
+            int vertices = 0;
             for (int v = 0; v < cellOf.length; v++) {
                 if (distances[cellOf[v]] >= limit) {
                     mean[0] += rib.x(v);
                     mean[1] += rib.y(v);
                     mean[2] += rib.z(v);
-                    count++;
+                    vertices++;
                 }
             }
-            return new double[] {mean[0] / count, mean[1] / count, mean[2] / count};
+            return new double[] {mean[0] / vertices, mean[1] / vertices, mean[2] / vertices};
         }
 
         private double distance(int a, int b) {

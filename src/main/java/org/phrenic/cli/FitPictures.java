@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.format.ReportDocument.Picture;
+import org.phrenic.geometry.DistanceSummary;
 import org.phrenic.scene.ColourField;
 import org.phrenic.scene.ColourScale;
 import org.phrenic.scene.FieldPicture;
@@ -39,12 +40,7 @@ final class FitPictures {
 
     private static void draw(FitResult.TargetResult target, Path folder, List<Picture> pictures)
             throws NoGraphicsException {
-        double most = target.initial().summary().percentile95();
-        double round = RANGES[RANGES.length - 1];
-        for (int i = RANGES.length - 1; i >= 0 && RANGES[i] >= most; i--) {
-            round = RANGES[i];
-        }
-        ColourScale scale = ColourScale.magnitude(round, ColourField.DISTANCE.unit());
+        ColourScale scale = scale(target.initial().summary());
         View[] views = target.target().part().isBase()
                 ? new View[] {View.INFERIOR}
                 : new View[] {View.ANTERIOR, View.INFERIOR};
@@ -52,6 +48,16 @@ final class FitPictures {
             one(target.initial(), target.target().name(), "end-expiration", view, scale, folder, pictures);
             one(target.residual(), target.target().name(), "fitted", view, scale, folder, pictures);
         }
+    }
+
+    /** Colours from 0 to a round number that few distances exceed. */
+    static ColourScale scale(DistanceSummary distances) {
+        double most = distances.percentile95();
+        double round = RANGES[RANGES.length - 1];
+        for (int i = RANGES.length - 1; i >= 0 && RANGES[i] >= most; i--) {
+            round = RANGES[i];
+        }
+        return ColourScale.magnitude(round, ColourField.DISTANCE.unit());
     }
 
     private static void one(

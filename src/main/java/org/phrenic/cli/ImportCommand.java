@@ -179,14 +179,17 @@ final class ImportCommand implements Callable<Integer> {
     }
 
     private String text(LabelGrid grid, FittedBody body) {
-        Table table = new Table(false, false, true, true, true, true, true, true, true, false)
+        Table table = new Table(false, false, true, true, true, true, true, true, true, true, true, true, false)
                 .row(
                         "structure",
                         "from",
                         "label ml",
                         "mesh ml",
+                        "label nodes",
+                        "decimated",
                         "vertices",
                         "off label mm",
+                        "in voxels",
                         "max mm",
                         "angle deg",
                         "edge ratio",
@@ -224,8 +227,11 @@ final class ImportCommand implements Callable<Integer> {
                 "source",
                 "label_volume_ml",
                 "mesh_volume_ml",
+                "label_surface_vertices",
+                "decimated_vertices",
                 "vertices",
                 "off_label_mean_mm",
+                "off_label_mean_voxels",
                 "off_label_maximum_mm",
                 "smallest_angle_deg",
                 "edge_ratio",
@@ -233,7 +239,8 @@ final class ImportCommand implements Callable<Integer> {
             Object value = row.get(key);
             cells.add(
                     value instanceof Double number
-                            ? String.format(Locale.ROOT, key.endsWith("mm") ? "%.2f" : "%.1f", number)
+                            ? String.format(
+                                    Locale.ROOT, key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f", number)
                             : value == null ? "-" : value.toString());
         }
         return cells.toArray(String[]::new);

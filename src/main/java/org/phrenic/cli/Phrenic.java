@@ -19,20 +19,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         scope = ScopeType.INHERIT,
         versionProvider = VersionProvider.class,
-        subcommands = {
-            WindowCommand.class,
-            RunCommand.class,
-            RenderCommand.class,
-            InfoCommand.class,
-            BenchCommand.class,
-            ValidateCommand.class,
-            ImportCommand.class,
-            CompareCommand.class,
-            FitCommand.class,
-            RegressCommand.class,
-            ReproduceCommand.class,
-            RehearseCommand.class
-        },
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
         description =
@@ -86,7 +72,7 @@ public final class Phrenic implements Callable<Integer> {
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();
-        CommandLine line = new CommandLine(phrenic);
+        CommandLine line = SubCommands.under(phrenic, args);
         Failures failures = new Failures(() -> phrenic.debug);
         line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
         try {

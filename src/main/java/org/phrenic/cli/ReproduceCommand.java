@@ -1,6 +1,7 @@
 package org.phrenic.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +10,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.format.AtomicFile;
+import org.phrenic.format.BadInputException;
 import org.phrenic.format.HtmlPage;
 import org.phrenic.format.MarkdownPage;
 import org.phrenic.format.ReportDocument;
@@ -19,6 +21,10 @@ import org.phrenic.scene.PaperFigures;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.study.StudyProgress;
 import org.phrenic.study.paper.PaperScene;
+import org.phrenic.study.paper.PatientCase;
+import org.phrenic.study.paper.PatientResults;
+import org.phrenic.study.paper.PatientScans;
+import org.phrenic.study.paper.PatientStudy;
 import org.phrenic.study.paper.Reproduction;
 import org.phrenic.study.paper.ReproductionReport;
 import org.phrenic.ui.WindowPicture;
@@ -44,6 +50,7 @@ import picocli.CommandLine.Spec;
 final class ReproduceCommand implements Callable<Integer> {
     private static final int PICTURE = 960;
     private static final int QUICK_PICTURE = 240;
+    private static final int PATIENT_PICTURE = 720;
     private static final double WINDOW_S = 3.4;
     private static final double QUICK_WINDOW_S = 0.1;
     private static final String PICTURES = "pictures";
@@ -56,6 +63,19 @@ final class ReproduceCommand implements Callable<Integer> {
 
     @Option(names = "--quick", description = "Low resolution, fewer breaths, small pictures: to see that it works.")
     private boolean quick;
+
+    @Option(
+            names = "--patients",
+            paramLabel = "FOLDER",
+            description =
+                    "Scans at two breath levels for figs. 4 and 5: NAME_expiration.* and NAME_inspiration.*, volumes of labels. Without it, ../shared/segmentations/breath-pairs if that is there, else a synthetic patient.")
+    private Path patients;
+
+    @Option(
+            names = "--axes",
+            paramLabel = "XYZ",
+            description = "Axes of the patients' volumes, such as LPS, where the files state them wrongly.")
+    private String axes;
 
     private String noPictures = "";
 
@@ -70,19 +90,24 @@ final class ReproduceCommand implements Callable<Integer> {
                 err.flush();
             }
         };
+        Optional<List<PatientScans>> scans = scans();
         Map<Integer, List<FigurePicture>> figures = figures(err);
         Reproduction found = Reproduction.of(quick, progress);
+        PatientResults people = people(scans, new PatientProgress(err));
         Map<Integer, List<Picture>> pictures = new TreeMap<>();
-        figures.forEach((number, of) -> {
-            of.forEach(picture -> picture.write(out.resolve(PICTURES)));
-            pictures.put(
-                    number,
-                    of.stream()
-                            .map(p -> new Picture(PICTURES + "/" + p.fileName(), p.alternative(), p.caption()))
-                            .toList());
-        });
-        ReportDocument report =
-                new ReproductionReport(found, pictures, noPictures, new VersionProvider().getVersion()[0]).document();
+        figures.forEach((number, of) -> pictures.put(number, written(of)));
+        Map<String, List<Picture>> segmented = new TreeMap<>();
+        Map<String, List<Picture>> distances = new TreeMap<>();
+        draw(people, segmented, distances);
+        ReportDocument report = new ReproductionReport(
+                        found,
+                        people,
+                        pictures,
+                        segmented,
+                        distances,
+                        noPictures,
+                        new VersionProvider().getVersion()[0])
+                .document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.of(report));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.of(report));
         PrintWriter stdout = spec.commandLine().getOut();
@@ -90,6 +115,78 @@ final class ReproduceCommand implements Callable<Integer> {
         stdout.println(Notice.TEXT);
         stdout.flush();
         return noPictures.isEmpty() ? ExitCode.DONE : ExitCode.NO_GRAPHICS;
+    }
+
+    /** Scans to be found; empty for a synthetic patient. */
+    private Optional<List<PatientScans>> scans() {
+        if (patients != null) {
+            return Optional.of(PatientScans.in(patients));
+        }
+        if (axes != null) {
+            throw new BadInputException(
+                    "--axes " + axes + ": found no --patients, expected scans to which they belong");
+        }
+        return !quick && Files.isDirectory(PatientStudy.USUAL_FOLDER)
+                ? Optional.of(PatientScans.in(PatientStudy.USUAL_FOLDER))
+                : Optional.empty();
+    }
+
+    private PatientResults people(Optional<List<PatientScans>> scans, StudyProgress progress) {
+        PatientStudy study = new PatientStudy(quick, progress);
+        if (scans.isPresent()) {
+            Optional<String> stated =
+                    patients == null ? Optional.of(PatientStudy.USUAL_AXES) : Optional.ofNullable(axes);
+            int left = scans.get().size() - PatientStudy.MOST_PATIENTS;
+            return new PatientResults(
+                    study.of(scans.get(), stated),
+                    left > 0 && !quick ? left + " more of the scans were left out for want of time." : "",
+                    quick);
+        }
+        String why = quick
+                ? "A quick reproduction looks at no scan, and tunes nothing."
+                : "No scans were found in " + PatientStudy.USUAL_FOLDER
+                        + "; --patients FOLDER names a folder with NAME_expiration.* and NAME_inspiration.*.";
+        return new PatientResults(
+                List.of(study.synthetic()),
+                why + " A synthetic patient stands in: figures show what they would, and say nothing of people.",
+                quick);
+    }
+
+    private void draw(
+            PatientResults people, Map<String, List<Picture>> segmented, Map<String, List<Picture>> distances) {
+        if (!noPictures.isEmpty()) {
+            return;
+        }
+        try {
+            for (PatientCase patient : people.cases()) {
+                PatientPictures drawn = new PatientPictures(patient, quick ? QUICK_PICTURE : PATIENT_PICTURE);
+                segmented.put(patient.name(), written(drawn.segmented()));
+                distances.put(patient.name(), written(drawn.distances()));
+            }
+        } catch (NoGraphicsException none) {
+            noPictures = none.getMessage() + ".";
+        }
+    }
+
+    private List<Picture> written(List<FigurePicture> figure) {
+        figure.forEach(picture -> picture.write(out.resolve(PICTURES)));
+        return figure.stream()
+                .map(p -> new Picture(PICTURES + "/" + p.fileName(), p.alternative(), p.caption()))
+                .toList();
+    }
+
+    /** A line a stage. */
+    private record PatientProgress(PrintWriter err) implements StudyProgress {
+        @Override
+        public void done(int count, int total, String what) {
+            note(count + " of " + total + " patients done: " + what);
+        }
+
+        @Override
+        public void note(String sentence) {
+            err.println(sentence);
+            err.flush();
+        }
     }
 
     private Map<Integer, List<FigurePicture>> figures(PrintWriter err) {

@@ -11,6 +11,8 @@ import java.util.Arrays;
  */
 final class EdgeTable {
     static final int NONE = -1;
+    /** Most rows hold the six sides at a vertex or fewer: insertion beats a call to a general sort. */
+    private static final int SHORT_ROW = 32;
 
     /** Vertex pairs (a, b), a &lt; b, two numbers an edge. */
     final int[] edges;
@@ -21,63 +23,96 @@ final class EdgeTable {
     /** Three edges a triangle: the i-th joins corners i and i + 1; {@link #NONE} where these are the same vertex. */
     final int[] triangleEdges;
 
+    // Each loop stands in a method of its own: compilers work on whole methods, and these are run on many meshes at the
+    // start of a program.
     EdgeTable(TriangleMesh mesh) {
-        int vertexCount = mesh.vertexCount();
         int[] triangles = mesh.triangles();
-        int sides = triangles.length;
+        int[] row = rowStarts(triangles, mesh.vertexCount());
+        long[] keys = keys(triangles, row);
+        triangleEdges = new int[triangles.length];
+        Arrays.fill(triangleEdges, NONE);
+        int[] pairs = new int[2 * keys.length];
+        int[] pairTriangles = new int[2 * keys.length];
+        int[] pairCount = new int[keys.length];
+        int count = 0;
+        for (int v = 0; v + 1 < row.length; v++) {
+            sort(keys, row[v], row[v + 1]);
+            count = number(v, keys, row[v], row[v + 1], count, pairs, pairTriangles, pairCount);
+        }
+        edges = Arrays.copyOf(pairs, 2 * count);
+        edgeTriangles = Arrays.copyOf(pairTriangles, 2 * count);
+        edgeTriangleCount = Arrays.copyOf(pairCount, count);
+    }
 
-        // Sides go into one bucket per smaller vertex; within a bucket they are sorted by the larger vertex, then by
-        // side.
-        int[] bucket = new int[vertexCount + 1];
-        for (int side = 0; side < sides; side++) {
+    /** Where the row of each smaller vertex begins; one more at the end. */
+    private static int[] rowStarts(int[] triangles, int vertexCount) {
+        int[] row = new int[vertexCount + 1];
+        for (int side = 0; side < triangles.length; side++) {
             int a = triangles[side];
             int b = triangles[next(side)];
             if (a != b) {
-                bucket[Math.min(a, b) + 1]++;
+                row[Math.min(a, b) + 1]++;
             }
         }
         for (int v = 0; v < vertexCount; v++) {
-            bucket[v + 1] += bucket[v];
+            row[v + 1] += row[v];
         }
-        long[] keys = new long[bucket[vertexCount]];
-        int[] fill = Arrays.copyOf(bucket, vertexCount);
-        for (int side = 0; side < sides; side++) {
+        return row;
+    }
+
+    /** The sides in rows by smaller vertex, each as larger vertex and side in one number. */
+    private static long[] keys(int[] triangles, int[] row) {
+        long[] keys = new long[row[row.length - 1]];
+        int[] fill = row.clone();
+        for (int side = 0; side < triangles.length; side++) {
             int a = triangles[side];
             int b = triangles[next(side)];
             if (a != b) {
                 keys[fill[Math.min(a, b)]++] = ((long) Math.max(a, b) << 32) | side;
             }
         }
-        triangleEdges = new int[sides];
-        Arrays.fill(triangleEdges, NONE);
-        int[] pairs = new int[2 * keys.length];
-        int[] pairTriangles = new int[2 * keys.length];
-        int[] pairCount = new int[keys.length];
-        int count = 0;
-        for (int v = 0; v < vertexCount; v++) {
-            Arrays.sort(keys, bucket[v], bucket[v + 1]);
-            int previous = NONE;
-            for (int k = bucket[v]; k < bucket[v + 1]; k++) {
-                int other = (int) (keys[k] >>> 32);
-                int side = (int) keys[k];
-                if (other != previous) {
-                    pairs[2 * count] = v;
-                    pairs[2 * count + 1] = other;
-                    pairTriangles[2 * count + 1] = NONE;
-                    previous = other;
-                    count++;
-                }
-                int edge = count - 1;
-                triangleEdges[side] = edge;
-                if (pairCount[edge] < 2) {
-                    pairTriangles[2 * edge + pairCount[edge]] = side / 3;
-                }
-                pairCount[edge]++;
-            }
+        return keys;
+    }
+
+    private static void sort(long[] keys, int from, int to) {
+        if (to - from > SHORT_ROW) {
+            Arrays.sort(keys, from, to);
+            return;
         }
-        edges = Arrays.copyOf(pairs, 2 * count);
-        edgeTriangles = Arrays.copyOf(pairTriangles, 2 * count);
-        edgeTriangleCount = Arrays.copyOf(pairCount, count);
+        for (int i = from + 1; i < to; i++) {
+            long key = keys[i];
+            int k = i - 1;
+            while (k >= from && keys[k] > key) {
+                keys[k + 1] = keys[k];
+                k--;
+            }
+            keys[k + 1] = key;
+        }
+    }
+
+    /** Numbers the edges of one sorted row from {@code first} on; returns the next number. */
+    private int number(
+            int v, long[] keys, int from, int to, int first, int[] pairs, int[] pairTriangles, int[] pairCount) {
+        int count = first;
+        int previous = NONE;
+        for (int k = from; k < to; k++) {
+            int other = (int) (keys[k] >>> 32);
+            int side = (int) keys[k];
+            if (other != previous) {
+                pairs[2 * count] = v;
+                pairs[2 * count + 1] = other;
+                pairTriangles[2 * count + 1] = NONE;
+                previous = other;
+                count++;
+            }
+            int edge = count - 1;
+            triangleEdges[side] = edge;
+            if (pairCount[edge] < 2) {
+                pairTriangles[2 * edge + pairCount[edge]] = side / 3;
+            }
+            pairCount[edge]++;
+        }
+        return count;
     }
 
     int count() {

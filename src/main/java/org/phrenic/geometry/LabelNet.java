@@ -1,7 +1,5 @@
 package org.phrenic.geometry;
 
-import java.util.Arrays;
-
 /**
  * The surfaces between the parts of a volume of labels, as one net whose vertices neighbours share, so that their surfaces meet (Gibson 1998, Constrained Elastic Surface Nets, doi 10.1007/BFb0056277;
  * Frisken 2022, SurfaceNets for Multi-Label Segmentations, https://jcgt.org/published/0011/01/03/). Each face of a voxel between two parts is a quadrilateral; its corners are one vertex for each cube of
@@ -62,8 +60,13 @@ public final class LabelNet {
 
     /** The surface of one part, closed and facing outward; without triangles if there is no such part. */
     public TriangleMesh surface(int part) {
-        int[] own = new int[4 * faces.length];
-        long[] voxels = new long[faces.length];
+        int wanted = 0;
+        for (short side : sides) {
+            wanted += side == part ? 1 : 0;
+        }
+        // A net may have millions of faces, of which a rib has a few thousand.
+        int[] own = new int[4 * wanted];
+        long[] voxels = new long[wanted];
         int count = 0;
         for (int q = 0; q < faces.length; q++) {
             boolean first = sides[2 * q] == part;
@@ -75,6 +78,6 @@ public final class LabelNet {
                 voxels[count++] = first ? voxel : voxel + strides[(int) (faces[q] % 3)];
             }
         }
-        return new QuadStitcher(positions, Arrays.copyOf(own, 4 * count), voxels).mesh();
+        return new QuadStitcher(positions, own, voxels).mesh();
     }
 }

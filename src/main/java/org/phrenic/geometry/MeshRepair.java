@@ -272,16 +272,15 @@ public final class MeshRepair {
 
     /** The connected components that have triangles, in the order of their lowest vertex. */
     public static List<TriangleMesh> components(TriangleMesh mesh) {
-        MeshTopology topology = new MeshTopology(mesh);
-        int[] label = topology.componentOfVertex();
+        int[] label = lowestOfComponent(mesh);
         int[] t = mesh.triangles();
-        int[] corners = new int[topology.componentCount()];
+        int[] corners = new int[mesh.vertexCount()];
         for (int i = 0; i < t.length; i += 3) {
             corners[label[t[i]]] += 3;
         }
         int[][] pieces = new int[corners.length][];
         for (int c = 0; c < corners.length; c++) {
-            pieces[c] = new int[corners[c]];
+            pieces[c] = corners[c] == 0 ? null : new int[corners[c]];
         }
         int[] fill = new int[corners.length];
         for (int i = 0; i < t.length; i++) {
@@ -290,7 +289,7 @@ public final class MeshRepair {
         }
         List<TriangleMesh> meshes = new ArrayList<>();
         for (int[] piece : pieces) {
-            if (piece.length > 0) {
+            if (piece != null) {
                 boolean[] used = new boolean[mesh.vertexCount()];
                 for (int v : piece) {
                     used[v] = true;
@@ -299,6 +298,34 @@ public final class MeshRepair {
             }
         }
         return meshes;
+    }
+
+    /** For each vertex the lowest vertex that hangs together with it by triangles. */
+    private static int[] lowestOfComponent(TriangleMesh mesh) {
+        int[] lower = new int[mesh.vertexCount()];
+        for (int v = 0; v < lower.length; v++) {
+            lower[v] = v;
+        }
+        int[] t = mesh.triangles();
+        for (int i = 0; i < t.length; i++) {
+            int one = lowest(lower, t[i]);
+            int other = lowest(lower, t[i - i % 3]);
+            lower[Math.max(one, other)] = Math.min(one, other);
+        }
+        for (int v = 0; v < lower.length; v++) {
+            lower[v] = lower[lower[v]];
+        }
+        return lower;
+    }
+
+    /** Follows the way down, and shortens it for those who come after. */
+    private static int lowest(int[] lower, int vertex) {
+        int v = vertex;
+        while (lower[v] != v) {
+            lower[v] = lower[lower[v]];
+            v = lower[v];
+        }
+        return v;
     }
 
     /** Keeps the named vertices in their order and renames the corners (in place). */

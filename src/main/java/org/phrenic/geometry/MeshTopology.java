@@ -6,7 +6,7 @@ import java.util.List;
 
 /**
  * What touches what in a {@link TriangleMesh}: unique edges, the edges and triangles at a vertex, the triangles at an edge,
- * boundary loops and connected components. Built once, in O(n log n), as flat integer arrays.
+ * boundary loops and connected components. The first four are built once, in O(n log n), as flat integer arrays.
  *
  * <p>Edges are numbered in lexicographic order of their vertex pair (a, b), a &lt; b, so the numbering depends on the triangles
  * alone, not on their order. A side of a triangle that joins a vertex to itself (a degenerate triangle) is no edge. The
@@ -26,11 +26,6 @@ public final class MeshTopology {
     private final int[] vertexEdges;
     private final int[] vertexTriangleStart;
     private final int[] vertexTriangles;
-    private final int[] component;
-    private final int componentCount;
-    private final boolean closed;
-    private final boolean manifold;
-    private final int usedVertices;
 
     public MeshTopology(TriangleMesh mesh) {
         this.mesh = mesh;
@@ -46,16 +41,6 @@ public final class MeshTopology {
         vertexEdges = rows(edges, 2, vertexEdgeStart);
         vertexTriangleStart = new int[vertexCount + 1];
         vertexTriangles = rows(triangles, 3, vertexTriangleStart);
-
-        component = new int[vertexCount];
-        componentCount = labelComponents();
-        int used = 0;
-        for (int v = 0; v < vertexCount; v++) {
-            used += vertexTriangleStart[v + 1] > vertexTriangleStart[v] ? 1 : 0;
-        }
-        usedVertices = used;
-        closed = table.isClosed();
-        manifold = table.hasPairsAtMost() && everyVertexOneFan();
     }
 
     /** Compressed rows vertex to item, from items that name {@code width} vertices each; fills {@code start}. */
@@ -87,33 +72,6 @@ public final class MeshTopology {
             }
         }
         return true;
-    }
-
-    private int labelComponents() {
-        Arrays.fill(component, NONE);
-        int[] queue = new int[component.length];
-        int labels = 0;
-        for (int seed = 0; seed < component.length; seed++) {
-            if (component[seed] != NONE) {
-                continue;
-            }
-            int head = 0;
-            int tail = 0;
-            queue[tail++] = seed;
-            component[seed] = labels;
-            while (head < tail) {
-                int v = queue[head++];
-                for (int k = vertexEdgeStart[v]; k < vertexEdgeStart[v + 1]; k++) {
-                    int other = otherVertex(vertexEdges[k], v);
-                    if (component[other] == NONE) {
-                        component[other] = labels;
-                        queue[tail++] = other;
-                    }
-                }
-            }
-            labels++;
-        }
-        return labels;
     }
 
     /** Whether the triangles at each vertex form a single fan, open or closed (edges are known to have at most two). */
@@ -199,13 +157,42 @@ public final class MeshTopology {
         return vertexTriangles;
     }
 
-    /** Component label of each vertex, numbered by the lowest vertex in it; a vertex without edges is one of its own. */
+    /** Component label of each vertex, numbered by the lowest vertex in it; a vertex without edges is one of its own. Worked out anew at each call. */
     public int[] componentOfVertex() {
+        int[] component = new int[mesh.vertexCount()];
+        Arrays.fill(component, NONE);
+        int[] queue = new int[component.length];
+        int labels = 0;
+        for (int seed = 0; seed < component.length; seed++) {
+            if (component[seed] != NONE) {
+                continue;
+            }
+            int head = 0;
+            int tail = 0;
+            queue[tail++] = seed;
+            component[seed] = labels;
+            while (head < tail) {
+                int v = queue[head++];
+                for (int k = vertexEdgeStart[v]; k < vertexEdgeStart[v + 1]; k++) {
+                    int other = otherVertex(vertexEdges[k], v);
+                    if (component[other] == NONE) {
+                        component[other] = labels;
+                        queue[tail++] = other;
+                    }
+                }
+            }
+            labels++;
+        }
         return component;
     }
 
+    /** How many labels {@link #componentOfVertex} has. Worked out anew at each call. */
     public int componentCount() {
-        return componentCount;
+        int highest = NONE;
+        for (int label : componentOfVertex()) {
+            highest = Math.max(highest, label);
+        }
+        return highest + 1;
     }
 
     public int otherVertex(int edge, int vertex) {
@@ -228,17 +215,21 @@ public final class MeshTopology {
 
     /** Every edge has exactly two triangles. */
     public boolean isClosed() {
-        return closed;
+        return table.isClosed();
     }
 
-    /** No edge has more than two triangles, and the triangles at each vertex form one fan. */
+    /** No edge has more than two triangles, and the triangles at each vertex form one fan. Worked out anew at each call. */
     public boolean isManifold() {
-        return manifold;
+        return table.hasPairsAtMost() && everyVertexOneFan();
     }
 
     /** Vertices - edges + triangles, counting only vertices that a triangle uses: 2 for a sphere, 0 for a torus. */
     public int eulerCharacteristic() {
-        return usedVertices - edgeCount() + mesh.triangleCount();
+        int used = 0;
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            used += vertexTriangleStart[v + 1] > vertexTriangleStart[v] ? 1 : 0;
+        }
+        return used - edgeCount() + mesh.triangleCount();
     }
 
     /**

@@ -20,8 +20,10 @@ public final class ImportReport {
         values.put("volume", file);
         values.put("voxels", List.of(grid.columns(), grid.rows(), grid.slices()));
         values.put("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)));
+        double voxelMm = Math.cbrt(grid.voxelVolume());
+        values.put("voxel_mm", voxelMm);
         List<Map<String, Object>> rows = new ArrayList<>();
-        body.organs().forEach(organ -> rows.add(row(organ)));
+        body.organs().forEach(organ -> rows.add(row(organ, voxelMm)));
         values.put("structures", rows);
         values.put("missing", body.missing());
         values.put("can_breathe", body.canBreathe());
@@ -29,7 +31,7 @@ public final class ImportReport {
         return values;
     }
 
-    private static Map<String, Object> row(Organ organ) {
+    private static Map<String, Object> row(Organ organ, double voxelMm) {
         Map<String, Object> row = new LinkedHashMap<>();
         row.put("structure", organ.structure().name());
         row.put("source", organ.source().name().toLowerCase(Locale.ROOT));
@@ -44,6 +46,7 @@ public final class ImportReport {
             row.put("last_pass_band", scan.meshed().lastPassBand());
             DistanceSummary off = scan.meshed().offLabel();
             row.put("off_label_mean_mm", off.mean());
+            row.put("off_label_mean_voxels", off.mean() / voxelMm);
             row.put("off_label_percentile_95_mm", off.percentile95());
             row.put("off_label_maximum_mm", off.maximum());
         });

@@ -18,7 +18,7 @@ final class Parts {
     final int rows;
     final int slices;
     /** Part of each voxel, 0 for none. */
-    final byte[] voxels;
+    byte[] voxels;
 
     private final double[] toMm;
     private final List<String> names = new ArrayList<>();
@@ -202,6 +202,37 @@ final class Parts {
         byte[] wanted = new byte[LabelGrid.LARGEST_BYTE + 1];
         wanted[part] = 1;
         return box(grid(), wanted);
+    }
+
+    /**
+     * All parts as one, label 1, in voxels so many times as large: what a body with organs in it looks like from outside.
+     *
+     * @param times along columns, rows and slices
+     */
+    LabelGrid outline(int[] times) {
+        int[] sizes = {(columns - 1) / times[0] + 1, (rows - 1) / times[1] + 1, (slices - 1) / times[2] + 1};
+        byte[] any = new byte[sizes[0] * sizes[1] * sizes[2]];
+        for (int cell = 0; cell < any.length; cell++) {
+            // The voxel in the middle of a large one stands for it; at the far end, the last.
+            int i = Math.min(columns - 1, times[0] * (cell % sizes[0]) + times[0] / 2);
+            int j = Math.min(rows - 1, times[1] * (cell / sizes[0] % sizes[1]) + times[1] / 2);
+            int k = Math.min(slices - 1, times[2] * (cell / sizes[0] / sizes[1]) + times[2] / 2);
+            any[cell] = (byte) (voxels[i + columns * (j + rows * k)] == 0 ? 0 : 1);
+        }
+        double[] large = toMm.clone();
+        for (int row = 0; row < 3; row++) {
+            for (int direction = 0; direction < 3; direction++) {
+                large[4 * row + direction] *= times[direction];
+                int middle = times[direction] / 2;
+                large[4 * row + 3] += middle * toMm[4 * row + direction];
+            }
+        }
+        return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
+    }
+
+    /** Gives the voxels' memory back: what else is known of the parts stays. */
+    void forgetVoxels() {
+        voxels = new byte[0];
     }
 
     int[] counts() {

@@ -13,7 +13,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.LabelVolume;
-import org.phrenic.geometry.LabelGrid;
 
 /** Meshes every structure that a volume of labels holds. */
 public final class ScanImport {
@@ -28,6 +27,11 @@ public final class ScanImport {
             StructureKind.DIAPHRAGM, ORGAN_EDGE_MM,
             StructureKind.SKIN, 2 * ORGAN_EDGE_MM));
     private static final double MM3_PER_ML = 1000;
+    /** The outline of the body alone: background, and label 1. */
+    private static final int[] SKIN = {0, 1};
+    /** Size of the voxels of the outline, in edges of its triangles. */
+    private static final double VOXELS_AN_EDGE = 0.25;
+
     /** Pieces of less than this share of a structure are not worth a sentence. */
     private static final double LITTLE = 0.02;
     /** Names in a sentence. */
@@ -78,14 +82,14 @@ public final class ScanImport {
             progress.now("telling the cartilages apart");
             CartilageSplitter.split(parts).ifPresent(notes::add);
         }
-        LabelGrid grid = parts.grid();
+        double voxelMm3 = parts.grid().voxelVolume();
         int[] counts = parts.counts();
         List<String> built = new ArrayList<>();
         int[] partNumbers = new int[counts.length];
         for (int part = 1; part < counts.length; part++) {
             String structure = parts.names().get(part - 1);
             if (counts[part] >= LEAST_VOXELS) {
-                partNumbers[part] = part;
+                partNumbers[part] = isSkin(structure) ? 0 : part;
                 built.add(structure);
             } else if (counts[part] > 0) {
                 notes.add(structure + ": left out, it has " + counts[part] + " voxels");
@@ -96,12 +100,19 @@ public final class ScanImport {
                     file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
         }
         progress.now("laying a net between " + built.size() + " structures");
-        PartMesher mesher = new PartMesher(grid, partNumbers, steps);
+        PartMesher mesher = new PartMesher(parts.grid(), partNumbers, steps);
+        // The skin has all else within it: its inner side is of no interest, and its outline is meshed by itself.
+        Optional<PartMesher> skin = built.stream()
+                .filter(ScanImport::isSkin)
+                .findFirst()
+                .map(structure ->
+                        new PartMesher(parts.outline(coarser(parts, edge(structure, voxelMm3))), SKIN, steps));
+        parts.forgetVoxels();
         AtomicInteger done = new AtomicInteger();
         List<Organ> organs = IntStream.range(0, built.size())
                 .parallel()
                 .mapToObj(i -> {
-                    Organ organ = organ(built.get(i), parts, counts, grid, mesher);
+                    Organ organ = organ(built.get(i), parts, counts, voxelMm3, mesher, skin);
                     synchronized (done) {
                         progress.done(done.incrementAndGet(), built.size(), built.get(i));
                     }
@@ -113,20 +124,40 @@ public final class ScanImport {
         return new FittedBody(name, organs, ThoraxList.missing(organs), notes);
     }
 
-    private Organ organ(String structure, Parts parts, int[] counts, LabelGrid grid, PartMesher mesher) {
+    private static boolean isSkin(String structure) {
+        return StructureName.parse(structure).orElseThrow().kind() == StructureKind.SKIN;
+    }
+
+    private double edge(String structure, double voxelMm3) {
+        StructureKind kind = StructureName.parse(structure).orElseThrow().kind();
+        return edgeMm.orElse(Math.max(Math.cbrt(voxelMm3), EDGES_MM.getOrDefault(kind, BONE_EDGE_MM)));
+    }
+
+    /** By how much larger voxels still show what triangles of an edge do. */
+    private static int[] coarser(Parts parts, double edge) {
+        return IntStream.range(0, 3)
+                .map(direction ->
+                        Math.max(1, (int) (VOXELS_AN_EDGE * edge / parts.grid().spacing(direction))))
+                .toArray();
+    }
+
+    private Organ organ(
+            String structure,
+            Parts parts,
+            int[] counts,
+            double voxelMm3,
+            PartMesher mesher,
+            Optional<PartMesher> skin) {
         StructureName known = StructureName.parse(structure).orElseThrow();
         int part = parts.find(structure);
-        double voxelMm = Math.cbrt(grid.voxelVolume());
-        double edge = edgeMm.orElse(Math.max(voxelMm, EDGES_MM.getOrDefault(known.kind(), BONE_EDGE_MM)));
-        MeshedPart meshed = mesher.mesh(part, edge);
+        double edge = edge(structure, voxelMm3);
+        boolean outline = isSkin(structure);
+        MeshedPart meshed = outline ? skin.orElseThrow().mesh(1, edge) : mesher.mesh(part, edge);
+        int count = outline ? IntStream.of(counts).skip(1).sum() : counts[part];
         return Organ.ofScan(
                 new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
                 new Organ.Scan(
-                        parts.labels(structure),
-                        counts[part],
-                        counts[part] * grid.voxelVolume() / MM3_PER_ML,
-                        parts.cutAt(structure),
-                        meshed));
+                        parts.labels(structure), count, count * voxelMm3 / MM3_PER_ML, parts.cutAt(structure), meshed));
     }
 
     /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */

@@ -21,7 +21,7 @@ public final class MovingScene {
 
     /**
      * @param surfaces of a scene, in the order of its frames
-     * @throws BadInputException with one sentence, if there is no skin or no liver
+     * @throws BadInputException with one sentence, if there is no skin or no liver, or liver or lungs stand still while the body breathes
      */
     public MovingScene(List<Surface> surfaces) {
         for (int i = 0; i < surfaces.size(); i++) {
@@ -36,6 +36,8 @@ public final class MovingScene {
         }
         skin = require(StructureKind.SKIN, "skin");
         liver = require(StructureKind.LIVER, "liver");
+        requireMotion(StructureKind.LIVER, "a liver that stands still (liver: false)");
+        requireMotion(StructureKind.LUNG, "lungs that stand still (lungs: off)");
         diaphragm = find(StructureKind.DIAPHRAGM);
         pleura = diaphragm.map(d -> new PleuralLimit(d.surface().rest()));
     }
@@ -44,6 +46,15 @@ public final class MovingScene {
         return find(kind)
                 .orElseThrow(() -> new BadInputException(
                         "the body: found no " + name + ", expected one to rehearse liver access on"));
+    }
+
+    private void requireMotion(StructureKind kind, String still) {
+        for (MovingStructure structure : structures) {
+            if (structure.surface().kind() == kind && structure.surface().motion() == Surface.Motion.STILL) {
+                throw new BadInputException("the body: found " + still
+                        + ", expected what moves with the breath to rehearse liver access on");
+            }
+        }
     }
 
     private Optional<MovingStructure> find(StructureKind kind) {

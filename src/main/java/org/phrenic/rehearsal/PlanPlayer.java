@@ -122,14 +122,16 @@ public final class PlanPlayer {
     /**
      * The point of the skin at end-expiration that a step means.
      *
-     * @throws BadInputException with one sentence, if no path is free
+     * @throws BadInputException with one sentence, if the needle is too short or no path is free
      */
     static double[] entry(PlanStep.Place place, AccessMap map) {
         return place.entryRest()
                 .or(() -> (place.atEndExpiration() ? map.bestAt(0, Rehearsal.ROOM_MM) : map.best(Rehearsal.ROOM_MM))
                         .map(map::pointAtRest))
-                .orElseThrow(() -> new BadInputException(
-                        place.place() + ": found no free path to the target from anywhere on the skin, expected one"));
+                .orElseThrow(() -> new BadInputException(place.place()
+                        + (map.counts().get("in_reach").equals(0)
+                                ? ": found the needle too short to reach the target from anywhere on the skin, expected a longer one"
+                                : ": found no free path to the target from anywhere on the skin, expected one")));
     }
 
     private double[] point(PlanStep.Aim aim) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.format.Notice;
 import org.phrenic.format.ReportDocument;
 import org.phrenic.format.ReportDocument.Column;
@@ -63,16 +64,20 @@ public final class RehearsalReport {
         return access;
     }
 
-    /** What words in a report mean. */
-    static List<String> definitions() {
-        return List.of(
+    /** What words in a report mean, and what this body cannot show. */
+    private List<String> definitions() {
+        List<String> words = new ArrayList<>(List.of(
                 "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where the target's middle lies deeper; lateral: distance of the middle from the needle's line.",
                 "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by a path that enters the diaphragm more than "
                         + mm(PleuralLimit.ABOVE_RIM_MM) + " mm above its lower rim.",
                 "Vessels below a rib: within " + mm(RibBorder.ZONE_MM) + " mm of the rib's lower border.",
                 "Capsule pulled: distance between the needle and where it went through the capsule, which moves with the liver. No force is worked out.",
                 "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels count only where the body has them.",
-                AttemptRecord.NOT_VALIDATED);
+                AttemptRecord.NOT_VALIDATED));
+        if (rehearsal.surfaces().stream().noneMatch(s -> s.kind() == StructureKind.LUNG)) {
+            words.add("This body has no lungs: a path through them is not noticed.");
+        }
+        return words;
     }
 
     /** The report card. */

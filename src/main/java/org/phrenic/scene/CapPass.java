@@ -13,6 +13,9 @@ final class CapPass {
 
     private static final int CORNERS = 4;
 
+    /** Of the smallest steps of depth. */
+    private static final float NEARER = 4;
+
     private final GlObjects objects;
     private final ShaderProgram program;
     private final int nothing;
@@ -31,13 +34,19 @@ final class CapPass {
     void draw(GL3 gl, List<SurfaceBuffers> bodies, SurfacePass faces, Sight sight, SceneStyle style) {
         ClipPlane plane = style.clip().orElseThrow();
         gl.glEnable(GL3.GL_STENCIL_TEST);
-        for (SurfaceBuffers body : bodies) {
+        gl.glEnable(GL3.GL_POLYGON_OFFSET_FILL);
+        for (int i = 0; i < bodies.size(); i++) {
+            SurfaceBuffers body = bodies.get(i);
             Box box = Box.of(body.surface().rest());
             if (body.isClosed() && box.isNear(plane)) {
                 count(gl, body, faces, sight, style);
+                // All lie in one plane: what comes later lies over what came before, as a target over the liver about
+                // it.
+                gl.glPolygonOffset(0, -NEARER * i);
                 fill(gl, body, box, plane, sight, style);
             }
         }
+        gl.glDisable(GL3.GL_POLYGON_OFFSET_FILL);
         gl.glDisable(GL3.GL_STENCIL_TEST);
     }
 

@@ -2,11 +2,14 @@ package org.phrenic.scene;
 
 import com.jogamp.common.jvm.JNILibLoaderBase;
 import com.jogamp.common.os.Platform;
+import com.jogamp.common.util.LongObjectHashMap;
 import com.jogamp.common.util.cache.TempJarCache;
 import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLProfile;
+import com.jogamp.opengl.GLRendererQuirks;
 import com.jogamp.opengl.egl.EGL;
+import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 
 /**
@@ -20,13 +23,15 @@ final class EglWithoutDisplay extends JNILibLoaderBase {
     /** NativeWindowFactory.TYPE_EGL, which to ask for would be too early: that class reads the property below as it loads. */
     private static final String WINDOW_SYSTEM = ".egl";
 
+    private static final String UNKNOWN_VERSION =
+            "No pictures can be made here: this version of JOGL cannot be told to draw without a display";
+
     private EglWithoutDisplay() {}
 
     /** Must come before anything else of JOGL in this process. */
     static GLDrawableFactory factory() throws NoGraphicsException {
         System.setProperty("nativewindow.ws.name", WINDOW_SYSTEM);
-        System.setProperty("jogl.quirks.force", "NoSurfacelessCtx");
-        System.setProperty("jogl.quirks.ignore", "GLES3ViaEGLES2Config");
+        overrideQuirks();
         Platform.initSingleton();
         NativeWindowFactory.initSingleton();
         if (TempJarCache.isInitialized(true)) {
@@ -44,6 +49,22 @@ final class EglWithoutDisplay extends JNILibLoaderBase {
                     + " (libEGL) to draw without one");
         }
         return factory;
+    }
+
+    /** As the properties jogl.quirks.force and jogl.quirks.ignore would, which are read aloud on stderr. */
+    private static void overrideQuirks() throws NoGraphicsException {
+        try {
+            override("_bitmaskOverrideForce", GLRendererQuirks.NoSurfacelessCtx);
+            override("_bitmaskOverrideIgnore", GLRendererQuirks.GLES3ViaEGLES2Config);
+        } catch (ReflectiveOperationException e) {
+            throw new NoGraphicsException(UNKNOWN_VERSION, e);
+        }
+    }
+
+    private static void override(String mask, int quirk) throws ReflectiveOperationException {
+        Field field = GLRendererQuirks.class.getDeclaredField(mask);
+        field.setAccessible(true);
+        field.setInt(null, field.getInt(null) | 1 << quirk);
     }
 
     private static void takeSurfacelessDisplay() throws NoGraphicsException {
@@ -71,9 +92,17 @@ final class EglWithoutDisplay extends JNILibLoaderBase {
                         "No pictures can be made here: there is no display, and the driver of EGL does not start without one");
             }
             only.invoke(null, true);
+            endQuietly(displays);
         } catch (ReflectiveOperationException e) {
-            throw new NoGraphicsException(
-                    "No pictures can be made here: this version of JOGL cannot be told to draw without a display", e);
+            throw new NoGraphicsException(UNKNOWN_VERSION, e);
         }
+    }
+
+    /** The driver takes the display back as the process ends. JOGL would then say on stderr that it was left open, which is of no use to anyone; so it forgets it first. */
+    private static void endQuietly(Class<?> displays) throws ReflectiveOperationException {
+        Field open = displays.getDeclaredField("openEGLDisplays");
+        open.setAccessible(true);
+        LongObjectHashMap left = (LongObjectHashMap) open.get(null);
+        NativeWindowFactory.addCustomShutdownHook(true, left::clear);
     }
 }

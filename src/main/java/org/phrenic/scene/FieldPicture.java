@@ -43,16 +43,38 @@ public final class FieldPicture implements AutoCloseable {
 
     /** Writes a picture with the scale of its colours. */
     public void write(Path file, Shot shot, ColourScale scale) {
+        PngFile.write(file, picture(shot, scale, SceneBounds.of(surfaces)));
+    }
+
+    /**
+     * The same for a report, not yet written.
+     *
+     * @param box what is to be seen, so that pictures side by side show it alike: least x, y, z, then greatest, mm
+     */
+    public FigurePicture figure(
+            String name, String alternative, String caption, Shot shot, ColourScale scale, double[] box) {
+        return new FigurePicture(name, alternative, caption, picture(shot, scale, box));
+    }
+
+    private BufferedImage picture(Shot shot, ColourScale scale, double[] box) {
         SceneStyle style = SceneStyle.atlas(surfaces).withSamples(SAMPLES).withField(ColourField.DISTANCE, NAME, scale);
-        Camera camera = shot.camera(SceneBounds.of(surfaces));
+        return picture(gl, renderer, surfaces, style, shot, box);
+    }
+
+    /** A picture of surfaces as they lie, with letters and, of a quantity, its scale. */
+    static BufferedImage picture(
+            OffscreenGl gl, Renderer renderer, List<Surface> surfaces, SceneStyle style, Shot shot, double[] box) {
+        Camera camera = shot.camera(box);
         BufferedImage picture = gl.picture(renderer, Frame.still(surfaces), camera, style, shot.width(), shot.height());
         if (shot.annotated() && Annotations.canWrite()) {
-            Annotations.on(style.background() == Background.LIGHT)
-                    .withTitle(shot.title())
-                    .withScale(style.field().label(), scale)
+            Annotations plain =
+                    Annotations.on(style.background() == Background.LIGHT).withTitle(shot.title());
+            (style.field() == ColourField.NONE
+                            ? plain
+                            : plain.withScale(style.field().label(), style.scale()))
                     .draw(picture, camera);
         }
-        PngFile.write(file, picture);
+        return picture;
     }
 
     @Override

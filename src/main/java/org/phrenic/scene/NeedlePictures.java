@@ -75,7 +75,7 @@ public final class NeedlePictures implements AutoCloseable {
                 view.name() + "_section",
                 renderer,
                 view.frame(),
-                View.SUPERIOR,
+                View.INFERIOR,
                 cut(all, view),
                 title + ", cut open along the needle",
                 moment));
@@ -104,7 +104,7 @@ public final class NeedlePictures implements AutoCloseable {
         return SceneStyle.atlas(all).withLooks(looks).withSamples(SAMPLES).withTransparency(Transparency.PEELED);
     }
 
-    /** A plane that holds the needle and is as level as it can be; what lies above is left out. */
+    /** A plane that holds the needle and is as level as it can be; what lies below is left out, so that it is seen as an axial slice is. */
     private static SceneStyle cut(List<Surface> all, NeedleView view) {
         double[] d = {view.tip()[0] - view.hub()[0], view.tip()[1] - view.hub()[1], view.tip()[2] - view.hub()[2]};
         double flat = Math.sqrt(d[0] * d[0] + d[1] * d[1]);
@@ -114,15 +114,14 @@ public final class NeedlePictures implements AutoCloseable {
         double nz = flat;
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
         double[] p = view.tip();
-        double offset = (nx * p[0] + ny * p[1] + nz * p[2]) / length + DRAWN_RADIUS_MM;
+        double offset = (nx * p[0] + ny * p[1] + nz * p[2]) / length;
         Map<String, Look> looks = new LinkedHashMap<>();
         for (Surface s : all) {
             Look look = Material.of(s.kind()).look();
             looks.put(
                     s.name(),
                     switch (s.kind()) {
-                        case LUNG -> look.withOpacity(1);
-                        case LIVER -> look.withOpacity(0.8f);
+                        case LUNG, LIVER -> look.withOpacity(1);
                         default -> look;
                     });
         }
@@ -132,7 +131,7 @@ public final class NeedlePictures implements AutoCloseable {
                 .withLooks(looks)
                 .withSamples(SAMPLES)
                 .withTransparency(Transparency.PEELED)
-                .withClip(Optional.of(new ClipPlane(nx, ny, nz, offset)));
+                .withClip(Optional.of(new ClipPlane(-nx, -ny, -nz, -offset)));
     }
 
     /**

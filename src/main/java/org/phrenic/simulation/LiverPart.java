@@ -18,6 +18,8 @@ import org.phrenic.geometry.TriangleMesh;
  * <p>{@code min Σ w |u - T - ω × r|² + β ρ² |ω|² Σ w},  {@code ρ² = 2/3} of the mean {@code |r|²}; {@code x = X + T + (R(ω) - 1)(X - c)}.
  *
  * <p>What goes up and down does so wholly at the liver's top and less toward its lower edge, for it is soft and lies on the gut (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1).
+ *
+ * <p>Where the diaphragm's abdominal face would then stand within it, it gives way ({@link LiverPress}): carried stiffly, its front would come through the costal part of the muscle in a deep breath.
  */
 final class LiverPart {
     /** What of the roof is this near to the liver at rest lies on it; behind, it is the bare area with the coronary ligament. */
@@ -32,6 +34,12 @@ final class LiverPart {
     private static final double LOWEST_SHARE = 0.82;
     private static final int FEWEST = 12;
 
+    /** What of the diaphragm is farther from the liver at rest never comes to it. */
+    private static final double REACH_MM = 80;
+
+    /** Turns of the fixed point that finds where a place of the sheet is in the liver as it is at rest; each is five times nearer. */
+    private static final int INVERSIONS = 4;
+
     final Structure structure;
     private final int[] roof;
     private final double[] area;
@@ -39,8 +47,14 @@ final class LiverPart {
     private final double bareArea;
     private final double[] centre = new double[3];
     private final DMatrix3x3 resistance = new DMatrix3x3();
-    private final double[] share;
+    private final LiverPress press;
+    private final int[] face;
+    private final double lowest;
+    private final double height;
     private final double[] moved;
+    private final double[] step = new double[3];
+    private double first;
+    private double second;
     private final double[] shift = new double[3];
     private final DMatrix3 moment = new DMatrix3();
     private final DMatrix3 turn = new DMatrix3();
@@ -53,7 +67,7 @@ final class LiverPart {
         NearestVertex surface = new NearestVertex(mesh, i -> true);
         double[] distance = new double[sheet.vertexCount()];
         for (int i = 0; i < distance.length; i++) {
-            surface.find(sheet.x(i), sheet.y(i), sheet.z(i), 3 * ATTACHED_MM);
+            surface.find(sheet.x(i), sheet.y(i), sheet.z(i), REACH_MM);
             distance[i] = surface.distance();
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);
@@ -72,11 +86,16 @@ final class LiverPart {
             all += bare[k] ? area[k] : 0;
         }
         bareArea = all;
-        share = new double[mesh.vertexCount()];
         moved = mesh.positions().clone();
-        for (int i = 0; i < share.length; i++) {
-            double height = (mesh.z(i) - box[2]) / (box[5] - box[2]);
-            share[i] = LOWEST_SHARE + (1 - LOWEST_SHARE) * height * height * (3 - 2 * height);
+        lowest = box[2];
+        height = box[5] - box[2];
+        int[] abdominal = IntStream.range(0, distance.length)
+                .filter(i -> !d.isThoracic(i) && distance[i] < REACH_MM)
+                .toArray();
+        face = IntStream.of(abdominal).map(i -> 3 * (part.first + i)).toArray();
+        press = new LiverPress(mesh);
+        for (int i : abdominal) {
+            press.allow(sheet.x(i), sheet.y(i), sheet.z(i));
         }
         if (bareArea > 0) {
             measure(sheet.positions(), vertices);
@@ -129,24 +148,57 @@ final class LiverPart {
             return moved;
         }
         follow(rest, now);
+        boolean pressed = press(now);
         double[] start = structure.mesh().positions();
-        double angle = Math.sqrt(turn.a1 * turn.a1 + turn.a2 * turn.a2 + turn.a3 * turn.a3);
-        // Rodrigues: (R - 1) r = sin θ / θ ω × r + (1 - cos θ) / θ² ω × (ω × r).
-        double first = angle > 0 ? StrictMath.sin(angle) / angle : 1;
-        double second = angle > 0 ? (1 - StrictMath.cos(angle)) / (angle * angle) : 0.5;
-        for (int i = 0; i < share.length; i++) {
-            double x = start[3 * i] - centre[0];
-            double y = start[3 * i + 1] - centre[1];
-            double z = start[3 * i + 2] - centre[2];
-            double ax = turn.a2 * z - turn.a3 * y;
-            double ay = turn.a3 * x - turn.a1 * z;
-            double az = turn.a1 * y - turn.a2 * x;
-            moved[3 * i] = start[3 * i] + shift[0] + first * ax + second * (turn.a2 * az - turn.a3 * ay);
-            moved[3 * i + 1] = start[3 * i + 1] + shift[1] + first * ay + second * (turn.a3 * ax - turn.a1 * az);
-            moved[3 * i + 2] =
-                    start[3 * i + 2] + share[i] * (shift[2] + first * az + second * (turn.a1 * ay - turn.a2 * ax));
+        for (int i = 0; i < start.length; i += 3) {
+            double x = start[i];
+            double y = start[i + 1];
+            double z = start[i + 2];
+            if (pressed) {
+                press.at(x, y, z, step);
+                x += step[0];
+                y += step[1];
+                z += step[2];
+            }
+            displace(x, y, z);
+            moved[i] = x + step[0];
+            moved[i + 1] = y + step[1];
+            moved[i + 2] = z + step[2];
         }
         return moved;
+    }
+
+    /** Presses the face of the diaphragm, seen from the liver as it is at rest, into that; whether it gives way anywhere. */
+    private boolean press(double[] now) {
+        press.begin();
+        for (int i : face) {
+            double x = now[i] - shift[0];
+            double y = now[i + 1] - shift[1];
+            double z = now[i + 2] - shift[2];
+            for (int turns = 0; turns < INVERSIONS; turns++) {
+                displace(x, y, z);
+                x = now[i] - step[0];
+                y = now[i + 1] - step[1];
+                z = now[i + 2] - step[2];
+            }
+            press.push(x, y, z);
+        }
+        return press.settle();
+    }
+
+    /** How a place of the liver at rest is carried by shift and turn. Rodrigues: (R - 1) r = sin θ / θ ω × r + (1 - cos θ) / θ² ω × (ω × r). */
+    private void displace(double px, double py, double pz) {
+        double x = px - centre[0];
+        double y = py - centre[1];
+        double z = pz - centre[2];
+        double ax = turn.a2 * z - turn.a3 * y;
+        double ay = turn.a3 * x - turn.a1 * z;
+        double az = turn.a1 * y - turn.a2 * x;
+        double up = Math.max(0, Math.min(1, (pz - lowest) / height));
+        double share = LOWEST_SHARE + (1 - LOWEST_SHARE) * up * up * (3 - 2 * up);
+        step[0] = shift[0] + first * ax + second * (turn.a2 * az - turn.a3 * ay);
+        step[1] = shift[1] + first * ay + second * (turn.a3 * ax - turn.a1 * az);
+        step[2] = share * (shift[2] + first * az + second * (turn.a1 * ay - turn.a2 * ax));
     }
 
     /** Forms shift and turn. */
@@ -172,5 +224,8 @@ final class LiverPart {
             moment.a3 += area[k] * (x * uy - y * ux);
         }
         CommonOps_DDF3.mult(resistance, moment, turn);
+        double angle = Math.sqrt(turn.a1 * turn.a1 + turn.a2 * turn.a2 + turn.a3 * turn.a3);
+        first = angle > 0 ? StrictMath.sin(angle) / angle : 1;
+        second = angle > 0 ? (1 - StrictMath.cos(angle)) / (angle * angle) : 0.5;
     }
 }

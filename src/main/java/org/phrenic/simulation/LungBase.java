@@ -24,6 +24,9 @@ import org.phrenic.geometry.TriangleTree;
  */
 final class LungBase implements PrescribedMotion {
     private static final double SPACING_MM = 6;
+    /** A step along the face with a little slack for rounding. */
+    private static final double MOST_STEP_MM = 1.01 * SPACING_MM;
+
     private static final int MOST_POINTS = 48;
     /** The sheet lies against the wall where it is nearer to it than this: the pleura is no gap, but given sheets are smoothed. */
     private static final double APPOSED_MM = 8;
@@ -69,11 +72,11 @@ final class LungBase implements PrescribedMotion {
 
     /**
      * @param points the base's vertices at rest, three numbers each, mm
+     * @param tracks the lines from these points down the face
      */
-    LungBase(ParticleSystem system, DiaphragmPart part, ChestWall chest, double[] points) {
+    LungBase(ParticleSystem system, DiaphragmPart part, ChestWall chest, double[] points, Tracks tracks) {
         this.system = system;
         Diaphragm sheet = part.diaphragm;
-        Tracks tracks = new Tracks(sheet, points);
         NodeLayout layout = system.layout();
         int n = points.length / 3;
         int[] vertices = Arrays.stream(tracks.corner).distinct().sorted().toArray();
@@ -210,8 +213,8 @@ final class LungBase implements PrescribedMotion {
                 + weight[3 * point + 2] * of[watched[corner[3 * point + 2]] + axis];
     }
 
-    /** Lines of points down the thoracic face at rest. */
-    private static final class Tracks {
+    /** Lines of points down the thoracic face at rest. They depend on the body alone, so they can be drawn before there is a system of nodes. */
+    static final class Tracks {
         private final int[] start;
         private int[] corner;
         private double[] weight;
@@ -240,7 +243,8 @@ final class LungBase implements PrescribedMotion {
                 double[] at = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
                 double before = Double.POSITIVE_INFINITY;
                 for (int k = 0; k < MOST_POINTS; k++) {
-                    tree.closest(at[0], at[1], at[2], hit);
+                    // From the second point on no farther than the step taken: that cuts the search short.
+                    tree.closest(at[0], at[1], at[2], k == 0 ? Double.POSITIVE_INFINITY : MOST_STEP_MM, hit);
                     double toInsertion = 0;
                     double[] weights = {hit.weightA, hit.weightB, hit.weightC};
                     for (int c = 0; c < 3; c++) {

@@ -7,6 +7,7 @@ import org.phrenic.geometry.TriangleMesh;
 /** Finds the nearest of some vertices of a mesh: cells of a grid, searched shell by shell. One thread at a time. */
 final class NearestVertex {
     private static final double CELL_MM = 10;
+    private static final double SLACK_MM = 1e-6;
 
     private final TriangleMesh mesh;
     private final double[] box;
@@ -80,6 +81,9 @@ final class NearestVertex {
                             continue;
                         }
                         int cell = (i * cells[1] + j) * cells[2] + k;
+                        if (start[cell] == start[cell + 1] || toCell(i, j, k, x, y, z) > bestSquared) {
+                            continue;
+                        }
                         for (int n = start[cell]; n < start[cell + 1]; n++) {
                             int v = vertex[n];
                             double dx = mesh.x(v) - x;
@@ -97,6 +101,18 @@ final class NearestVertex {
         }
         distance = Math.sqrt(bestSquared);
         return best;
+    }
+
+    /** Squared distance from a cell, a little less than it is, so that rounding loses no vertex on its face. */
+    private double toCell(int i, int j, int k, double x, double y, double z) {
+        double dx = toSlab(i, x - box[0]);
+        double dy = toSlab(j, y - box[1]);
+        double dz = toSlab(k, z - box[2]);
+        return dx * dx + dy * dy + dz * dz;
+    }
+
+    private static double toSlab(int cell, double from) {
+        return Math.max(0, Math.max(cell * CELL_MM - from, from - (cell + 1) * CELL_MM) - SLACK_MM);
     }
 
     private double outside(double x, double y, double z) {

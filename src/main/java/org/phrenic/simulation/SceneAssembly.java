@@ -67,7 +67,7 @@ final class SceneAssembly {
         RibCagePose pose = new RibCagePose(cage, drive);
         // Meshing takes longest and its parts are independent: they are done side by side.
         Ahead<List<Structure>> lungsMeshed = Ahead.of(this::lungStructures);
-        Ahead<List<Structure>> sternumMeshed = Ahead.of(() -> scenario.sternum() == SternumModel.SPRINGS
+        Ahead<List<SternumPart.Braced>> sternumMeshed = Ahead.of(() -> scenario.sternum() == SternumModel.SPRINGS
                 ? SternumPart.meshed(thorax, scenario.resolution())
                 : List.of());
         Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
@@ -92,6 +92,10 @@ final class SceneAssembly {
                 : Optional.empty();
 
         double[] positions = parts.positions();
+        // The lines down the sheet are drawn while the system of nodes is put together.
+        Optional<Ahead<LungBase.Tracks>> tracks = lungs.filter(l -> wall != null)
+                .map(l -> SceneParts.points(positions, 0, l.base.node()))
+                .map(points -> Ahead.of(() -> new LungBase.Tracks(diaphragm.diaphragm, points)));
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
         double massAdded = physical ? scaleMasses(positions, masses, lungs) : 0;
@@ -141,7 +145,7 @@ final class SceneAssembly {
         }
         Optional<Attachments> base = Optional.empty();
         if (lungs.isPresent()) {
-            base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions));
+            base = Optional.of(onDiaphragm(system, lungs.get(), diaphragm, wall, positions, tracks));
         }
         if (wall != null && lungs.isPresent()) {
             push(system, lungs.get(), drive);
@@ -275,12 +279,17 @@ final class SceneAssembly {
 
     /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */
     private Attachments onDiaphragm(
-            ParticleSystem system, LungPart lungs, DiaphragmPart diaphragm, ChestWall wall, double[] positions) {
+            ParticleSystem system,
+            LungPart lungs,
+            DiaphragmPart diaphragm,
+            ChestWall wall,
+            double[] positions,
+            Optional<Ahead<LungBase.Tracks>> tracks) {
         int[] nodes = lungs.base.node();
         double[] points = SceneParts.points(positions, 0, nodes);
-        PrescribedMotion places = wall == null
+        PrescribedMotion places = tracks.isEmpty()
                 ? new CarriedPoints(system, lungs.base.nearestNode(), points)
-                : new LungBase(system, diaphragm, wall, points);
+                : new LungBase(system, diaphragm, wall, points, tracks.get().get());
         Attachments base = new Attachments(system.layout(), nodes, lungs.base.stiffnesses(), 0, places);
         base.setRefreshInterval(refresh);
         system.add(base);

@@ -31,23 +31,29 @@ final class SternumPart {
     final List<Structure> structures = new ArrayList<>();
     final List<Integer> firsts = new ArrayList<>();
 
-    /** Sternum and cartilages at a resolution. */
-    static List<Structure> meshed(Thorax thorax, Resolution resolution) {
+    /** A bone or cartilage and the pairs of its vertices that are braced across it. */
+    record Braced(Structure structure, List<AcrossSheet.Pair> braces) {}
+
+    /** Sternum and cartilages at a resolution, with their braces: what can be worked out before anything else is known. */
+    static List<Braced> meshed(Thorax thorax, Resolution resolution) {
         List<Structure> given = new ArrayList<>(thorax.all(StructureKind.STERNUM));
         given.addAll(thorax.all(StructureKind.COSTAL_CARTILAGE));
-        return Remeshing.toBudget(given, resolution.sternumVertices());
+        return Remeshing.toBudget(given, resolution.sternumVertices()).stream()
+                .map(s -> new Braced(s, AcrossSheet.of(s.mesh(), REACH_MM).nearest(BRACES)))
+                .toList();
     }
 
-    SternumPart(SceneParts parts, List<Structure> meshed, RibCage cage, TissueLaw law) {
+    SternumPart(SceneParts parts, List<Braced> meshed, RibCage cage, TissueLaw law) {
         double edge = law.edgeStiffness(2, STIFFNESS);
-        for (Structure s : meshed) {
+        for (Braced braced : meshed) {
+            Structure s = braced.structure();
             TriangleMesh mesh = s.mesh();
             int first = parts.addNodes(mesh, law.masses(mesh, STIFFNESS));
             structures.add(s);
             firsts.add(first);
             law.addEdges(parts.passive, mesh, first, STIFFNESS);
             double[] p = mesh.positions();
-            for (AcrossSheet.Pair pair : AcrossSheet.of(mesh, REACH_MM).nearest(BRACES)) {
+            for (AcrossSheet.Pair pair : braced.braces()) {
                 parts.passive.add(
                         first + pair.a(),
                         first + pair.b(),

@@ -1,8 +1,12 @@
 package org.phrenic.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -120,6 +124,28 @@ final class Docks {
         boolean shown = layout.component(place) == null;
         preferences.setFlag("shown." + place, shown);
         layout.put(place, shown ? docks.get(place) : null);
+    }
+
+    /** All docks, wherever they stand. */
+    List<Component> all() {
+        return Stream.of(
+                        left,
+                        right,
+                        bottom,
+                        organs,
+                        show,
+                        parameters,
+                        breath,
+                        forces,
+                        settings,
+                        plots,
+                        timeline,
+                        rehearse,
+                        attempts,
+                        sections)
+                .filter(Objects::nonNull)
+                .map(Component.class::cast)
+                .toList();
     }
 
     RehearsalDoor door() {

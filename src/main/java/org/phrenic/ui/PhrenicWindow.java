@@ -37,6 +37,7 @@ public final class PhrenicWindow {
     private final WelcomeCard welcome;
     private final StatusLine status = new StatusLine();
     private final LogWindow log = new LogWindow();
+    private final Relook relook = new Relook();
     private final WindowFiles files;
     private final Commands commands;
     private final ToolBar tools;
@@ -183,7 +184,7 @@ public final class PhrenicWindow {
         boolean dark = !Theme.isDark();
         preferences.setDark(dark);
         Theme.install(dark);
-        Theme.refresh();
+        relook.begin(docks.all());
         background();
         tools.refresh(session);
     }

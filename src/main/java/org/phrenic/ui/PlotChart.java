@@ -19,15 +19,22 @@ import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnitSource;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.IntervalMarker;
+import org.jfree.chart.plot.Marker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleInsets;
+import org.phrenic.breathing.BreathLabel;
 
 /** The chart: curves of one unit share a plot and its axis, plots stand above one another over one axis of time. Colours are those of the look and feel. */
 final class PlotChart {
     private static final float LINE = 1.6f;
     private static final float[] DASHES = {6, 4};
     private static final double GAP = 8;
+    /** Faint enough for the curves to keep their contrast. */
+    private static final float SHADE = 0.35f;
+
     private static final int WEIGHT_OF_MM = 3;
     private static final int WEIGHT = 2;
 
@@ -94,7 +101,23 @@ final class PlotChart {
             data.get(i).show(ring, from, to);
             fit((NumberAxis) plots.getSubplots().get(i).getRangeAxis(), data.get(i));
         }
+        shade(BreathBands.of(ring, from, to));
         chart.setNotify(true);
+    }
+
+    /** Bands behind the curves of what the breath did, in the colours of the timeline; pauses stay plain. */
+    private void shade(List<BreathBands.Band> bands) {
+        for (Object subplot : plots.getSubplots()) {
+            XYPlot plot = (XYPlot) subplot;
+            plot.clearDomainMarkers();
+            for (BreathBands.Band band : bands) {
+                if (band.label() != BreathLabel.PAUSE) {
+                    Marker marker = new IntervalMarker(band.from(), band.to(), PhaseColours.of(band.label()));
+                    marker.setAlpha(SHADE);
+                    plot.addDomainMarker(marker, Layer.BACKGROUND);
+                }
+            }
+        }
     }
 
     /** A range of round numbers around the values; it grows at once and shrinks only when half of it stands empty, so that it does not tremble. */

@@ -19,6 +19,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
+import org.jfree.chart.JFreeChart;
 import org.phrenic.format.AtomicFile;
 import org.phrenic.format.CsvWriter;
 import org.phrenic.simulation.Observation;
@@ -155,7 +156,12 @@ public final class PlotDock extends JPanel implements Session.Events {
         }
     }
 
-    private void draw() {
+    JFreeChart chart() {
+        return chart.chart();
+    }
+
+    /** Draws what is at hand. */
+    void draw() {
         SampleRing ring = feed.ring();
         if (frozen) {
             chart.show(ring, chart.timeAxis().getLowerBound(), chart.timeAxis().getUpperBound());

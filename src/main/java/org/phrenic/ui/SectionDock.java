@@ -16,7 +16,7 @@ final class SectionDock extends JPanel implements DoorEvents {
 
     private final transient RehearsalDoor door;
     private final SectionView along = new SectionView("Along the needle", ALONG_HALF_MM, false);
-    private final SectionView across = new SectionView("Across, from the hub", ACROSS_HALF_MM, true);
+    private final SectionView across = new SectionView("At the tip", ACROSS_HALF_MM, true);
 
     SectionDock(RehearsalDoor door) {
         super(new MigLayout("insets 0, gap 0 2, wrap 1", "[grow, fill, 0::]", "[grow, fill, 0::][grow, fill, 0::]"));

@@ -14,7 +14,7 @@ final class Theme {
 
     private Theme() {}
 
-    /** Sets the look of all that is made from now on; open windows follow with {@link #refresh}. */
+    /** Sets the look of all that is made from now on; what is there follows with {@link Relook}. */
     static void install(boolean dark) {
         FlatLaf.setGlobalExtraDefaults(Map.of("@accentColor", dark ? ACCENT_DARK : ACCENT_LIGHT));
         if (dark) {
@@ -31,11 +31,6 @@ final class Theme {
         UIManager.put("Component.arc", 6);
         UIManager.put("Button.arc", 6);
         UIManager.put("TitlePane.unifiedBackground", true);
-    }
-
-    /** Lets open windows take the look just set. */
-    static void refresh() {
-        FlatLaf.updateUI();
     }
 
     static boolean isDark() {

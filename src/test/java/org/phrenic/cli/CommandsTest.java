@@ -152,7 +152,7 @@ class CommandsTest {
     void whatNobodyForesawIsOneSentenceAndExitCodeOne() {
         Failures failures = new Failures(() -> false);
         StringWriter err = new StringWriter();
-        CommandLine line = new CommandLine(new Phrenic()).setErr(new PrintWriter(err));
+        CommandLine line = SubCommands.under(new Phrenic()).setErr(new PrintWriter(err));
         int code = failures.handleExecutionException(new IllegalStateException("a\n  b"), line, null);
         assertThat(code).isEqualTo(ExitCode.FAILURE);
         assertThat(err.toString().strip())
@@ -184,7 +184,8 @@ class CommandsTest {
     @MethodSource("documentedLines")
     void everyDocumentedLineIsUnderstood(String line) {
         String[] args = line.substring("phrenic ".length()).split(" ");
-        assertThat(new CommandLine(new Phrenic()).parseArgs(args).errors()).isEmpty();
+        assertThat(SubCommands.under(new Phrenic(), args).parseArgs(args).errors())
+                .isEmpty();
         for (String arg : args) {
             if (arg.startsWith("data/")) {
                 assertThat(Path.of(arg)).exists();

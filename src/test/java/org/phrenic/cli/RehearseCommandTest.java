@@ -103,6 +103,33 @@ class RehearseCommandTest {
         told(rehearse("bad", BODY + TARGET + entry), "inside the body");
     }
 
+    @Test
+    void aNeedleThatIsTooShortAndABreathThatNeverComesAreTold() throws IOException {
+        told(rehearse("bad", BODY + TARGET + "needle: {length_mm: 20}\n" + STEPS), "too short");
+        String waits = "give_up_after_s: 1\nsteps: [{wait: end-inspiration of breath 90}]\n";
+        told(rehearse("bad", BODY + TARGET + waits), "there was no end-inspiration of breath 90");
+    }
+
+    @Test
+    void aBodyWhoseLiverOrLungsStandStillIsTold() throws IOException {
+        told(
+                rehearse("bad", BODY.replace("resolution: low", "resolution: low, liver: false") + TARGET + STEPS),
+                "liver: false");
+        told(rehearse("bad", BODY.replace("lungs: embedded", "lungs: off") + TARGET + STEPS), "lungs: off");
+    }
+
+    @Test
+    void aFolderThatCannotBeWrittenIsToldBeforeAnythingIsSimulated() throws IOException {
+        Path file = Files.writeString(folder.resolve("taken"), "a file");
+        CommandLineRun run = rehearse("taken/below", BODY + TARGET + STEPS);
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err().lines().filter(l -> l.startsWith("phrenic: ")))
+                .singleElement()
+                .asString()
+                .contains("taken");
+        assertThat(file).hasContent("a file");
+    }
+
     private void told(CommandLineRun run, String expected) {
         assertThat(run.exitCode()).as(run.err()).isEqualTo(2);
         assertThat(run.err().lines().filter(l -> l.startsWith("phrenic: ")))

@@ -42,6 +42,9 @@ class ReproduceCommandTest {
 
     @Test
     void everythingThatThePaperPrintsIsFoundInIt() {
+        // A quick reproduction looks at no scan: a synthetic patient stands in, and the report says so.
+        assertThat(markdown).contains("A synthetic patient stands in", "synthetic | ", "0.74", "0.75");
+        assertThat(markdown).doesNotContain("not there yet");
         // The paper's tables 1 and 2, its parameters, its errors, its mesh sizes, in the order of its pages.
         assertThat(List.of(html, markdown)).allSatisfy(report -> assertThat(report)
                 .contains("11,359 nodes", "22,722 triangles", "6,633 nodes", "13,267 triangles")
@@ -49,7 +52,7 @@ class ReproduceCommandTest {
                 .contains("8.24", "10.93", "13.27", "9.68", "11.76", "14.70")
                 .contains("20,909", "16,023", "12,047")
                 .contains("5.8 ± 5", "4.29 ± 3.6", "16 ± 9.4", "12 ± 6.7")
-                .contains("4th intercostal space", "T8 to T9", "not there yet")
+                .contains("4th intercostal space", "T8 to T9")
                 .contains("Fig. 1", "Fig. 2", "Fig. 3", "Fig. 4", "Fig. 5", "Table 1", "Table 2")
                 .contains(Notice.TEXT));
     }
@@ -61,7 +64,7 @@ class ReproduceCommandTest {
                 .newDocumentBuilder()
                 .parse(folder.resolve("report/report.html").toFile());
         NodeList pictures = page.getElementsByTagName("img");
-        assertThat(pictures.getLength()).isEqualTo(6);
+        assertThat(pictures.getLength()).isEqualTo(14);
         for (int i = 0; i < pictures.getLength(); i++) {
             Element picture = (Element) pictures.item(i);
             assertThat(picture.getAttribute("alt")).isNotBlank();
@@ -91,5 +94,25 @@ class ReproduceCommandTest {
         CommandLineRun refused = CommandLineRun.of("reproduce");
         assertThat(refused.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(refused.err()).contains("--out");
+    }
+
+    @Test
+    void aFolderWithoutPairsOfScansIsRefusedBeforeAnythingIsMeasured() throws IOException {
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        assertRefused("no pair of volumes", "--patients", empty.toString());
+        assertRefused("no folder", "--patients", folder.resolve("none").toString());
+        assertRefused("no --patients", "--axes", "LPS");
+    }
+
+    private static void assertRefused(String part, String... options) {
+        String[] args = new String[3 + options.length];
+        args[0] = "reproduce";
+        args[1] = "--out";
+        args[2] = folder.resolve("nothing").toString();
+        System.arraycopy(options, 0, args, 3, options.length);
+        CommandLineRun refused = CommandLineRun.of(args);
+        assertThat(refused.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(refused.err()).hasLineCount(1).contains(part, "expected");
+        assertThat(folder.resolve("nothing")).doesNotExist();
     }
 }

@@ -23,6 +23,8 @@ class ScanImportTest {
     private static final LabelMap MAP =
             new LabelMap(Map.of(ScanSamples.LUNGS, LabelMap.LUNGS, ScanSamples.LIVER, "liver"));
 
+    private static final LabelMap SKIN = new LabelMap(Map.of(7, "skin_torso"));
+
     private static FittedBody body(LabelVolume volume, LabelMap map) {
         return new ScanImport(volume, "scan", MeshingSteps.PAPER, Optional.empty(), (n, of, what) -> {})
                 .run(map, "body");
@@ -52,6 +54,22 @@ class ScanImportTest {
         assertThat(left[0]).isCloseTo(0, within(3 * ScanSamples.SPACING_MM));
         assertThat(body.missing()).contains("diaphragm", "rib_01_R").doesNotContain("liver", "lung_R");
         assertThat(body.canBreathe()).isFalse();
+    }
+
+    @Test
+    void theSkinIsTheOutlineOfAllThatIsInIt() {
+        FittedBody bare = body(ScanSamples.volume(label -> label == ScanSamples.LIVER ? 7 : 0, Map.of()), SKIN);
+        FittedBody full = body(
+                ScanSamples.volume(label -> label == ScanSamples.LIVER ? 7 : label, Map.of()),
+                new LabelMap(Map.of(7, "skin_torso", ScanSamples.LUNGS, LabelMap.LUNGS)));
+        TriangleMesh skin = full.find("skin_torso").orElseThrow().structure().mesh();
+        assertThat(new MeshTopology(skin).isClosed()).isTrue();
+        // Lungs that lie beside it, and touch it, are within the outline.
+        assertThat(MeshMeasure.signedVolume(skin))
+                .isGreaterThan(2
+                        * MeshMeasure.signedVolume(
+                                bare.organs().get(0).structure().mesh()));
+        assertThat(full.organs()).hasSize(3);
     }
 
     @Test

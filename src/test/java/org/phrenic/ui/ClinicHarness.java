@@ -9,7 +9,7 @@ import org.phrenic.rehearsal.Rehearsal;
 import org.phrenic.simulation.Scenario;
 
 /** A window under test whose clinician's door is open, on the virtual body at low resolution, breathing fast. */
-final class ClinicHarness implements AutoCloseable {
+final class ClinicHarness {
     private final WindowHarness window;
 
     ClinicHarness(String name) throws Exception {
@@ -79,8 +79,7 @@ final class ClinicHarness implements AutoCloseable {
         return WindowHarness.onEdt(() -> attempts().attempts().get(before));
     }
 
-    @Override
-    public void close() throws Exception {
+    void close() throws Exception {
         window.close();
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Percentage.withPercentage;
 
+import java.awt.Paint;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,11 +14,15 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.IntervalMarker;
+import org.jfree.chart.ui.Layer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.breathing.BreathLabel;
 import org.phrenic.breathing.BreathingPreset;
 import org.phrenic.format.MeshFiles;
 import org.phrenic.geometry.TriangleMesh;
@@ -265,6 +270,25 @@ class DocksTest {
         assertThat(header.subList(0, Observation.COLUMNS.size())).isEqualTo(Observation.COLUMNS);
         assertThat(header).hasSize(Observation.COLUMNS.size() + 1).endsWith("point_1_up_mm");
         assertThat(lines).hasSizeGreaterThan(20);
+    }
+
+    @Test
+    void theBreathIsShadedBehindTheCurves() {
+        PlotDock dock = on(() -> new PlotDock(session));
+        double from = session.live().status().timeS();
+        Edt.until("a breath and more", () -> session.live().status().timeS() > from + 2.5);
+        Edt.run(() -> dock.onTick(session.live().status()));
+        Edt.run(dock::draw);
+        CombinedDomainXYPlot plots = (CombinedDomainXYPlot) dock.chart().getXYPlot();
+        List<Paint> shades = new ArrayList<>();
+        Edt.run(() -> {
+            for (Object marker : plots.getSubplots().get(0).getDomainMarkers(Layer.BACKGROUND)) {
+                shades.add(((IntervalMarker) marker).getPaint());
+            }
+        });
+        assertThat(shades)
+                .contains(PhaseColours.of(BreathLabel.INSPIRATION), PhaseColours.of(BreathLabel.EXPIRATION))
+                .doesNotContain(PhaseColours.of(BreathLabel.PAUSE));
     }
 
     @Test

@@ -388,6 +388,33 @@ class WindowTest {
     }
 
     @Test
+    void lightAndDarkChangeWithoutKeepingTheWindowAndReachWhatIsPutAway() throws Exception {
+        boolean dark = WindowHarness.onEdt(Theme::isDark);
+        // Once each way, for Java to know what there is to do.
+        for (int i = 0; i < 2; i++) {
+            boolean wanted = i == 0 ? !dark : dark;
+            window.command("Light or dark");
+            WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(wanted)));
+        }
+        window.forgetDispatches();
+        window.command("Light or dark");
+        WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(!dark)));
+        List<Double> took = window.dispatches();
+        // The longest may be the first of its kind, before Java has made it fast.
+        assertThat(took.get(took.size() - 2)).isLessThan(LONGEST_EVENT_MS);
+        window.command("Light or dark");
+        WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(dark)));
+    }
+
+    private static boolean isAllOf(boolean dark) {
+        java.awt.Color background = javax.swing.UIManager.getColor("Panel.background");
+        return Theme.isDark() == dark
+                && window.window().docks().all().stream()
+                        .filter(part -> part instanceof javax.swing.JPanel)
+                        .allMatch(part -> part.getBackground().getRGB() == background.getRGB());
+    }
+
+    @Test
     void everyControlSaysWhatItDoes() {
         for (Component control : window.controls()) {
             if (!(control instanceof JMenu)) {

@@ -70,7 +70,14 @@ final class ChestWall implements Axis, Field {
 
     @Override
     public double y(double z) {
-        return new Section(z).axisY;
+        double at = row(z);
+        int low = (int) at;
+        return table[low][0] + (at - low) * (table[low + 1][0] - table[low][0]);
+    }
+
+    /** Place of a height in the table. */
+    private double row(double z) {
+        return Math.max(0, Math.min(table.length - 1.000001, (z - LOW_MM) / STEP_MM));
     }
 
     double frontY(double z) {
@@ -93,7 +100,7 @@ final class ChestWall implements Axis, Field {
         private final double slope;
 
         Section(double z) {
-            double at = Math.max(0, Math.min(table.length - 1.000001, (z - LOW_MM) / STEP_MM));
+            double at = row(z);
             int low = (int) at;
             double t = at - low;
             double[] a = table[low];

@@ -9,10 +9,24 @@ final class DiaphragmShape implements Field {
     private final VirtualThoraxParameters.Diaphragm measures;
     private final ChestWall wall;
     private final Curve rim;
+    private final Cap right;
+    private final Cap left;
+    private final Cap heart;
+    private final double blend;
+    private final double inset;
+    private final double midlineTurn;
+    private final double sideTurn;
 
     DiaphragmShape(VirtualThoraxParameters.Diaphragm measures, ChestWall wall) {
         this.measures = measures;
         this.wall = wall;
+        right = new Cap(measures.right(), measures.domeRadiusXMm(), measures.domeRadiusYMm());
+        left = new Cap(measures.left(), measures.domeRadiusXMm(), measures.domeRadiusYMm());
+        heart = new Cap(measures.heart(), measures.heartRadiusXMm(), measures.heartRadiusYMm());
+        blend = measures.blendMm();
+        inset = wallInset();
+        midlineTurn = measures.midlineTurnRadiusMm();
+        sideTurn = measures.turnRadiusMm();
         rim = new Curve(
                 measures.rim().stream().mapToDouble(row -> row.at(0)).toArray(),
                 measures.rim().stream().mapToDouble(row -> row.at(1)).toArray());
@@ -28,39 +42,58 @@ final class DiaphragmShape implements Field {
         return measures.gapMm() + measures.muscleMm() / 2;
     }
 
-    private static double cap(Values top, double x, double y, double radiusX, double radiusY) {
-        double u = x - top.at(0);
-        double v = y - top.at(1);
-        return top.at(2) - u * u / (2 * radiusX) - v * v / (2 * radiusY);
+    /** A paraboloid: the roof of one dome, or of the plateau. */
+    private static final class Cap {
+        private final double x;
+        private final double y;
+        private final double z;
+        private final double radiusX;
+        private final double radiusY;
+
+        Cap(Values top, double radiusX, double radiusY) {
+            x = top.at(0);
+            y = top.at(1);
+            z = top.at(2);
+            this.radiusX = radiusX;
+            this.radiusY = radiusY;
+        }
+
+        double height(double atX, double atY) {
+            double u = atX - x;
+            double v = atY - y;
+            return z - u * u / (2 * radiusX) - v * v / (2 * radiusY);
+        }
     }
 
     @Override
     public double at(double x, double y, double z) {
-        double k = measures.blendMm();
-        double right = cap(measures.right(), x, y, measures.domeRadiusXMm(), measures.domeRadiusYMm());
-        double left = cap(measures.left(), x, y, measures.domeRadiusXMm(), measures.domeRadiusYMm());
-        double heart = cap(measures.heart(), x, y, measures.heartRadiusXMm(), measures.heartRadiusYMm());
-        double most = Math.max(right, Math.max(left, heart));
-        double r = StrictMath.exp((right - most) / k);
-        double l = StrictMath.exp((left - most) / k);
-        double h = StrictMath.exp((heart - most) / k);
+        double hr = right.height(x, y);
+        double hl = left.height(x, y);
+        double hh = heart.height(x, y);
+        double most = Math.max(hr, Math.max(hl, hh));
+        double r = share(hr, most);
+        double l = share(hl, most);
+        double h = share(hh, most);
         double sum = r + l + h;
-        double roof = most + k * StrictMath.log(sum);
-        double slopeX = (r * (x - measures.right().at(0)) / measures.domeRadiusXMm()
-                        + l * (x - measures.left().at(0)) / measures.domeRadiusXMm()
-                        + h * (x - measures.heart().at(0)) / measures.heartRadiusXMm())
+        double roof = most + blend * StrictMath.log(sum);
+        double slopeX = (r * (x - right.x) / right.radiusX
+                        + l * (x - left.x) / left.radiusX
+                        + h * (x - heart.x) / heart.radiusX)
                 / sum;
-        double slopeY = (r * (y - measures.right().at(1)) / measures.domeRadiusYMm()
-                        + l * (y - measures.left().at(1)) / measures.domeRadiusYMm()
-                        + h * (y - measures.heart().at(1)) / measures.heartRadiusYMm())
+        double slopeY = (r * (y - right.y) / right.radiusY
+                        + l * (y - left.y) / left.radiusY
+                        + h * (y - heart.y) / heart.radiusY)
                 / sum;
         double above = (z - roof) / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
-        double outside = wall.at(x, y, z) + wallInset();
+        double outside = wall.at(x, y, z) + inset;
         double dy = y - wall.y(z);
         double lateral = Math.abs(x) / Math.max(Math.sqrt(x * x + dy * dy), 1e-9);
-        double turn = measures.midlineTurnRadiusMm()
-                + (measures.turnRadiusMm() - measures.midlineTurnRadiusMm())
-                        * Blends.smoothstep(lateral / (dy > 0 ? 0.7 : 0.95));
+        double turn = midlineTurn + (sideTurn - midlineTurn) * Blends.smoothstep(lateral / (dy > 0 ? 0.7 : 0.95));
         return Blends.roundMax(above, outside, turn);
+    }
+
+    /** Of the highest cap 1, without an exponential; of those below it less. */
+    private double share(double height, double most) {
+        return height == most ? 1 : StrictMath.exp((height - most) / blend);
     }
 }

@@ -28,6 +28,10 @@ final class Relaxation {
     private final int[] triangles;
     private final IntFunction<Field> surface;
     private final double meanEdge;
+    private final double[] first = new double[3];
+    private final double[] second = new double[3];
+    private final double[] third = new double[3];
+    private final double[] fourth = new double[3];
 
     private Relaxation(TriangleMesh mesh, IntFunction<Field> surface) {
         positions = mesh.positions().clone();
@@ -220,24 +224,49 @@ final class Relaxation {
     }
 
     private boolean wantsFlip(int c, int d) {
-        double[] a = vertex(triangles[c]);
-        double[] b = vertex(triangles[next(c)]);
-        double[] p = vertex(triangles[next(next(c))]);
-        double[] q = vertex(triangles[next(next(d))]);
-        double[] n1 = Vectors.cross(Vectors.minus(b, a), Vectors.minus(p, a));
-        double[] n2 = Vectors.cross(Vectors.minus(a, b), Vectors.minus(q, b));
-        if (cotangent(p, a, b) + cotangent(q, a, b) >= -1e-9
-                || Vectors.dot(n1, n2) < 0.7 * Vectors.length(n1) * Vectors.length(n2)) {
+        int a = triangles[c];
+        int b = triangles[next(c)];
+        int p = triangles[next(next(c))];
+        int q = triangles[next(next(d))];
+        if (cotangent(p, a, b) + cotangent(q, a, b) >= -1e-9) {
             return false;
         }
-        double[] m1 = Vectors.cross(Vectors.minus(q, a), Vectors.minus(p, a));
-        double[] m2 = Vectors.cross(Vectors.minus(b, q), Vectors.minus(p, q));
-        return Vectors.dot(m1, n1) > 0 && Vectors.dot(m1, n2) > 0 && Vectors.dot(m2, n1) > 0 && Vectors.dot(m2, n2) > 0;
+        cross(a, b, p, first);
+        cross(b, a, q, second);
+        if (Vectors.dot(first, second) < 0.7 * Vectors.length(first) * Vectors.length(second)) {
+            return false;
+        }
+        cross(a, q, p, third);
+        cross(q, b, p, fourth);
+        return Vectors.dot(third, first) > 0
+                && Vectors.dot(third, second) > 0
+                && Vectors.dot(fourth, first) > 0
+                && Vectors.dot(fourth, second) > 0;
     }
 
-    private static double cotangent(double[] apex, double[] a, double[] b) {
-        double[] u = Vectors.minus(a, apex);
-        double[] v = Vectors.minus(b, apex);
-        return Vectors.dot(u, v) / Math.max(Vectors.length(Vectors.cross(u, v)), 1e-12);
+    /** Twice the area vector of the triangle (o, a, b), seen from o. */
+    private void cross(int o, int a, int b, double[] into) {
+        double ux = positions[3 * a] - positions[3 * o];
+        double uy = positions[3 * a + 1] - positions[3 * o + 1];
+        double uz = positions[3 * a + 2] - positions[3 * o + 2];
+        double vx = positions[3 * b] - positions[3 * o];
+        double vy = positions[3 * b + 1] - positions[3 * o + 1];
+        double vz = positions[3 * b + 2] - positions[3 * o + 2];
+        into[0] = uy * vz - uz * vy;
+        into[1] = uz * vx - ux * vz;
+        into[2] = ux * vy - uy * vx;
+    }
+
+    private double cotangent(int apex, int a, int b) {
+        double ux = positions[3 * a] - positions[3 * apex];
+        double uy = positions[3 * a + 1] - positions[3 * apex + 1];
+        double uz = positions[3 * a + 2] - positions[3 * apex + 2];
+        double vx = positions[3 * b] - positions[3 * apex];
+        double vy = positions[3 * b + 1] - positions[3 * apex + 1];
+        double vz = positions[3 * b + 2] - positions[3 * apex + 2];
+        double x = uy * vz - uz * vy;
+        double y = uz * vx - ux * vz;
+        double z = ux * vy - uy * vx;
+        return (ux * vx + uy * vy + uz * vz) / Math.max(Math.sqrt(x * x + y * y + z * z), 1e-12);
     }
 }

@@ -99,15 +99,32 @@ final class Spine {
         return Vectors.of(across, centre[1] + back * cos + up * sin, centre[2] - back * sin + up * cos);
     }
 
-    /** The same point seen in that frame: {@code {across, back, up}}. */
-    double[] toLocal(double path, double x, double y, double z) {
-        double[] centre = centre(path);
-        double lean = lean(path);
-        double sin = StrictMath.sin(lean);
-        double cos = StrictMath.cos(lean);
-        double dy = y - centre[1];
-        double dz = z - centre[2];
-        return Vectors.of(x, dy * cos - dz * sin, dy * sin + dz * cos);
+    /** The frame of {@link #local} at one path: where a point stands in it, without working the frame out anew. */
+    static final class Frame {
+        private final double y;
+        private final double z;
+        private final double sin;
+        private final double cos;
+
+        private Frame(double[] centre, double lean) {
+            y = centre[1];
+            z = centre[2];
+            sin = StrictMath.sin(lean);
+            cos = StrictMath.cos(lean);
+        }
+
+        double back(double atY, double atZ) {
+            return (atY - y) * cos - (atZ - z) * sin;
+        }
+
+        double up(double atY, double atZ) {
+            return (atY - y) * sin + (atZ - z) * cos;
+        }
+    }
+
+    /** The frame along the spine at this path. */
+    Frame frame(double path) {
+        return new Frame(centre(path), lean(path));
     }
 
     VirtualThoraxParameters.Spine measures() {

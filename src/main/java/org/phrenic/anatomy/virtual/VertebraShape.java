@@ -14,13 +14,17 @@ final class VertebraShape implements Field {
     private final double halfWidth;
     private final double halfDepth;
     private final double height;
-    private final double[] pedicleFrom;
-    private final double[] pedicleTo;
-    private final double[] laminaTo;
-    private final double[] spinousTo;
     private final double[] transverse;
-    private final double[] articularUp;
-    private final double[] articularDown;
+    private final Spine.Frame frame;
+    private final Bar pedicle;
+    private final Bar lamina;
+    private final Bar spinous;
+    /** Makes the spinous process of a lumbar vertebra tall. */
+    private final Bar spinousAbove;
+
+    private final Bar transverseBar;
+    private final Bar articularUp;
+    private final Bar articularDown;
     private final boolean lumbar;
 
     VertebraShape(Spine spine, int level) {
@@ -34,16 +38,23 @@ final class VertebraShape implements Field {
         lumbar = level > 12;
         double drop = StrictMath.toRadians(m.spinousDropDeg().at(i));
         double length = m.spinousLengthMm().at(i);
-        pedicleFrom = Vectors.of(halfWidth * 0.62, halfDepth * 0.6, height * 0.18);
-        pedicleTo = Vectors.of(13, halfDepth + 10, height * 0.10);
-        laminaTo = Vectors.of(0, halfDepth + 21, -height * 0.12);
-        spinousTo = Vectors.add(laminaTo, Vectors.of(0, StrictMath.cos(drop), -StrictMath.sin(drop)), length - 4);
+        double[] pedicleFrom = Vectors.of(halfWidth * 0.62, halfDepth * 0.6, height * 0.18);
+        double[] pedicleTo = Vectors.of(13, halfDepth + 10, height * 0.10);
+        double[] laminaTo = Vectors.of(0, halfDepth + 21, -height * 0.12);
+        double[] spinousTo =
+                Vectors.add(laminaTo, Vectors.of(0, StrictMath.cos(drop), -StrictMath.sin(drop)), length - 4);
         transverse = Vectors.of(
                 m.transverseReachMm().at(i) - 4.5,
                 halfDepth + m.transverseBackMm().at(i),
                 height * (lumbar ? 0 : 0.25));
-        articularUp = Vectors.of(14, halfDepth + 11, height * 0.62);
-        articularDown = Vectors.of(11, halfDepth + 16, -height * 0.60);
+        frame = spine.frame(path);
+        pedicle = new Bar(pedicleFrom, pedicleTo, 4.2, 4.0);
+        lamina = new Bar(pedicleTo, laminaTo, 4.2, 4.0);
+        spinous = new Bar(laminaTo, spinousTo, 4.5, lumbar ? 4.5 : 3.2);
+        spinousAbove = new Bar(laminaTo, spinousTo, 4.5, 4.5);
+        transverseBar = new Bar(pedicleTo, transverse, 4.6, 4.8);
+        articularUp = new Bar(pedicleTo, Vectors.of(14, halfDepth + 11, height * 0.62), 4.0, 3.4);
+        articularDown = new Bar(pedicleTo, Vectors.of(11, halfDepth + 16, -height * 0.60), 4.0, 3.4);
     }
 
     /** Middle of the end of the transverse process of this side, mm. */
@@ -76,35 +87,28 @@ final class VertebraShape implements Field {
 
     @Override
     public double at(double x, double y, double z) {
-        double[] p = spine.toLocal(path, Math.abs(x), y, z);
-        double arch = capsule(p, pedicleFrom, pedicleTo, 4.2, 4.0);
-        arch = Blends.smoothMin(arch, capsule(p, pedicleTo, laminaTo, 4.2, 4.0), FILLET_MM);
-        double spinous = capsule(p, laminaTo, spinousTo, 4.5, lumbar ? 4.5 : 3.2);
+        double across = Math.abs(x);
+        double back = frame.back(y, z);
+        double up = frame.up(y, z);
+        double arch = pedicle.at(across, back, up);
+        arch = Blends.smoothMin(arch, lamina.at(across, back, up), FILLET_MM);
+        double process = spinous.at(across, back, up);
         if (lumbar) {
-            double[] q = Vectors.of(p[0], p[1], p[2] + 7);
-            spinous = Blends.smoothMin(spinous, capsule(q, laminaTo, spinousTo, 4.5, 4.5), FILLET_MM);
+            process = Blends.smoothMin(process, spinousAbove.at(across, back, up + 7), FILLET_MM);
         }
-        arch = Blends.smoothMin(arch, spinous, FILLET_MM);
-        arch = Blends.smoothMin(arch, capsule(p, pedicleTo, transverse, 4.6, 4.8), FILLET_MM);
-        arch = Blends.smoothMin(arch, capsule(p, pedicleTo, articularUp, 4.0, 3.4), FILLET_MM);
-        arch = Blends.smoothMin(arch, capsule(p, pedicleTo, articularDown, 4.0, 3.4), FILLET_MM);
-        return Blends.smoothMin(body(p), arch, FILLET_MM);
+        arch = Blends.smoothMin(arch, process, FILLET_MM);
+        arch = Blends.smoothMin(arch, transverseBar.at(across, back, up), FILLET_MM);
+        arch = Blends.smoothMin(arch, articularUp.at(across, back, up), FILLET_MM);
+        arch = Blends.smoothMin(arch, articularDown.at(across, back, up), FILLET_MM);
+        return Blends.smoothMin(body(across, back, up), arch, FILLET_MM);
     }
 
-    private double body(double[] p) {
-        double t = Math.min(1, Math.abs(2 * p[2] / height));
+    private double body(double across, double back, double up) {
+        double t = Math.min(1, Math.abs(2 * up / height));
         double waist = 0.92 + 0.08 * t * t;
-        double u = p[0] / (halfWidth * waist);
-        double v = p[1] / (halfDepth * waist);
+        double u = across / (halfWidth * waist);
+        double v = back / (halfDepth * waist);
         double radial = Math.sqrt(u * u + v * v) - 1;
-        return Blends.roundMax(radial * Math.min(halfWidth, halfDepth), Math.abs(p[2]) - height / 2, 1.5);
-    }
-
-    /** Distance to a bar with round ends whose radius goes from one end's to the other's. */
-    private static double capsule(double[] p, double[] from, double[] to, double radiusFrom, double radiusTo) {
-        double[] axis = Vectors.minus(to, from);
-        double[] q = Vectors.minus(p, from);
-        double t = Math.max(0, Math.min(1, Vectors.dot(q, axis) / Vectors.dot(axis, axis)));
-        return Vectors.length(Vectors.add(q, axis, -t)) - (radiusFrom + t * (radiusTo - radiusFrom));
+        return Blends.roundMax(radial * Math.min(halfWidth, halfDepth), Math.abs(up) - height / 2, 1.5);
     }
 }

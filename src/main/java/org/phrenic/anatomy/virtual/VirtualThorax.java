@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -23,7 +22,6 @@ public final class VirtualThorax {
 
     private final VirtualThoraxParameters parameters;
     private final Resolution resolution;
-    private final List<Structure> structures = new ArrayList<>();
     private final Spine spine;
     private final ChestWall wall;
     private final VertebraShape[] vertebrae = new VertebraShape[VirtualThoraxParameters.VERTEBRAE];
@@ -52,21 +50,42 @@ public final class VirtualThorax {
         return new VirtualThorax(parameters, resolution).build();
     }
 
+    /** Grows the parts side by side, and puts them together in the order bones, spine, organs. */
     private Thorax build() {
-        bones();
-        spine();
-        organs();
+        List<Supplier<List<Structure>>> parts = new ArrayList<>();
+        parts.add(this::bones);
+        for (int level = 1; level <= vertebrae.length; level++) {
+            int at = level;
+            parts.add(() -> List.of(vertebra(at)));
+        }
+        parts.add(this::discs);
+        int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
+        int left = resolution.lungVertices() - right;
+        parts.add(() -> single(
+                "diaphragm",
+                StructureKind.DIAPHRAGM,
+                Side.MIDLINE,
+                new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())));
+        parts.add(() -> single("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
+        parts.add(() -> single("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
+        parts.add(() ->
+                single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()));
+        parts.add(
+                () -> single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
+        List<Structure> structures =
+                parts.parallelStream().map(Supplier::get).flatMap(List::stream).toList();
         return new Thorax(parameters.name(), structures, List.of());
     }
 
-    private void bones() {
+    private List<Structure> bones() {
+        List<Structure> bones = new ArrayList<>();
         Skeleton skeleton = new Skeleton(parameters, spine, wall, vertebrae, sternum);
         SternumMeshes meshes = new SternumMeshes(parameters, wall, resolution.sternumVertices());
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             Course above = null;
             for (int level = 1; level <= 12; level++) {
                 Course rib = skeleton.rib(level, side);
-                add("rib", StructureKind.RIB, level, side, rib(rib));
+                bones.add(new Structure(sided("rib", level, side), StructureKind.RIB, level, side, rib(rib)));
                 if (level <= 7) {
                     above = skeleton.sternal(level, side, rib);
                 } else if (level <= 10) {
@@ -77,7 +96,8 @@ public final class VirtualThorax {
                 }
             }
         }
-        structures.addAll(meshes.build(sternum));
+        bones.addAll(meshes.build(sternum));
+        return bones;
     }
 
     private TriangleMesh rib(Course course) {
@@ -96,29 +116,24 @@ public final class VirtualThorax {
                 wall::bedNormal);
     }
 
-    private void spine() {
-        structures.addAll(IntStream.rangeClosed(1, vertebrae.length)
-                .parallel()
-                .mapToObj(level -> new Structure(
-                        "vertebra_" + vertebraName(level, "%02d"),
-                        StructureKind.VERTEBRA,
-                        level,
-                        Side.MIDLINE,
-                        vertebra(level)))
-                .toList());
-        for (int level = 1; level < vertebrae.length; level++) {
-            String name = "disc_" + vertebraName(level, "%d") + "_" + vertebraName(level + 1, "%d");
-            structures.add(new Structure(name, StructureKind.DISC, level, Side.MIDLINE, disc(level)));
-        }
-    }
-
-    private TriangleMesh vertebra(int level) {
+    private Structure vertebra(int level) {
         VertebraShape shape = vertebrae[level - 1];
         double[] centre = spine.centre(spine.bodyPath(level));
         double[] low = Vectors.add(centre, Vectors.of(-52, -30, -48), 1);
         double[] high = Vectors.add(centre, Vectors.of(52, 78, 34), 1);
         TriangleMesh rough = MarchingTetrahedra.surface(shape, low, high, VERTEBRA_GRID_MM);
-        return Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
+        TriangleMesh mesh = Relaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
+        return new Structure(
+                "vertebra_" + vertebraName(level, "%02d"), StructureKind.VERTEBRA, level, Side.MIDLINE, mesh);
+    }
+
+    private List<Structure> discs() {
+        List<Structure> discs = new ArrayList<>();
+        for (int level = 1; level < vertebrae.length; level++) {
+            String name = "disc_" + vertebraName(level, "%d") + "_" + vertebraName(level + 1, "%d");
+            discs.add(new Structure(name, StructureKind.DISC, level, Side.MIDLINE, disc(level)));
+        }
+        return discs;
     }
 
     private TriangleMesh disc(int level) {
@@ -134,32 +149,12 @@ public final class VirtualThorax {
         return DISC.mesh(new Course(middle), t -> new Tube.Section(width, depth), p -> Vectors.of(0, -1, 0));
     }
 
-    private void organs() {
-        int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
-        int left = resolution.lungVertices() - right;
-        List<Supplier<Structure>> organs = List.of(
-                () -> single(
-                        "diaphragm",
-                        StructureKind.DIAPHRAGM,
-                        Side.MIDLINE,
-                        new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())),
-                () -> single("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)),
-                () -> single("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)),
-                () -> single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()),
-                () -> single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
-        structures.addAll(organs.parallelStream().map(Supplier::get).toList());
-    }
-
     private TriangleMesh lung(Side side, int vertices) {
         return new LungShape(parameters, wall, dome, side).mesh(vertices);
     }
 
-    private static Structure single(String name, StructureKind kind, Side side, TriangleMesh mesh) {
-        return new Structure(name, kind, 0, side, mesh);
-    }
-
-    private void add(String name, StructureKind kind, int level, Side side, TriangleMesh mesh) {
-        structures.add(new Structure(sided(name, level, side), kind, level, side, mesh));
+    private static List<Structure> single(String name, StructureKind kind, Side side, TriangleMesh mesh) {
+        return List.of(new Structure(name, kind, 0, side, mesh));
     }
 
     static String sided(String name, int level, Side side) {

@@ -22,8 +22,7 @@ record Claim(String what, String printed, String here, Verdict verdict, String w
         /** There is nothing to agree with: it can be looked at. */
         SHOWN,
         /** Not part of a short reproduction. */
-        NOT_MEASURED,
-        NOT_THERE_YET;
+        NOT_MEASURED;
 
         String label() {
             return name().toLowerCase(Locale.ROOT).replace('_', ' ');

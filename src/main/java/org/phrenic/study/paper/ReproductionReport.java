@@ -24,20 +24,35 @@ public final class ReproductionReport {
                     + " are restated.";
 
     private final Reproduction found;
+    private final PatientResults patients;
     private final Map<Integer, List<Picture>> pictures;
+    private final Map<String, List<Picture>> segmented;
+    private final Map<String, List<Picture>> distances;
     private final String noPictures;
     private final String madeBy;
 
     /**
      * A report.
      *
-     * @param pictures of each figure, by its number
+     * @param patients what was found of them
+     * @param pictures of figures 1 to 3, by their number
+     * @param segmented of figure 4, by the name of a patient
+     * @param distances of figure 5, likewise
      * @param noPictures where a figure has no pictures: why, in one sentence
      * @param madeBy program and version
      */
     public ReproductionReport(
-            Reproduction found, Map<Integer, List<Picture>> pictures, String noPictures, String madeBy) {
+            Reproduction found,
+            PatientResults patients,
+            Map<Integer, List<Picture>> pictures,
+            Map<String, List<Picture>> segmented,
+            Map<String, List<Picture>> distances,
+            String noPictures,
+            String madeBy) {
         this.found = found;
+        this.patients = patients;
+        this.segmented = Map.copyOf(segmented);
+        this.distances = Map.copyOf(distances);
         this.pictures = Map.copyOf(pictures);
         this.noPictures = noPictures;
         this.madeBy = madeBy;
@@ -50,7 +65,8 @@ public final class ReproductionReport {
         SpeedSection speed = new SpeedSection(found);
         MotionSection motion = new MotionSection(found);
         PhysiologySection physiology = new PhysiologySection(found);
-        glance(report, motion.claims(), speed.claims(), physiology.claims());
+        PatientSection patient = new PatientSection(patients, segmented, distances, noPictures);
+        glance(report, motion.claims(), speed.claims(), physiology.claims(), patient.claims());
         report.section("Fig. 1: anatomy and attachment points");
         figure(
                 report,
@@ -66,7 +82,7 @@ public final class ReproductionReport {
                 2,
                 "Fig. 2. The interface, in the middle of a deep breath: the window's own view, docks and status line,"
                         + " painted without a screen; its menu and tool bar are left out. The paper's part a shows the"
-                        + " model; its parts b to d show patients, who are not there yet.");
+                        + " model; its parts b to d show patients.");
         interfaceTable(report);
         report.section("Fig. 3: the motion of the diaphragm");
         figure(
@@ -78,7 +94,7 @@ public final class ReproductionReport {
         motion.add(report);
         speed.add(report);
         physiology.add(report);
-        PatientSection.add(report);
+        patient.add(report);
         future(report);
         made(report);
         return report;
@@ -93,7 +109,8 @@ public final class ReproductionReport {
         }
     }
 
-    private void glance(ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology) {
+    private void glance(
+            ReportDocument report, List<Claim> motion, List<Claim> speed, List<Claim> physiology, List<Claim> patient) {
         report.section("At a glance");
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("Figures"));
@@ -107,7 +124,7 @@ public final class ReproductionReport {
         add(rows, "What fig. 3 shows", motion);
         add(rows, "Table 1 and what is said of it", speed);
         add(rows, "Physiology", physiology);
-        add(rows, "Patients", PatientSection.claims());
+        add(rows, "Patients", patient);
         report.table(
                 "Verdicts: agrees or differs by the rule stated with each claim below.",
                 List.of(Column.text("of the paper"), Column.text("found here"), Column.text("verdict")),
@@ -168,7 +185,7 @@ public final class ReproductionReport {
                                 "phrenic run --meshes: the moving lungs; phrenic compare: their distance to others"),
                         List.of(
                                 "patient-specific segmentations, meshes and diaphragm actions",
-                                "a folder of meshes is a body (phrenic run --anatomy); patients: not there yet")));
+                                "phrenic import: a body of a segmented scan; phrenic fit: its breath tuned to a second scan")));
     }
 
     private void made(ReportDocument report) {

@@ -1,0 +1,239 @@
+package org.phrenic.simulation;
+
+import java.util.Arrays;
+import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
+
+/**
+ * How a soft organ gives way to what presses into it, in its own frame at rest. A lattice holds the distance from its surface. What is found within pushes the surface in, along the distance's gradient; the lattice's nodes take their
+ * neighbours along, less and less with distance:
+ *
+ * <p>{@code D ← (W T + λ D̄) / (W + λ (1 + μ))}, {@code T} what the pushes ask for about a node, {@code W} their weight, at most 1, {@code D̄} the mean of the six neighbours; {@code √(1/(6 μ))} times the spacing is how far it reaches.
+ *
+ * <p>It resists nothing and keeps no volume: a shape, not a force. Nothing is allocated after construction.
+ */
+final class LiverPress {
+    private static final double SPACING_MM = 8;
+    private static final int MARGIN = 2;
+    private static final double STIFFNESS = 0.15;
+    private static final double FADING = 0.1;
+    private static final int SWEEPS = 12;
+
+    /** Deeper than at rest by this much may go what lies on the organ, before that gives way: what a sheet of flat faces cuts off a round organ as it slides. */
+    private static final double SLACK_MM = 1;
+
+    private final double[] origin = new double[3];
+    private final int[] count = new int[3];
+    private final int[] stride = new int[3];
+    private final double[] distance;
+    private final double[] asked;
+    private final double[] weight;
+    private final double[] given;
+    private final double[] next;
+    private final double[] fraction = new double[3];
+    private double allowed = SLACK_MM;
+    private boolean pushed;
+
+    LiverPress(TriangleMesh organ) {
+        double[] box = organ.bounds();
+        int all = 1;
+        for (int axis = 0; axis < 3; axis++) {
+            origin[axis] = box[axis] - MARGIN * SPACING_MM;
+            count[axis] = 1 + 2 * MARGIN + (int) Math.ceil((box[3 + axis] - box[axis]) / SPACING_MM);
+            stride[axis] = all;
+            all *= count[axis];
+        }
+        distance = new double[all];
+        asked = new double[3 * all];
+        weight = new double[all];
+        given = new double[3 * all];
+        next = new double[3 * all];
+        measure(organ);
+    }
+
+    private void measure(TriangleMesh organ) {
+        TriangleTree tree = new TriangleTree(organ);
+        double[] normals = MeshMeasure.vertexNormals(organ);
+        int[] corners = organ.triangles();
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int i = 0; i < distance.length; i++) {
+            double x = origin[0] + SPACING_MM * (i % count[0]);
+            double y = origin[1] + SPACING_MM * (i / stride[1] % count[1]);
+            int layer = i / stride[2];
+            double z = origin[2] + SPACING_MM * layer;
+            tree.closest(x, y, z, hit);
+            int a = 3 * corners[3 * hit.triangle];
+            int b = 3 * corners[3 * hit.triangle + 1];
+            int c = 3 * corners[3 * hit.triangle + 2];
+            double out = 0;
+            double[] away = {x - hit.x, y - hit.y, z - hit.z};
+            for (int axis = 0; axis < 3; axis++) {
+                out += away[axis]
+                        * (hit.weightA * normals[a + axis]
+                                + hit.weightB * normals[b + axis]
+                                + hit.weightC * normals[c + axis]);
+            }
+            distance[i] = Math.copySign(Math.sqrt(hit.distanceSquared), out);
+        }
+    }
+
+    /** What lies there at rest, however deep, presses nothing in. */
+    void allow(double x, double y, double z) {
+        if (find(x, y, z)) {
+            allowed = Math.max(allowed, SLACK_MM - sample(at(x, y, z)));
+        }
+    }
+
+    /** Nothing presses. */
+    void begin() {
+        if (pushed) {
+            Arrays.fill(asked, 0);
+            Arrays.fill(weight, 0);
+            Arrays.fill(given, 0);
+            pushed = false;
+        }
+    }
+
+    /** Something stands there; the surface before it is pushed to it, gently at first. */
+    void push(double x, double y, double z) {
+        if (!find(x, y, z)) {
+            return;
+        }
+        int node = at(x, y, z);
+        double depth = -sample(node);
+        if (depth <= allowed) {
+            return;
+        }
+        double gx = slope(node, 0);
+        double gy = slope(node, 1);
+        double gz = slope(node, 2);
+        double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
+        if (length == 0) {
+            return;
+        }
+        double in = -Math.min(2 * (depth - allowed), depth) / length;
+        double out = depth / length;
+        if (find(x + out * gx, y + out * gy, z + out * gz)) {
+            ask(at(x + out * gx, y + out * gy, z + out * gz), in * gx, in * gy, in * gz);
+        }
+    }
+
+    private void ask(int node, double x, double y, double z) {
+        pushed = true;
+        for (int corner = 0; corner < 8; corner++) {
+            double w = cornerWeight(corner);
+            int i = corner(node, corner);
+            weight[i] += w;
+            asked[3 * i] += w * x;
+            asked[3 * i + 1] += w * y;
+            asked[3 * i + 2] += w * z;
+        }
+    }
+
+    /** Lets the organ come to rest under all that presses; whether anything does. */
+    boolean settle() {
+        if (!pushed) {
+            return false;
+        }
+        for (int i = 0; i < weight.length; i++) {
+            double held = Math.min(weight[i], 1);
+            double mean = weight[i] > 0 ? held / weight[i] : 0;
+            weight[i] = held;
+            for (int axis = 3 * i; axis < 3 * i + 3; axis++) {
+                asked[axis] *= mean;
+                given[axis] = asked[axis];
+            }
+        }
+        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+            sweep();
+            System.arraycopy(next, 0, given, 0, given.length);
+        }
+        return true;
+    }
+
+    /** The outermost nodes, which lie beyond the organ, stay. */
+    private void sweep() {
+        for (int k = 1; k < count[2] - 1; k++) {
+            for (int j = 1; j < count[1] - 1; j++) {
+                for (int n = 1 + j * stride[1] + k * stride[2]; n < count[0] - 1 + j * stride[1] + k * stride[2]; n++) {
+                    double share = 1 / (weight[n] + STIFFNESS * (1 + FADING));
+                    for (int i = 3 * n; i < 3 * n + 3; i++) {
+                        double about = given[i - 3]
+                                + given[i + 3]
+                                + given[i - 3 * stride[1]]
+                                + given[i + 3 * stride[1]]
+                                + given[i - 3 * stride[2]]
+                                + given[i + 3 * stride[2]];
+                        next[i] = share * (asked[i] + STIFFNESS / 6 * about);
+                    }
+                }
+            }
+        }
+    }
+
+    /** By how much the organ has given way at a place, mm. */
+    void at(double x, double y, double z, double[] out) {
+        Arrays.fill(out, 0);
+        if (find(x, y, z)) {
+            int node = at(x, y, z);
+            for (int corner = 0; corner < 8; corner++) {
+                double w = cornerWeight(corner);
+                int i = 3 * corner(node, corner);
+                out[0] += w * given[i];
+                out[1] += w * given[i + 1];
+                out[2] += w * given[i + 2];
+            }
+        }
+    }
+
+    private boolean find(double x, double y, double z) {
+        return isWithin(0, x) && isWithin(1, y) && isWithin(2, z);
+    }
+
+    private boolean isWithin(int axis, double value) {
+        double steps = (value - origin[axis]) / SPACING_MM;
+        return steps >= 0 && steps < count[axis] - 1;
+    }
+
+    /** The node below a place that is within; where it is between that and the next is kept. */
+    private int at(double x, double y, double z) {
+        return below(0, x) + below(1, y) * stride[1] + below(2, z) * stride[2];
+    }
+
+    private int below(int axis, double value) {
+        double steps = (value - origin[axis]) / SPACING_MM;
+        int whole = (int) steps;
+        fraction[axis] = steps - whole;
+        return whole;
+    }
+
+    private int corner(int node, int corner) {
+        return node + (corner & 1) + (corner >> 1 & 1) * stride[1] + (corner >> 2) * stride[2];
+    }
+
+    private double cornerWeight(int corner) {
+        return ((corner & 1) == 0 ? 1 - fraction[0] : fraction[0])
+                * ((corner >> 1 & 1) == 0 ? 1 - fraction[1] : fraction[1])
+                * ((corner >> 2) == 0 ? 1 - fraction[2] : fraction[2]);
+    }
+
+    private double sample(int node) {
+        double sum = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            sum += cornerWeight(corner) * distance[corner(node, corner)];
+        }
+        return sum;
+    }
+
+    /** How the distance changes along an axis, in mm a spacing. */
+    private double slope(int node, int axis) {
+        double kept = fraction[axis];
+        fraction[axis] = 1;
+        double high = sample(node);
+        fraction[axis] = 0;
+        double low = sample(node);
+        fraction[axis] = kept;
+        return high - low;
+    }
+}

@@ -1,0 +1,192 @@
+package org.phrenic.study.paper;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.LabelVolume;
+import org.phrenic.format.LabelVolumes;
+import org.phrenic.patient.BodyCompletion;
+import org.phrenic.patient.FittedBody;
+import org.phrenic.patient.LabelMap;
+import org.phrenic.patient.MeshingSteps;
+import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.SecondScan;
+import org.phrenic.patient.StatedAxes;
+import org.phrenic.simulation.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.StudyProgress;
+import org.phrenic.study.fit.Fit;
+import org.phrenic.study.fit.FitParameter;
+import org.phrenic.study.fit.FitPart;
+import org.phrenic.study.fit.FitProgress;
+import org.phrenic.study.fit.FitResult;
+import org.phrenic.study.fit.FitSetup;
+import org.phrenic.study.fit.FitTarget;
+import org.phrenic.study.fit.SyntheticPatient;
+import org.phrenic.study.fit.SyntheticTruth;
+
+/** The paper's second half on patients of our own: import of both breath levels, rigid alignment, a short fit at low resolution. */
+public final class PatientStudy {
+    /** Where scans at two breath levels are looked for when nothing else is said, from the folder in which the program runs. */
+    public static final Path USUAL_FOLDER = Path.of("..", "shared", "segmentations", "breath-pairs");
+    /** The axes of those scans: their headers state others, by which the left lung would be the larger and the spine in front. */
+    public static final String USUAL_AXES = "LPS";
+    /** More patients are left out: each takes a minute. */
+    public static final int MOST_PATIENTS = 3;
+
+    /** Breaths of the search for each patient. */
+    private static final int EVALUATIONS = 25;
+
+    private static final int THREADS = 2;
+    private static final double NOISE_MM = 1;
+    private final boolean quick;
+    private final StudyProgress progress;
+
+    /** @param quick the first patient alone, and what the untuned model does */
+    public PatientStudy(boolean quick, StudyProgress progress) {
+        this.quick = quick;
+        this.progress = progress;
+    }
+
+    /**
+     * Real patients, the first few.
+     *
+     * @param axes see {@link StatedAxes}; empty for those of the files
+     * @throws BadInputException if a scan cannot be used, or shows no lungs
+     */
+    public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
+        int count = Math.min(quick ? 1 : MOST_PATIENTS, scans.size());
+        List<PatientCase> cases = new ArrayList<>();
+        for (PatientScans pair : scans.subList(0, count)) {
+            cases.add(of(pair, axes));
+            progress.done(cases.size(), count, pair.name());
+        }
+        return cases;
+    }
+
+    private PatientCase of(PatientScans pair, Optional<String> axes) {
+        progress.note(pair.name() + ": import of both breath levels");
+        Thorax template = SimulationRun.thorax(Scenario.defaults());
+        FittedBody expired = BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template);
+        if (!expired.canBreathe()) {
+            throw new BadInputException(
+                    pair.expiration() + ": found no whole lung, expected lungs to make a body from");
+        }
+        Thorax body = expired.thorax();
+        FittedBody inspired;
+        try {
+            inspired = SecondScan.alignedTo(body, imported(pair.inspiration(), axes, pair.name()));
+        } catch (IllegalArgumentException apart) {
+            throw new BadInputException(
+                    pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
+        }
+        List<FitTarget> targets = new ArrayList<>();
+        for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
+            targets.add(FitTarget.of(
+                    part,
+                    inspired.find(part.label())
+                            .orElseThrow(() -> new BadInputException(
+                                    pair.inspiration() + ": found no " + part.label() + ", expected both lungs"))
+                            .structure()
+                            .mesh()));
+        }
+        progress.note(pair.name() + ": a fit of " + evaluations() + " breaths");
+        String alignment = inspired.notes().stream()
+                .filter(note -> note.startsWith("brought rigidly"))
+                .findFirst()
+                .orElseThrow();
+        List<String> notes = new ArrayList<>(expired.notes());
+        notes.add("end of inhale: " + alignment);
+        FitResult fit = fit(
+                Scenario.defaults().with("preset=deep", "resolution=low"),
+                body,
+                FitTarget.withBases(targets),
+                alignment);
+        return new PatientCase(pair.name(), "CT, two breath holds", false, body, notes, fit);
+    }
+
+    private static FittedBody imported(Path file, Optional<String> axes, String name) {
+        LabelVolume read = LabelVolumes.read(file);
+        LabelVolume volume = axes.map(stated -> StatedAxes.apply(read, stated)).orElse(read);
+        LabelMap map = volume.names().isEmpty()
+                ? new LabelMap(Map.of(1, LabelMap.LUNGS))
+                : LabelMap.named(file.toString(), volume);
+        return new ScanImport(volume, file.toString(), MeshingSteps.PAPER, Optional.empty(), (n, of, what) -> {})
+                .run(map, name);
+    }
+
+    /** A patient whose breath is known, for want of scans. */
+    public PatientCase synthetic() {
+        SyntheticPatient patient = SyntheticPatient.five().get(0);
+        progress.note("a synthetic patient: " + patient.name());
+        SyntheticTruth truth = SyntheticTruth.of(patient, quick ? Resolution.LOW : Resolution.MEDIUM, NOISE_MM, 1);
+        Thorax body = patient.body(Resolution.LOW);
+        Scenario base = Scenario.defaults().with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=low");
+        FitResult fit =
+                fit(base, body, FitTarget.withBases(truth.targets()), "none: both levels are of one body in one place");
+        List<String> notes = List.of(
+                "what a scan would show of a virtual body that breathes with settings that the fit does not know ("
+                        + String.join(", ", patient.hidden()) + "), its surfaces halved and moved by noise of 1 mm",
+                String.format(
+                        Locale.ROOT,
+                        "the noise alone leaves %.2f mm, which no fit can be expected to undercut",
+                        truth.floorMm()));
+        progress.done(1, 1, patient.name());
+        return new PatientCase(patient.name(), "synthetic", true, body, notes, fit);
+    }
+
+    private int evaluations() {
+        return quick ? 1 : EVALUATIONS;
+    }
+
+    private FitResult fit(Scenario base, Thorax body, List<FitTarget> targets, String alignment) {
+        FitSetup setup = new FitSetup(
+                base,
+                body,
+                targets,
+                FitParameter.usual(base),
+                false,
+                alignment,
+                1,
+                0,
+                FitSetup.SIGMA,
+                quick ? 1 : THREADS,
+                evaluations(),
+                Double.POSITIVE_INFINITY,
+                false);
+        try {
+            // The journal is for long searches that are stopped; this one is short.
+            Path journal = Files.createTempDirectory("phrenic").resolve("journal.csv");
+            try {
+                return Fit.run(setup, journal, new Breaths());
+            } finally {
+                Files.deleteIfExists(journal);
+                Files.deleteIfExists(journal.getParent());
+            }
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /** Every twelfth breath is told. */
+    private final class Breaths implements FitProgress {
+        private static final int EVERY = 12;
+
+        @Override
+        public void tried(int count, int most, double bestMm, double initialMm) {
+            if (count % EVERY == 0) {
+                progress.note(String.format(
+                        Locale.ROOT, "%d of %d breaths, %.2f mm of %.2f", count, most, bestMm, initialMm));
+            }
+        }
+    }
+}
