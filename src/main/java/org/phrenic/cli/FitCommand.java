@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
             "  phrenic fit patient --target lungs=inspiration.stl --hold-out half --minutes 5 --out result",
             "  phrenic fit patient --target lung_R=r.vtp --target lung_L=l.vtp --hold-out lung_L --out result",
             "  phrenic fit virtual/adult-male --target liver=points.csv --tune muscle_activation,rib_rotation=0:1 --out result",
-            "  phrenic fit --synthetic 5 --resolution low --evaluations 40 --out known",
+            "  phrenic fit --synthetic 5 --resolution low --evaluations 62 --out known",
             "",
             "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted breath again) and",
             "journal.csv, which keeps every evaluation: the same command goes on from it.",
