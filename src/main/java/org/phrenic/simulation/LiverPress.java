@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
@@ -29,8 +30,9 @@ final class LiverPress {
     private final double[] distance;
     private final double[] asked;
     private final double[] weight;
-    private final double[] given;
-    private final double[] next;
+    private final double[] share;
+    private double[] given;
+    private double[] next;
     private final double[] fraction = new double[3];
     private double allowed = SLACK_MM;
     private boolean pushed;
@@ -47,6 +49,7 @@ final class LiverPress {
         distance = new double[all];
         asked = new double[3 * all];
         weight = new double[all];
+        share = new double[3 * all];
         given = new double[3 * all];
         next = new double[3 * all];
         measure(organ);
@@ -55,26 +58,30 @@ final class LiverPress {
     private void measure(TriangleMesh organ) {
         TriangleTree tree = new TriangleTree(organ);
         double[] normals = MeshMeasure.vertexNormals(organ);
-        int[] corners = organ.triangles();
+        IntStream.range(0, count[1] * count[2]).parallel().forEach(row -> measureRow(tree, normals, row));
+    }
+
+    private void measureRow(TriangleTree tree, double[] normals, int row) {
+        int[] corners = tree.mesh().triangles();
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        for (int i = 0; i < distance.length; i++) {
-            double x = origin[0] + SPACING_MM * (i % count[0]);
-            double y = origin[1] + SPACING_MM * (i / stride[1] % count[1]);
-            int layer = i / stride[2];
-            double z = origin[2] + SPACING_MM * layer;
-            tree.closest(x, y, z, hit);
-            int a = 3 * corners[3 * hit.triangle];
-            int b = 3 * corners[3 * hit.triangle + 1];
-            int c = 3 * corners[3 * hit.triangle + 2];
-            double out = 0;
+        double y = origin[1] + SPACING_MM * (row % count[1]);
+        int layer = row / count[1];
+        double z = origin[2] + SPACING_MM * layer;
+        double reach = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count[0]; i++) {
+            double x = origin[0] + SPACING_MM * i;
+            tree.closest(x, y, z, reach, hit);
+            // The next node is farther from the surface by a spacing at most.
+            reach = 1.001 * (Math.sqrt(hit.distanceSquared) + SPACING_MM);
             double[] away = {x - hit.x, y - hit.y, z - hit.z};
+            double out = 0;
             for (int axis = 0; axis < 3; axis++) {
                 out += away[axis]
-                        * (hit.weightA * normals[a + axis]
-                                + hit.weightB * normals[b + axis]
-                                + hit.weightC * normals[c + axis]);
+                        * (hit.weightA * normals[3 * corners[3 * hit.triangle] + axis]
+                                + hit.weightB * normals[3 * corners[3 * hit.triangle + 1] + axis]
+                                + hit.weightC * normals[3 * corners[3 * hit.triangle + 2] + axis]);
             }
-            distance[i] = Math.copySign(Math.sqrt(hit.distanceSquared), out);
+            distance[row * count[0] + i] = Math.copySign(Math.sqrt(hit.distanceSquared), out);
         }
     }
 
@@ -143,32 +150,35 @@ final class LiverPress {
             for (int axis = 3 * i; axis < 3 * i + 3; axis++) {
                 asked[axis] *= mean;
                 given[axis] = asked[axis];
+                share[axis] = 1 / (held + STIFFNESS * (1 + FADING));
             }
         }
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            sweep();
-            System.arraycopy(next, 0, given, 0, given.length);
+            for (int k = 1; k < count[2] - 1; k++) {
+                for (int j = 1; j < count[1] - 1; j++) {
+                    sweepRow(
+                            3 * (1 + j * stride[1] + k * stride[2]),
+                            3 * (count[0] - 1 + j * stride[1] + k * stride[2]));
+                }
+            }
+            double[] swept = next;
+            next = given;
+            given = swept;
         }
         return true;
     }
 
-    /** The outermost nodes, which lie beyond the organ, stay. */
-    private void sweep() {
-        for (int k = 1; k < count[2] - 1; k++) {
-            for (int j = 1; j < count[1] - 1; j++) {
-                for (int n = 1 + j * stride[1] + k * stride[2]; n < count[0] - 1 + j * stride[1] + k * stride[2]; n++) {
-                    double share = 1 / (weight[n] + STIFFNESS * (1 + FADING));
-                    for (int i = 3 * n; i < 3 * n + 3; i++) {
-                        double about = given[i - 3]
-                                + given[i + 3]
-                                + given[i - 3 * stride[1]]
-                                + given[i + 3 * stride[1]]
-                                + given[i - 3 * stride[2]]
-                                + given[i + 3 * stride[2]];
-                        next[i] = share * (asked[i] + STIFFNESS / 6 * about);
-                    }
-                }
-            }
+    /** One row of nodes, all axes one after the other. The outermost nodes, which lie beyond the organ, stay. */
+    private void sweepRow(int from, int to) {
+        int rows = 3 * stride[1];
+        int layers = 3 * stride[2];
+        double[] now = given;
+        double[] out = next;
+        double[] ask = asked;
+        double[] part = share;
+        for (int i = from; i < to; i++) {
+            double about = now[i - 3] + now[i + 3] + now[i - rows] + now[i + rows] + now[i - layers] + now[i + layers];
+            out[i] = part[i] * (ask[i] + STIFFNESS / 6 * about);
         }
     }
 
