@@ -43,6 +43,8 @@ final class PatientPictures {
         TriangleMesh expired = lungs(FitResult.TargetResult::initial);
         TriangleMesh inspired = Meshes.merge(
                 patient.lungs().stream().map(t -> t.target().surface()).toList());
+        List<Layer> levels =
+                List.of(new Layer(expired, Look.of(LUNG, 1)), new Layer(inspired, Look.of(INSPIRED, CLEAR)));
         TriangleMesh sheet = patient.diaphragm();
         try (LayersPicture layers = LayersPicture.open()) {
             return List.of(
@@ -50,17 +52,13 @@ final class PatientPictures {
                             "fig4-" + file + "-levels",
                             "Lungs at the end of exhale within the clear, larger lungs at the end of inhale, from the front",
                             "Lungs at the end of exhale, and at the end of inhale (clear blue).",
-                            List.of(
-                                    new Layer(expired, Look.of(LUNG, 1)),
-                                    new Layer(inspired, Look.of(INSPIRED, CLEAR))),
+                            levels,
                             shot(View.ANTERIOR)),
                     layers.draw(
                             "fig4-" + file + "-levels-side",
                             "The same from the patient's left",
                             "The same from the left.",
-                            List.of(
-                                    new Layer(expired, Look.of(LUNG, 1)),
-                                    new Layer(inspired, Look.of(INSPIRED, CLEAR))),
+                            levels,
                             shot(View.LEFT)),
                     layers.draw(
                             "fig4-" + file + "-diaphragm",

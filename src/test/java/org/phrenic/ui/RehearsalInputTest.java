@@ -2,7 +2,6 @@ package org.phrenic.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
@@ -41,9 +40,7 @@ class RehearsalInputTest {
 
     @BeforeAll
     static void open() throws Exception {
-        assumeThat(PhrenicWindow.isPossible())
-                .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
-                .isTrue();
+        WindowHarness.assumeDisplay();
         clinic = new ClinicHarness("rehearsal-input");
         window = clinic.window();
     }

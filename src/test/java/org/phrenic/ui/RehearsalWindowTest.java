@@ -1,7 +1,6 @@
 package org.phrenic.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,9 +34,7 @@ class RehearsalWindowTest {
 
     @BeforeAll
     static void open() throws Exception {
-        assumeThat(PhrenicWindow.isPossible())
-                .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
-                .isTrue();
+        WindowHarness.assumeDisplay();
         clinic = new ClinicHarness("rehearsal");
         window = clinic.window();
     }

@@ -1,6 +1,7 @@
 package org.phrenic.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.AWTEvent;
 import java.awt.Component;
@@ -79,6 +80,13 @@ final class WindowHarness implements AutoCloseable {
     private static long cpuNs() {
         return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
                 .getProcessCpuTime();
+    }
+
+    /** Ends a test, and says so, where no window can be shown. */
+    static void assumeDisplay() {
+        assumeThat(PhrenicWindow.isPossible())
+                .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
+                .isTrue();
     }
 
     static <T> T onEdt(Callable<T> what) {

@@ -56,9 +56,7 @@ class WindowTest {
 
     @BeforeAll
     static void open() throws Exception {
-        assumeThat(PhrenicWindow.isPossible())
-                .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
-                .isTrue();
+        WindowHarness.assumeDisplay();
         window = new WindowHarness("window", start());
     }
 

@@ -33,7 +33,6 @@ final class Stormer extends AbstractIntegrator {
     private final double[][] history = new double[3][];
     private int known;
     private double h;
-    private double lastStep;
     private final Workers.Task start = this::start;
     private final Workers.Task kickAndDrift = this::kickAndDrift;
     private final Workers.Task foresee = this::foresee;
@@ -55,12 +54,11 @@ final class Stormer extends AbstractIntegrator {
     @Override
     public void step(double time, double step) {
         int blocks = layout.blockCount();
-        if (known == 0 || step != lastStep) {
+        if (known == 0 || step != h) {
             system.applyPrescribed(time, x, v);
             system.forces(time, x, v, force);
             system.workers().run(blocks, start);
             known = 1;
-            lastStep = step;
         }
         h = step;
         system.workers().run(blocks, kickAndDrift);
