@@ -1,8 +1,5 @@
 package org.phrenic.engine;
 
-import java.util.Arrays;
-import java.util.stream.IntStream;
-
 /** A constraint made of small items that share no node with one another, so that they can be put right in any order and side by side. */
 public interface SeparableConstraint extends Constraint {
 
@@ -26,9 +23,4 @@ public interface SeparableConstraint extends Constraint {
      * @return how many these are
      */
     int project(ParticleSystem system, double h, int[] items, int from, int to, int[] moved);
-
-    @Override
-    default IntStream nodes() {
-        return Arrays.stream(ends()).flatMapToInt(Arrays::stream);
-    }
 }

@@ -160,11 +160,6 @@ public abstract sealed class RigidLinks implements WholeConstraint permits Swept
     public abstract int sweepsLast();
 
     @Override
-    public IntStream nodes() {
-        return IntStream.concat(Arrays.stream(nodeA), Arrays.stream(nodeB));
-    }
-
-    @Override
     public void rows(ParticleSystem particles, Rows out) {
         double[] x = particles.positions();
         for (int i = 0; i < length.length; i++) {
