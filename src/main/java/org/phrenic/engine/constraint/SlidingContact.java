@@ -18,6 +18,9 @@ import org.phrenic.engine.Workers;
 public final class SlidingContact implements SeparableConstraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
+    /** A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until planes are taken anew, mm. */
+    private static final double FAR_MM = 5;
+
     /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
     public static final double RETURN_SPEED = 500;
 
@@ -30,6 +33,9 @@ public final class SlidingContact implements SeparableConstraint {
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
+    /** Nodes that cannot come to the wall before planes are taken anew. */
+    private final boolean[] far;
+
     private double returnSpeed = RETURN_SPEED;
     private double planeTime = Double.NaN;
     private double now = Double.NaN;
@@ -63,6 +69,7 @@ public final class SlidingContact implements SeparableConstraint {
         this.refreshInterval = refreshInterval;
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
+        far = new boolean[node.length];
     }
 
     /** How fast a node beyond the wall may be put back, mm/s; less than {@link #RETURN_SPEED} while a wall that was not there comes in. */
@@ -120,10 +127,16 @@ public final class SlidingContact implements SeparableConstraint {
 
     private void takePlanes(int piece) {
         double[] x = system.positions();
+        double[] v = system.velocities();
         int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
         for (int i = piece * NODES_A_PIECE; i < to; i++) {
             int n = node[i];
-            surface.planeNear(listed[i], x[n], x[n + 1], x[n + 2], plane, PLANE * i);
+            int p = PLANE * i;
+            surface.planeNear(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
+            far[i] = !adhering && gap > FAR_MM + 2 * refreshInterval * speed;
+            touching[i] = false;
         }
     }
 
@@ -139,6 +152,9 @@ public final class SlidingContact implements SeparableConstraint {
         int end = from;
         for (int k = from; k < to; k++) {
             int i = items[k];
+            if (far[i]) {
+                continue;
+            }
             int n = nodes[i];
             int p = PLANE * i;
             double nx = planes[p];
