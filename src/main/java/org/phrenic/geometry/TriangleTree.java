@@ -19,6 +19,8 @@ public final class TriangleTree {
     final int[] order;
     /** Nine corner coordinates a triangle, in leaf order. */
     final double[] corners;
+
+    private final double[] normal = new double[3];
     /** Unit normal a triangle, in leaf order. */
     private final double[] normals;
 
@@ -91,20 +93,11 @@ public final class TriangleTree {
                 corners[o + 3 * k + 1] = positions[v + 1];
                 corners[o + 3 * k + 2] = positions[v + 2];
             }
-            double ux = corners[o + 3] - corners[o];
-            double uy = corners[o + 4] - corners[o + 1];
-            double uz = corners[o + 5] - corners[o + 2];
-            double vx = corners[o + 6] - corners[o];
-            double vy = corners[o + 7] - corners[o + 1];
-            double vz = corners[o + 8] - corners[o + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
             double scale = length > 0 ? 1 / length : 0;
-            normals[3 * place] = nx * scale;
-            normals[3 * place + 1] = ny * scale;
-            normals[3 * place + 2] = nz * scale;
+            for (int k = 0; k < 3; k++) {
+                normals[3 * place + k] = normal[k] * scale;
+            }
             flat[place] = PointTriangle.isFlat(corners, o);
         }
         for (int node = nodes - 1; node >= 0; node--) {

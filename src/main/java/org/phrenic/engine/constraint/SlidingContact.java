@@ -24,16 +24,13 @@ public final class SlidingContact implements Constraint {
 
     private final int[] node;
     private final ContactSurface surface;
-    private double refreshInterval;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
     private double returnSpeed = RETURN_SPEED;
-    private double planeTime = Double.NaN;
-    private double now = Double.NaN;
     private ParticleSystem system;
     private double step;
-    private boolean refresh;
+    private final RefreshClock refresh;
     private final Workers.Task task = this::piece;
 
     /**
@@ -60,7 +57,7 @@ public final class SlidingContact implements Constraint {
             node[i] = 3 * layout.internal(callerNodes[i]);
         }
         this.surface = surface;
-        this.refreshInterval = refreshInterval;
+        refresh = new RefreshClock(refreshInterval);
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
     }
@@ -72,12 +69,12 @@ public final class SlidingContact implements Constraint {
 
     @Override
     public void setRefreshInterval(double seconds) {
-        refreshInterval = seconds;
+        refresh.setInterval(seconds);
     }
 
     @Override
     public void forget() {
-        now = Double.NaN;
+        refresh.forget();
     }
 
     @Override
@@ -105,13 +102,7 @@ public final class SlidingContact implements Constraint {
 
     @Override
     public void prepare(double time) {
-        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
-        // that
-        // does not move on means that an earlier state was put back: planes of the lost one are worth nothing.
-        refresh = !(time > now && time - planeTime < refreshInterval * (1 - 1e-9));
-        now = time;
-        if (refresh) {
-            planeTime = time;
+        if (refresh.goTo(time)) {
             surface.prepare(time);
         }
     }
@@ -129,11 +120,11 @@ public final class SlidingContact implements Constraint {
         double[] w = system.inverseMasses();
         double[] planes = plane;
         int[] nodes = node;
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         double farthest = returnSpeed * step;
         int from = piece * NODES_A_PIECE;
         int to = Math.min(nodes.length, from + NODES_A_PIECE);
-        if (refresh) {
+        if (refresh.isDue()) {
             for (int i = from; i < to; i++) {
                 int n = nodes[i];
                 surface.planeNear(i, x[n], x[n + 1], x[n + 2], planes, PLANE * i);
@@ -167,7 +158,7 @@ public final class SlidingContact implements Constraint {
     @Override
     public void rows(ParticleSystem particles, Rows out) {
         double[] x = particles.positions();
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;
@@ -181,7 +172,7 @@ public final class SlidingContact implements Constraint {
     public double error(ParticleSystem particles) {
         double[] x = particles.positions();
         double worst = 0;
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;
