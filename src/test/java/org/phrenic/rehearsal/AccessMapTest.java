@@ -19,7 +19,7 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 
-/** Access to targets in the coarse virtual adult male in a deep breath, and in a body of boxes. */
+/** Access to targets in the coarse virtual adult male in a deep breath that is taken fast, and in a body of boxes. */
 class AccessMapTest {
     private static final int MOMENTS = 10;
     private static final int INSPIRED = 4;
@@ -36,8 +36,8 @@ class AccessMapTest {
     @BeforeAll
     static void breathe() {
         workers = Workers.of(2);
-        Scenario deep =
-                Scenario.defaults().with("preset=deep", "resolution=low", "lungs=embedded", "sternum=kinematic");
+        Scenario deep = Scenario.defaults()
+                .with("preset=deep", "rate_per_min=20", "resolution=low", "lungs=embedded", "sternum=kinematic");
         try (Simulation simulation = Simulation.of(deep, SimulationRun.thorax(deep))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             cycle = BreathCycle.record(simulation, surfaces, MOMENTS);

@@ -3,7 +3,7 @@ package org.phrenic.engine.constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SeparableConstraint;
-import org.phrenic.engine.Workers;
+import org.phrenic.geometry.Triangles;
 
 /**
  * Pairs of nodes on the two faces of a thin sheet that may not change places: along the outer face's normal the outer node stays at least some distance in front of the inner one, (x_o - x_i)·n ≥ d. A strut between
@@ -13,18 +13,13 @@ import org.phrenic.engine.Workers;
  * the outer face at the outer node, taken anew every few steps.
  */
 public final class OrderedPairs implements SeparableConstraint {
-    private static final int PAIRS_A_PIECE = 512;
-
     private final int[] outer;
     private final int[] inner;
     private final int[] triangle;
     private final double[] least;
-    private double refreshInterval;
     private final double[] normal;
-    private double refreshed = Double.NaN;
-    private double now = Double.NaN;
-    private ParticleSystem system;
-    private final Workers.Task refreshTask = this::takeNormals;
+    private final double[] fresh = new double[3];
+    private final RefreshClock refresh;
 
     /**
      * @param layout of the system it is for
@@ -57,18 +52,18 @@ public final class OrderedPairs implements SeparableConstraint {
             }
             this.least[i] = least[listed];
         }
-        this.refreshInterval = refreshInterval;
+        this.refresh = new RefreshClock(refreshInterval);
         this.normal = new double[3 * n];
     }
 
     @Override
     public void setRefreshInterval(double seconds) {
-        refreshInterval = seconds;
+        refresh.setInterval(seconds);
     }
 
     @Override
     public void forget() {
-        now = Double.NaN;
+        refresh.forget();
     }
 
     @Override
@@ -87,37 +82,16 @@ public final class OrderedPairs implements SeparableConstraint {
 
     @Override
     public void prepare(ParticleSystem particles, double time) {
-        // A time that does not move on means that an earlier state was put back: its normals are taken anew.
-        boolean fresh = time > now && time - refreshed < refreshInterval * (1 - 1e-9);
-        now = time;
-        if (!fresh) {
-            refreshed = time;
-            system = particles;
-            particles.workers().run((outer.length + PAIRS_A_PIECE - 1) / PAIRS_A_PIECE, refreshTask);
+        if (refresh.goTo(time)) {
+            takeNormals(particles.positions());
         }
     }
 
-    private void takeNormals(int piece) {
-        double[] x = system.positions();
-        int to = 3 * Math.min(outer.length, (piece + 1) * PAIRS_A_PIECE);
-        for (int i = 3 * piece * PAIRS_A_PIECE; i < to; i += 3) {
-            int a = triangle[i];
-            int b = triangle[i + 1];
-            int c = triangle[i + 2];
-            double ux = x[b] - x[a];
-            double uy = x[b + 1] - x[a + 1];
-            double uz = x[b + 2] - x[a + 2];
-            double vx = x[c] - x[a];
-            double vy = x[c + 1] - x[a + 1];
-            double vz = x[c + 2] - x[a + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            if (length > 0) {
-                normal[i] = nx / length;
-                normal[i + 1] = ny / length;
-                normal[i + 2] = nz / length;
+    private void takeNormals(double[] x) {
+        for (int i = 0; i < normal.length; i += 3) {
+            // A triangle that has no area for the moment keeps the normal it had.
+            if (Triangles.normal(x, triangle[i], triangle[i + 1], triangle[i + 2], fresh) > 0) {
+                System.arraycopy(fresh, 0, normal, i, 3);
             }
         }
     }

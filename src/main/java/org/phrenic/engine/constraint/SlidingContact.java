@@ -29,7 +29,6 @@ public final class SlidingContact implements SeparableConstraint {
 
     private final int[] listed;
     private final ContactSurface surface;
-    private double refreshInterval;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
@@ -37,10 +36,9 @@ public final class SlidingContact implements SeparableConstraint {
     private final boolean[] far;
 
     private double returnSpeed = RETURN_SPEED;
-    private double planeTime = Double.NaN;
-    private double now = Double.NaN;
     private ParticleSystem system;
     private final Workers.Task refreshTask = this::takePlanes;
+    private final RefreshClock refresh;
 
     /**
      * @param layout of the system it is for
@@ -66,7 +64,7 @@ public final class SlidingContact implements SeparableConstraint {
                 .map(i -> 3 * layout.internal(callerNodes[i]))
                 .toArray();
         this.surface = surface;
-        this.refreshInterval = refreshInterval;
+        refresh = new RefreshClock(refreshInterval);
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
         far = new boolean[node.length];
@@ -79,12 +77,12 @@ public final class SlidingContact implements SeparableConstraint {
 
     @Override
     public void setRefreshInterval(double seconds) {
-        refreshInterval = seconds;
+        refresh.setInterval(seconds);
     }
 
     @Override
     public void forget() {
-        now = Double.NaN;
+        refresh.forget();
     }
 
     @Override
@@ -112,13 +110,7 @@ public final class SlidingContact implements SeparableConstraint {
 
     @Override
     public void prepare(ParticleSystem particles, double time) {
-        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
-        // that
-        // does not move on means that an earlier state was put back: planes of the lost one are worth nothing.
-        boolean fresh = time > now && time - planeTime < refreshInterval * (1 - 1e-9);
-        now = time;
-        if (!fresh) {
-            planeTime = time;
+        if (refresh.goTo(time)) {
             surface.prepare(time);
             system = particles;
             particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, refreshTask);
@@ -135,7 +127,7 @@ public final class SlidingContact implements SeparableConstraint {
             surface.planeNear(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
             double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
             double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
-            far[i] = !adhering && gap > FAR_MM + 2 * refreshInterval * speed;
+            far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
             touching[i] = false;
         }
     }
@@ -147,7 +139,7 @@ public final class SlidingContact implements SeparableConstraint {
         double[] w = particles.inverseMasses();
         double[] planes = plane;
         int[] nodes = node;
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         double farthest = returnSpeed * h;
         int end = from;
         for (int k = from; k < to; k++) {
@@ -184,7 +176,7 @@ public final class SlidingContact implements SeparableConstraint {
     @Override
     public void rows(ParticleSystem particles, Rows out) {
         double[] x = particles.positions();
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;
@@ -198,7 +190,7 @@ public final class SlidingContact implements SeparableConstraint {
     public double error(ParticleSystem particles) {
         double[] x = particles.positions();
         double worst = 0;
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;
