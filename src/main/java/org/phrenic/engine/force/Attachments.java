@@ -16,11 +16,16 @@ public final class Attachments implements ForceField {
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
+    /** Stiffness, anchor and its velocity in the order of the blocks, so that a block reads them in a row. */
+    private final double[] entryStiffness;
+
+    private final double[] entryAnchor;
+    private final double[] entryVelocity;
     private double refreshInterval;
     private double refreshed = Double.NaN;
     private double elapsed;
     private double factor = 1;
-    /** A constant force on each, three numbers; null for none. */
+    /** A constant force on each, three numbers, in the order of the blocks; null for none. */
     private double[] preload;
 
     /**
@@ -53,7 +58,27 @@ public final class Attachments implements ForceField {
         this.anchors = anchors;
         this.anchor = new double[3 * callerNodes.length];
         this.anchorVelocity = new double[3 * callerNodes.length];
-        anchors.at(0, anchor, anchorVelocity);
+        entryStiffness = new double[callerNodes.length];
+        entryAnchor = new double[3 * callerNodes.length];
+        entryVelocity = new double[3 * callerNodes.length];
+        sort(this.stiffness, 1, entryStiffness);
+        ask(0);
+    }
+
+    private void ask(double time) {
+        anchors.at(time, anchor, anchorVelocity);
+        sort(anchor, 3, entryAnchor);
+        sort(anchorVelocity, 3, entryVelocity);
+    }
+
+    /** Brings numbers, so many each, from the caller's order to that of the blocks. */
+    private void sort(double[] given, int each, double[] sorted) {
+        int[] item = nodes.item;
+        for (int i = 0; i < item.length; i++) {
+            for (int k = 0; k < each; k++) {
+                sorted[each * i + k] = given[each * item[i] + k];
+            }
+        }
     }
 
     /**
@@ -77,7 +102,8 @@ public final class Attachments implements ForceField {
             preload = new double[constant.length];
         }
         System.arraycopy(k, 0, stiffness, 0, k.length);
-        System.arraycopy(constant, 0, preload, 0, constant.length);
+        sort(stiffness, 1, entryStiffness);
+        sort(constant, 3, preload);
     }
 
     /** Stiffness of each spring before the factor, N/m; a copy. */
@@ -120,7 +146,7 @@ public final class Attachments implements ForceField {
     public void prepare(double time) {
         // With slack, so that rounding of the time cannot shift a refresh by a step; going back in time refreshes too.
         if (!(Math.abs(time - refreshed) < refreshInterval * (1 - 1e-9))) {
-            anchors.at(time, anchor, anchorVelocity);
+            ask(time);
             refreshed = time;
         }
         elapsed = time - refreshed;
@@ -129,29 +155,29 @@ public final class Attachments implements ForceField {
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
         int[] node = nodes.node;
-        int[] item = nodes.item;
-        double[] each = stiffness;
-        double[] from = anchor;
-        double[] speed = anchorVelocity;
+        double[] each = entryStiffness;
+        double[] from = entryAnchor;
+        double[] speed = entryVelocity;
         double all = factor;
         double ratio = dampingRatio;
         double since = elapsed;
         int end = nodes.start[block + 1];
         for (int i = nodes.start[block]; i < end; i++) {
             int n = node[i];
-            int p = 3 * item[i];
-            double k = all * each[item[i]];
+            int p = 3 * i;
+            double k = all * each[i];
             double c = k * ratio;
             force[n] += k * (from[p] + since * speed[p] - x[n]) + c * (speed[p] - v[n]);
             force[n + 1] += k * (from[p + 1] + since * speed[p + 1] - x[n + 1]) + c * (speed[p + 1] - v[n + 1]);
             force[n + 2] += k * (from[p + 2] + since * speed[p + 2] - x[n + 2]) + c * (speed[p + 2] - v[n + 2]);
         }
-        if (preload != null) {
+        double[] constant = preload;
+        if (constant != null) {
             for (int i = nodes.start[block]; i < end; i++) {
-                int p = 3 * item[i];
-                force[node[i]] += preload[p];
-                force[node[i] + 1] += preload[p + 1];
-                force[node[i] + 2] += preload[p + 2];
+                int n = node[i];
+                force[n] += constant[3 * i];
+                force[n + 1] += constant[3 * i + 1];
+                force[n + 2] += constant[3 * i + 2];
             }
         }
     }
@@ -162,11 +188,11 @@ public final class Attachments implements ForceField {
         for (int i = 0; i < nodes.count(); i++) {
             double squared = 0;
             for (int axis = 0; axis < 3; axis++) {
-                int p = 3 * nodes.item[i] + axis;
-                double d = x[nodes.node[i] + axis] - anchor[p] - elapsed * anchorVelocity[p];
+                int p = 3 * i + axis;
+                double d = x[nodes.node[i] + axis] - entryAnchor[p] - elapsed * entryVelocity[p];
                 squared += d * d;
             }
-            sum += 0.5 * factor * stiffness[nodes.item[i]] * squared;
+            sum += 0.5 * factor * entryStiffness[i] * squared;
         }
         return sum;
     }
@@ -175,7 +201,7 @@ public final class Attachments implements ForceField {
     public void addStiffness(double[] x, double[] u, double[] out, int block) {
         for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
             int n = nodes.node[i];
-            double k = factor * stiffness[nodes.item[i]];
+            double k = factor * entryStiffness[i];
             for (int axis = 0; axis < 3; axis++) {
                 out[n + axis] += k * u[n + axis];
             }
@@ -185,7 +211,7 @@ public final class Attachments implements ForceField {
     @Override
     public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
         for (int i = 0; i < nodes.count(); i++) {
-            double k = factor * stiffness[nodes.item[i]];
+            double k = factor * entryStiffness[i];
             stiffnessSum[nodes.node[i] / 3] += k;
             dampingSum[nodes.node[i] / 3] += dampingRatio * k;
         }
