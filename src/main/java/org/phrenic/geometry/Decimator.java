@@ -156,7 +156,7 @@ public final class Decimator {
     }
 
     private boolean isNear(double x, double y, double z) {
-        return bound == Double.POSITIVE_INFINITY || original.closest(x, y, z, bound, hit);
+        return bound == Double.POSITIVE_INFINITY || original.isWithin(x, y, z, bound, hit);
     }
 
     /** Fills {@link #ring} about {@code v}; returns how many triangles it has. */

@@ -19,6 +19,10 @@ public final class LabelNet {
     private final long[] faces;
     /** What a step along each direction adds to the number of a padded voxel. */
     private final long[] strides;
+    /** Faces of part p are those of {@code facesOfParts} from startOfPart[p] to before startOfPart[p + 1], in order. */
+    private final int[] startOfPart;
+
+    private final int[] facesOfParts;
 
     LabelNet(double[] positions, int[] quads, short[] sides, long[] faces, long[] strides) {
         this.positions = positions;
@@ -26,6 +30,37 @@ public final class LabelNet {
         this.sides = sides;
         this.faces = faces;
         this.strides = strides;
+        int most = 0;
+        for (short side : sides) {
+            most = Math.max(most, side);
+        }
+        startOfPart = new int[most + 2];
+        for (short side : sides) {
+            // Nobody asks for the background.
+            startOfPart[side + 1] += side > 0 ? 1 : 0;
+        }
+        for (int part = 0; part <= most; part++) {
+            startOfPart[part + 1] += startOfPart[part];
+        }
+        facesOfParts = new int[startOfPart[most + 1]];
+        int[] filled = new int[most + 1];
+        for (int i = 0; i < sides.length; i++) {
+            int part = sides[i];
+            if (part > 0) {
+                facesOfParts[startOfPart[part] + filled[part]++] = i >> 1;
+            }
+        }
+    }
+
+    /** The same net with its vertices elsewhere. */
+    private LabelNet(LabelNet net, double[] positions) {
+        this.positions = positions;
+        quads = net.quads;
+        sides = net.sides;
+        faces = net.faces;
+        strides = net.strides;
+        startOfPart = net.startOfPart;
+        facesOfParts = net.facesOfParts;
     }
 
     /**
@@ -54,30 +89,54 @@ public final class LabelNet {
     public LabelNet smoothed(int iterations, double passBand) {
         double[] c = WindowedSinc.coefficients(iterations, passBand, WindowedSinc.Window.NUTTALL);
         NetNeighbours neighbours = new NetNeighbours(vertexCount(), quads, sides);
-        double[] smooth = WindowedSinc.filtered(positions, neighbours.start(), neighbours.neighbours(), c);
-        return new LabelNet(smooth, quads, sides, faces, strides);
+        return new LabelNet(
+                this, WindowedSinc.filtered(positions, neighbours.start(), neighbours.neighbours(), c));
     }
 
     /** The surface of one part, closed and facing outward; without triangles if there is no such part. */
     public TriangleMesh surface(int part) {
-        int wanted = 0;
-        for (short side : sides) {
-            wanted += side == part ? 1 : 0;
-        }
-        // A net may have millions of faces, of which a rib has a few thousand.
-        int[] own = new int[4 * wanted];
-        long[] voxels = new long[wanted];
-        int count = 0;
-        for (int q = 0; q < faces.length; q++) {
+        boolean known = part > 0 && part + 1 < startOfPart.length;
+        int from = known ? startOfPart[part] : 0;
+        int count = known ? startOfPart[part + 1] - from : 0;
+        int[] own = new int[4 * count];
+        long[] voxels = new long[count];
+        int least = Integer.MAX_VALUE;
+        int most = -1;
+        for (int i = 0; i < count; i++) {
+            int q = facesOfParts[from + i];
             boolean first = sides[2 * q] == part;
-            if (first || sides[2 * q + 1] == part) {
-                for (int corner = 0; corner < 4; corner++) {
-                    own[4 * count + corner] = quads[4 * q + (first ? corner : 3 - corner)];
-                }
-                long voxel = faces[q] / 3;
-                voxels[count++] = first ? voxel : voxel + strides[(int) (faces[q] % 3)];
+            for (int corner = 0; corner < 4; corner++) {
+                int v = quads[4 * q + (first ? corner : 3 - corner)];
+                own[4 * i + corner] = v;
+                least = Math.min(least, v);
+                most = Math.max(most, v);
+            }
+            long voxel = faces[q] / 3;
+            voxels[i] = first ? voxel : voxel + strides[(int) (faces[q] % 3)];
+        }
+        return new QuadStitcher(ownPositions(own, least, most), own, voxels).mesh();
+    }
+
+    /** Positions of the vertices that are named, in their order; from then on they are named by their places there. A net may have millions of vertices, of which a rib has a few thousand. */
+    private double[] ownPositions(int[] own, int least, int most) {
+        int[] place = new int[Math.max(0, most - least + 1)];
+        for (int v : own) {
+            place[v - least] = 1;
+        }
+        int count = 0;
+        for (int v = 0; v < place.length; v++) {
+            count += place[v];
+            place[v] = place[v] == 1 ? count - 1 : -1;
+        }
+        double[] named = new double[3 * count];
+        for (int v = 0; v < place.length; v++) {
+            if (place[v] >= 0) {
+                System.arraycopy(positions, 3 * (least + v), named, 3 * place[v], 3);
             }
         }
-        return new QuadStitcher(positions, own, voxels).mesh();
+        for (int i = 0; i < own.length; i++) {
+            own[i] = place[own[i] - least];
+        }
+        return named;
     }
 }

@@ -155,6 +155,59 @@ public final class TriangleTree {
         return search(x, y, z, maximumDistance * maximumDistance, nx, ny, nz, minimumCosine, true, out);
     }
 
+    /**
+     * Whether a point of the surface lies within {@code distance} mm: what {@link #closest(double, double, double, double, Hit)} says, but the first triangle found so near is enough. It is looked for first where it was found the last
+     * time.
+     *
+     * @param working its place is gone on from; holds no answer
+     */
+    public boolean isWithin(double x, double y, double z, double distance, Hit working) {
+        double limit = distance * distance;
+        if (working.place < order.length && isTriangleWithin(working.place, x, y, z, limit, working.weights)) {
+            return true;
+        }
+        int[] stack = working.stack;
+        int depth = 0;
+        int node = nodes > 0 && boxDistance(0, x, y, z) <= limit ? 0 : -1;
+        while (node >= 0) {
+            if (child[node] < 0) {
+                int first = -1 - child[node];
+                for (int place = first; place < first + count[node]; place++) {
+                    if (isTriangleWithin(place, x, y, z, limit, working.weights)) {
+                        working.place = place;
+                        return true;
+                    }
+                }
+                node = depth > 0 ? stack[--depth] : -1;
+            } else {
+                int near = node + 1;
+                int far = child[node];
+                double nearDistance = boxDistance(near, x, y, z);
+                double farDistance = boxDistance(far, x, y, z);
+                if (farDistance < nearDistance) {
+                    int swap = near;
+                    near = far;
+                    far = swap;
+                    double swapDistance = nearDistance;
+                    nearDistance = farDistance;
+                    farDistance = swapDistance;
+                }
+                if (farDistance <= limit) {
+                    stack[depth++] = far;
+                }
+                node = nearDistance <= limit ? near : depth > 0 ? stack[--depth] : -1;
+            }
+        }
+        return false;
+    }
+
+    private boolean isTriangleWithin(int place, double x, double y, double z, double limit, double[] weights) {
+        double square = flat[place]
+                ? PointTriangle.nearestOfFlat(corners, 9 * place, x, y, z, weights)
+                : PointTriangle.nearest(corners, 9 * place, x, y, z, weights);
+        return square <= limit;
+    }
+
     private boolean search(
             double x,
             double y,

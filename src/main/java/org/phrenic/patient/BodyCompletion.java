@@ -145,7 +145,14 @@ public final class BodyCompletion {
     private double[][] pairs(boolean bones) {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
-        shared.stream().filter(s -> !bones || s.guidesBones()).forEach(s -> s.addPairs(from, to));
+        shared.parallelStream()
+                .filter(s -> !bones || s.guidesBones())
+                .map(SharedSurface::pairs)
+                .toList()
+                .forEach(pairs -> {
+                    from.addAll(pairs.from());
+                    to.addAll(pairs.to());
+                });
         if (!bones) {
             TriangleMesh bone = Meshes.merge(template.stream()
                     .filter(s -> BONES.contains(s.kind()))
@@ -170,15 +177,20 @@ public final class BodyCompletion {
     }
 
     private void move(PointMap map, boolean bones) {
-        shared.stream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.move(map));
-        template.replaceAll(s -> {
-            if (!bones && BONES.contains(s.kind())) {
-                return s;
-            }
-            double[] p = s.mesh().positions().clone();
-            map.apply(p);
-            return s.withMesh(s.mesh().withPositions(p));
-        });
+        shared.parallelStream()
+                .filter(s -> bones || !BONES.contains(s.kind()))
+                .forEach(s -> s.move(map));
+        List<Structure> moved = template.parallelStream()
+                .map(s -> bones || !BONES.contains(s.kind()) ? moved(s, map) : s)
+                .toList();
+        template.clear();
+        template.addAll(moved);
+    }
+
+    private static Structure moved(Structure structure, PointMap map) {
+        double[] p = structure.mesh().positions().clone();
+        map.apply(p);
+        return structure.withMesh(structure.mesh().withPositions(p));
     }
 
     private FittedBody completed(FittedBody body, String from) {

@@ -63,7 +63,7 @@ public final class PartMesher {
                 mesh,
                 label.vertexCount(),
                 few.vertexCount(),
-                SurfaceComparison.of(mesh, label).byArea(),
+                SurfaceComparison.byAreaOf(mesh, label),
                 MeshQuality.of(mesh),
                 passBand,
                 shells.size(),

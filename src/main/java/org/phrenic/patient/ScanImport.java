@@ -1,13 +1,16 @@
 package org.phrenic.patient;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -108,17 +111,23 @@ public final class ScanImport {
                 .map(structure ->
                         new PartMesher(parts.outline(coarser(parts, edge(structure, voxelMm3))), SKIN, steps));
         parts.forgetVoxels();
+        // The largest first, so that no thread is left with one of them in the end.
+        built.sort(Comparator.comparingInt((String structure) -> -counts[parts.find(structure)]));
+        Organ[] meshed = new Organ[built.size()];
+        AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
-        List<Organ> organs = IntStream.range(0, built.size())
+        IntStream.range(0, Math.min(built.size(), ForkJoinPool.getCommonPoolParallelism() + 1))
                 .parallel()
-                .mapToObj(i -> {
-                    Organ organ = organ(built.get(i), parts, counts, voxelMm3, mesher, skin);
-                    synchronized (done) {
-                        progress.done(done.incrementAndGet(), built.size(), built.get(i));
+                .forEach(worker -> {
+                    for (int i = next.getAndIncrement(); i < meshed.length; i = next.getAndIncrement()) {
+                        meshed[i] = organ(built.get(i), parts, counts, voxelMm3, mesher, skin);
+                        synchronized (done) {
+                            progress.done(done.incrementAndGet(), built.size(), built.get(i));
+                        }
                     }
-                    return organ;
-                })
-                .sorted((a, b) -> a.structure().name().compareTo(b.structure().name()))
+                });
+        List<Organ> organs = Stream.of(meshed)
+                .sorted(Comparator.comparing(organ -> organ.structure().name()))
                 .toList();
         note(organs);
         return new FittedBody(name, organs, ThoraxList.missing(organs), notes);

@@ -1,5 +1,6 @@
 package org.phrenic.patient;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.DistanceSummary;
@@ -107,8 +108,18 @@ final class SharedSurface {
         templateTree.refit(p);
     }
 
-    /** Adds points of the template and where on the scan they belong, x y z in turn. Of a scan that is cut off, only its own points are asked: the template's may have nothing to belong to. */
-    void addPairs(List<double[]> from, List<double[]> to) {
+    /**
+     * Points of the template and where on the scan they belong.
+     *
+     * @param from x y z each
+     * @param to x y z each, in the same order
+     */
+    record Pairs(List<double[]> from, List<double[]> to) {}
+
+    /** Points of the template and where on the scan they belong. Of a scan that is cut off, only its own points are asked: the template's may have nothing to belong to. */
+    Pairs pairs() {
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
         double[] s = scan.positions();
         int step = Math.max(1, scan.vertexCount() / POINTS);
         for (int v = 0; v < scan.vertexCount(); v += step) {
@@ -127,6 +138,7 @@ final class SharedSurface {
                 to.add(new double[] {hit.x, hit.y, hit.z});
             }
         }
+        return new Pairs(from, to);
     }
 
     /** How far a template lies from the vertices of an organ in the scan, by area, without the cut. */

@@ -1,5 +1,7 @@
 package org.phrenic.patient;
 
+import java.util.stream.IntStream;
+
 /**
  * A smooth displacement of space that carries points towards others: at x the mean of what the points about it lack, weighted by w = (1 - d^2 / r^2)^2 within a radius r and drawn to nothing where none is
  * near,
@@ -34,36 +36,49 @@ final class WarpField implements PointMap {
         }
         shift = new double[3 * nodes];
         double[] weights = new double[nodes];
+        // Each layer of the grid takes the points in their order, so that the bits do not depend on the threads.
+        IntStream.range(0, size[2]).parallel().forEach(c -> layer(c, from, to, radius, weights));
+    }
+
+    private void layer(int c, double[] from, double[] to, double radius, double[] weights) {
         for (int i = 0; i < from.length; i += 3) {
-            add(from, to, i, radius, weights);
+            if (c >= low(from, i, 2, radius) && c <= high(from, i, 2, radius)) {
+                add(c, from, to, i, radius, weights);
+            }
         }
-        for (int n = 0; n < nodes; n++) {
+        int layer = size[0] * size[1];
+        for (int n = c * layer; n < (c + 1) * layer; n++) {
             for (int k = 0; k < 3; k++) {
                 shift[3 * n + k] /= weights[n] + PULL;
             }
         }
     }
 
-    private void add(double[] from, double[] to, int i, double radius, double[] weights) {
-        int[] low = new int[3];
-        int[] high = new int[3];
-        for (int k = 0; k < 3; k++) {
-            low[k] = Math.max(0, (int) Math.ceil((from[i + k] - radius - origin[k]) / spacing));
-            high[k] = Math.min(size[k] - 1, (int) Math.floor((from[i + k] + radius - origin[k]) / spacing));
-        }
-        for (int c = low[2]; c <= high[2]; c++) {
-            double dz = origin[2] + c * spacing - from[i + 2];
-            for (int b = low[1]; b <= high[1]; b++) {
-                double dy = origin[1] + b * spacing - from[i + 1];
-                for (int a = low[0]; a <= high[0]; a++) {
-                    double dx = origin[0] + a * spacing - from[i];
-                    double rest = 1 - (dx * dx + dy * dy + dz * dz) / (radius * radius);
-                    if (rest > 0) {
-                        int n = a + size[0] * (b + size[1] * c);
-                        weights[n] += rest * rest;
-                        for (int k = 0; k < 3; k++) {
-                            shift[3 * n + k] += rest * rest * (to[i + k] - from[i + k]);
-                        }
+    /** The first node along an axis that a point reaches. */
+    private int low(double[] from, int i, int axis, double radius) {
+        return Math.max(0, (int) Math.ceil((from[i + axis] - radius - origin[axis]) / spacing));
+    }
+
+    /** The last. */
+    private int high(double[] from, int i, int axis, double radius) {
+        return Math.min(size[axis] - 1, (int) Math.floor((from[i + axis] + radius - origin[axis]) / spacing));
+    }
+
+    private void add(int c, double[] from, double[] to, int i, double radius, double[] weights) {
+        double dz = origin[2] + c * spacing - from[i + 2];
+        int lowA = low(from, i, 0, radius);
+        int highA = high(from, i, 0, radius);
+        int highB = high(from, i, 1, radius);
+        for (int b = low(from, i, 1, radius); b <= highB; b++) {
+            double dy = origin[1] + b * spacing - from[i + 1];
+            for (int a = lowA; a <= highA; a++) {
+                double dx = origin[0] + a * spacing - from[i];
+                double rest = 1 - (dx * dx + dy * dy + dz * dz) / (radius * radius);
+                if (rest > 0) {
+                    int n = a + size[0] * (b + size[1] * c);
+                    weights[n] += rest * rest;
+                    for (int k = 0; k < 3; k++) {
+                        shift[3 * n + k] += rest * rest * (to[i + k] - from[i + k]);
                     }
                 }
             }
@@ -73,6 +88,7 @@ final class WarpField implements PointMap {
     @Override
     public void apply(double[] points) {
         int[] cell = new int[3];
+        int[] node = new int[3];
         double[] part = new double[3];
         for (int i = 0; i < points.length; i += 3) {
             for (int k = 0; k < 3; k++) {
@@ -82,7 +98,6 @@ final class WarpField implements PointMap {
             }
             for (int corner = 0; corner < 8; corner++) {
                 double weight = 1;
-                int[] node = new int[3];
                 for (int k = 0; k < 3; k++) {
                     int bit = corner >> k & 1;
                     node[k] = cell[k] + bit;

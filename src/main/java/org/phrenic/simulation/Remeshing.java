@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import java.util.List;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.MeshQuality;
 import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.Remesher;
 import org.phrenic.geometry.TriangleMesh;
@@ -12,10 +13,22 @@ final class Remeshing {
     /** A structure is taken as it is if its mesh is this near to what it should have: so what was made for a resolution is not meshed twice. */
     private static final double NEAR_ENOUGH = 0.01;
 
+    /**
+     * One triangle in a hundred of a sheet may have a smaller angle than this, degrees. Meshes made for a resolution have 27 to 40; one that was warped to another body of which only the lungs are known has 7 to 9 and edges of
+     * 0.5 to 50 mm, and its slivers chatter until it comes apart.
+     */
+    private static final double LEAST_ANGLE_DEG = 15;
+
     private static final int FEWEST = 24;
     private static final double WELD_MM = 0.25;
 
     private Remeshing() {}
+
+    /** Whether a sheet can be taken as it is where so many vertices are wanted. */
+    static boolean isFit(TriangleMesh sheet, int vertices) {
+        return Math.abs(sheet.vertexCount() - vertices) <= NEAR_ENOUGH * vertices
+                && MeshQuality.of(sheet).firstPercentileAngleDeg() >= LEAST_ANGLE_DEG;
+    }
 
     static List<Structure> toBudget(List<Structure> structures, int vertices) {
         int present = structures.stream().mapToInt(s -> s.mesh().vertexCount()).sum();

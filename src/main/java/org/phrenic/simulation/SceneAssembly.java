@@ -206,7 +206,7 @@ final class SceneAssembly {
                         + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"
                         + " its border"));
         int wanted = scenario.resolution().diaphragmVertices();
-        if (Math.abs(sheet.vertexCount() - wanted) > 0.01 * wanted) {
+        if (!Remeshing.isFit(sheet, wanted)) {
             sheet = Remesher.toVertexCount(sheet, wanted);
         }
         if (scenario.tendon() == TendonRule.PLANE) {

@@ -34,6 +34,9 @@ class TriangleTreeTest {
             assertThat(hit.triangle).isEqualTo(-1);
             assertThat(tree.closest(q[0], q[1], q[2], expected * 1.001 + ROUNDING, hit))
                     .isTrue();
+            assertThat(tree.isWithin(q[0], q[1], q[2], expected * 0.999, hit)).isFalse();
+            assertThat(tree.isWithin(q[0], q[1], q[2], expected * 1.001 + ROUNDING, hit))
+                    .isTrue();
         }
     }
 

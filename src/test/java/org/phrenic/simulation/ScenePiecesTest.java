@@ -10,6 +10,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.Remesher;
 import org.phrenic.geometry.TriangleMesh;
 
 /** The pieces a scene is put together from. */
@@ -48,6 +49,21 @@ class ScenePiecesTest {
             assertThat(nearest.distance()).isCloseTo(least, within(1e-9));
         }
         assertThat(new NearestVertex(mesh, v -> false).find(0, 0, 0)).isEqualTo(-1);
+    }
+
+    @Test
+    void aSheetOfTheRightSizeIsMeshedAnewWhereAWarpLeftSlivers() {
+        TriangleMesh even = Remesher.toVertexCount(DomeSheet.adult(9), 600);
+        double[] p = even.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            // A quarter is drawn out to eight times its length, as where a patient's body has more room than the template.
+            p[i] += 7 * Math.max(0, p[i] - 60);
+        }
+        TriangleMesh warped = even.withPositions(p);
+        assertThat(Remeshing.isFit(even, 600)).isTrue();
+        assertThat(Remeshing.isFit(even, 620)).isFalse();
+        assertThat(Remeshing.isFit(warped, 600)).isFalse();
+        assertThat(Remeshing.isFit(Remesher.toVertexCount(warped, 600), 600)).isTrue();
     }
 
     @Test

@@ -14,7 +14,7 @@ final class FitSearch {
     private static final double GAIN_MM = 0.005;
 
     private static final int PATIENCE = 12;
-    private static final int PATIENCE_AFTER_DESCENT = 4;
+    private static final int PATIENCE_AFTER_DESCENT = 2;
     /** Standard deviation of the first generation after a descent, as a share of the bounds. */
     private static final double AFTER_DESCENT = 0.03;
 

@@ -118,7 +118,7 @@ public record FitSetup(
                 .append(generation())
                 .append(' ')
                 .append(sigma)
-                .append(" descent");
+                .append(" descent of an even sheet");
         double[][] arrays =
                 new double[1 + 3 * targets.size() + thorax.structures().size()][];
         int next = 0;
