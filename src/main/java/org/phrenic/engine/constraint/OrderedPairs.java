@@ -1,11 +1,8 @@
 package org.phrenic.engine.constraint;
 
-import java.util.Arrays;
-import java.util.stream.IntStream;
-import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
-import org.phrenic.engine.Workers;
+import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.geometry.Triangles;
 
 /**
@@ -15,9 +12,7 @@ import org.phrenic.geometry.Triangles;
  * <p>No node may be in two pairs. Where the order is broken both nodes are moved, the correction shared by inverse mass, and their speed toward each other is taken away. Normals are those of one triangle of
  * the outer face at the outer node, taken anew every few steps.
  */
-public final class OrderedPairs implements Constraint {
-    private static final int PAIRS_A_PIECE = 512;
-
+public final class OrderedPairs implements SeparableConstraint {
     private final int[] outer;
     private final int[] inner;
     private final int[] triangle;
@@ -25,8 +20,6 @@ public final class OrderedPairs implements Constraint {
     private final double[] normal;
     private final double[] fresh = new double[3];
     private final RefreshClock refresh;
-    private ParticleSystem system;
-    private final Workers.Task task = this::piece;
 
     /**
      * @param layout of the system it is for
@@ -48,14 +41,17 @@ public final class OrderedPairs implements Constraint {
         this.outer = new int[n];
         this.inner = new int[n];
         this.triangle = new int[3 * n];
+        this.least = new double[n];
+        int[] order = layout.inMemoryOrder(outer);
         for (int i = 0; i < n; i++) {
-            this.outer[i] = 3 * layout.internal(outer[i]);
-            this.inner[i] = 3 * layout.internal(inner[i]);
-            for (int c = 3 * i; c < 3 * i + 3; c++) {
-                this.triangle[c] = 3 * layout.internal(triangle[c]);
+            int listed = order[i];
+            this.outer[i] = 3 * layout.internal(outer[listed]);
+            this.inner[i] = 3 * layout.internal(inner[listed]);
+            for (int c = 0; c < 3; c++) {
+                this.triangle[3 * i + c] = 3 * layout.internal(triangle[3 * listed + c]);
             }
+            this.least[i] = least[listed];
         }
-        this.least = least.clone();
         this.refresh = new RefreshClock(refreshInterval);
         this.normal = new double[3 * n];
     }
@@ -71,8 +67,8 @@ public final class OrderedPairs implements Constraint {
     }
 
     @Override
-    public IntStream nodes() {
-        return IntStream.concat(Arrays.stream(outer), Arrays.stream(inner));
+    public int[][] ends() {
+        return new int[][] {outer, inner};
     }
 
     public int count() {
@@ -85,17 +81,10 @@ public final class OrderedPairs implements Constraint {
     }
 
     @Override
-    public void prepare(double time) {
-        refresh.goTo(time);
-    }
-
-    @Override
-    public void project(ParticleSystem particles, double h) {
-        system = particles;
-        if (refresh.isDue()) {
+    public void prepare(ParticleSystem particles, double time) {
+        if (refresh.goTo(time)) {
             takeNormals(particles.positions());
         }
-        particles.workers().run((outer.length + PAIRS_A_PIECE - 1) / PAIRS_A_PIECE, task);
     }
 
     private void takeNormals(double[] x) {
@@ -107,12 +96,14 @@ public final class OrderedPairs implements Constraint {
         }
     }
 
-    private void piece(int piece) {
-        double[] x = system.positions();
-        double[] v = system.velocities();
-        double[] w = system.inverseMasses();
-        int to = Math.min(outer.length, (piece + 1) * PAIRS_A_PIECE);
-        for (int i = piece * PAIRS_A_PIECE; i < to; i++) {
+    @Override
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        int end = from;
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        for (int k = from; k < to; k++) {
+            int i = items[k];
             int o = outer[i];
             int n = inner[i];
             double nx = normal[3 * i];
@@ -124,6 +115,7 @@ public final class OrderedPairs implements Constraint {
             if (gap >= 0 || wo + wn == 0) {
                 continue;
             }
+            moved[end++] = i;
             double so = wo / (wo + wn);
             double sn = wn / (wo + wn);
             move(x, o, n, -gap * so, gap * sn, nx, ny, nz);
@@ -132,6 +124,7 @@ public final class OrderedPairs implements Constraint {
                 move(v, o, n, -closing * so, closing * sn, nx, ny, nz);
             }
         }
+        return end - from;
     }
 
     private static void move(double[] a, int o, int n, double outward, double inward, double nx, double ny, double nz) {

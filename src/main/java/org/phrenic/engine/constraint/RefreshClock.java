@@ -8,7 +8,6 @@ final class RefreshClock {
     private double interval;
     private double taken = Double.NaN;
     private double now = Double.NaN;
-    private boolean due;
 
     /** @param interval simulated time between two, s */
     RefreshClock(double interval) {
@@ -28,7 +27,7 @@ final class RefreshClock {
     boolean goTo(double time) {
         // A time that does not move on means that an earlier state was put back: what is known of the lost one is
         // worth nothing.
-        due = !(time > now && time - taken < interval * (1 - SLACK));
+        boolean due = !(time > now && time - taken < interval * (1 - SLACK));
         now = time;
         if (due) {
             taken = time;
@@ -36,9 +35,8 @@ final class RefreshClock {
         return due;
     }
 
-    /** What {@link #goTo} said last. */
-    boolean isDue() {
-        return due;
+    double interval() {
+        return interval;
     }
 
     /** Time since all was taken anew, s. */

@@ -1,10 +1,9 @@
 package org.phrenic.engine.constraint;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
-import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.Workers;
 
 /**
@@ -16,22 +15,30 @@ import org.phrenic.engine.Workers;
  * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
  * millimetre, so the plane is as good as the wall and costs a tenth.
  */
-public final class SlidingContact implements Constraint {
+public final class SlidingContact implements SeparableConstraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
+    /** A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until planes are taken anew, mm. */
+    private static final double FAR_MM = 5;
+
     /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
     public static final double RETURN_SPEED = 500;
 
+    /** Nodes times 3 in internal order, which is that of memory, and which of the caller's list each is. */
     private final int[] node;
+
+    private final int[] listed;
     private final ContactSurface surface;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
+    /** Nodes that cannot come to the wall before planes are taken anew. */
+    private final boolean[] far;
+
     private double returnSpeed = RETURN_SPEED;
     private ParticleSystem system;
-    private double step;
+    private final Workers.Task refreshTask = this::takePlanes;
     private final RefreshClock refresh;
-    private final Workers.Task task = this::piece;
 
     /**
      * @param layout of the system it is for
@@ -52,14 +59,15 @@ public final class SlidingContact implements Constraint {
     private SlidingContact(
             NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
         this.adhering = adhering;
-        node = new int[callerNodes.length];
-        for (int i = 0; i < node.length; i++) {
-            node[i] = 3 * layout.internal(callerNodes[i]);
-        }
+        listed = layout.inMemoryOrder(callerNodes);
+        node = Arrays.stream(listed)
+                .map(i -> 3 * layout.internal(callerNodes[i]))
+                .toArray();
         this.surface = surface;
         refresh = new RefreshClock(refreshInterval);
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
+        far = new boolean[node.length];
     }
 
     /** How fast a node beyond the wall may be put back, mm/s; less than {@link #RETURN_SPEED} while a wall that was not there comes in. */
@@ -78,8 +86,8 @@ public final class SlidingContact implements Constraint {
     }
 
     @Override
-    public IntStream nodes() {
-        return Arrays.stream(node);
+    public int[][] ends() {
+        return new int[][] {node};
     }
 
     public int count() {
@@ -101,36 +109,44 @@ public final class SlidingContact implements Constraint {
     }
 
     @Override
-    public void prepare(double time) {
+    public void prepare(ParticleSystem particles, double time) {
         if (refresh.goTo(time)) {
             surface.prepare(time);
+            system = particles;
+            particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, refreshTask);
+        }
+    }
+
+    private void takePlanes(int piece) {
+        double[] x = system.positions();
+        double[] v = system.velocities();
+        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
+        for (int i = piece * NODES_A_PIECE; i < to; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            surface.planeNear(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
+            far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
+            touching[i] = false;
         }
     }
 
     @Override
-    public void project(ParticleSystem particles, double h) {
-        system = particles;
-        step = h;
-        particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, task);
-    }
-
-    private void piece(int piece) {
-        double[] x = system.positions();
-        double[] v = system.velocities();
-        double[] w = system.inverseMasses();
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
         double[] planes = plane;
         int[] nodes = node;
         double elapsed = refresh.elapsed();
-        double farthest = returnSpeed * step;
-        int from = piece * NODES_A_PIECE;
-        int to = Math.min(nodes.length, from + NODES_A_PIECE);
-        if (refresh.isDue()) {
-            for (int i = from; i < to; i++) {
-                int n = nodes[i];
-                surface.planeNear(i, x[n], x[n + 1], x[n + 2], planes, PLANE * i);
+        double farthest = returnSpeed * h;
+        int end = from;
+        for (int k = from; k < to; k++) {
+            int i = items[k];
+            if (far[i]) {
+                continue;
             }
-        }
-        for (int i = from; i < to; i++) {
             int n = nodes[i];
             int p = PLANE * i;
             double nx = planes[p];
@@ -141,6 +157,7 @@ public final class SlidingContact implements Constraint {
             boolean held = (adhering || gap < 0) && w[n / 3] > 0;
             touching[i] = held;
             if (held) {
+                moved[end++] = i;
                 double shift = Math.max(-farthest, Math.min(farthest, gap));
                 x[n] -= shift * nx;
                 x[n + 1] -= shift * ny;
@@ -153,6 +170,7 @@ public final class SlidingContact implements Constraint {
                 }
             }
         }
+        return end - from;
     }
 
     @Override
