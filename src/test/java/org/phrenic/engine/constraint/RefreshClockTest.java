@@ -14,8 +14,9 @@ class RefreshClockTest {
         int taken = 0;
         for (int step = 0; step <= 60; step++) {
             // Steps of 5 ms as a run counts them: the interval is four of them, whatever the rounding of a product.
-            taken += clock.goTo(step * 0.005) ? 1 : 0;
-            assertThat(clock.isDue()).isEqualTo(step % 4 == 0);
+            boolean due = clock.goTo(step * 0.005);
+            taken += due ? 1 : 0;
+            assertThat(due).isEqualTo(step % 4 == 0);
             assertThat(clock.elapsed()).isCloseTo(step % 4 * 0.005, within(ROUNDING));
         }
         assertThat(taken).isEqualTo(16);
