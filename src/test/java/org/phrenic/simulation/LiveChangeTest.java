@@ -25,8 +25,8 @@ class LiveChangeTest {
     /** A held time is a difference of two. */
     private static final double ROUNDING = 1e-12;
 
-    /** Steps between two changes: a ramp takes thirty times as long, so that many are always on their way. */
-    private static final int BETWEEN = 6;
+    /** Steps between two changes: a ramp takes thirteen times as long, so that several are always on their way. */
+    private static final int BETWEEN = 15;
     /** A scene held at rest creeps by 0.2 mm rms in 2 s as contacts settle, by more where tissue is softer or the pressure higher; tension lost would be many millimetres. */
     private static final double STILL_MM = 1.2;
 

@@ -53,9 +53,13 @@ class SceneSurfacesTest {
             for (int s = 0; s < rest.size(); s++) {
                 if (isBone(surfaces.surfaces().get(s))) {
                     for (int v = 0; v < rest.get(s).vertexCount(); v++) {
-                        assertThat(outside(skinNow, now.get(s), v))
-                                .as(surfaces.surfaces().get(s).name())
-                                .isLessThan(outside(skinAtRest, rest.get(s), v) + THROUGH_MM);
+                        double out = outside(skinNow, now.get(s), v);
+                        // Where it stood at rest costs as much to know, and counts only for what is out now.
+                        if (out >= THROUGH_MM) {
+                            assertThat(out)
+                                    .as(surfaces.surfaces().get(s).name())
+                                    .isLessThan(outside(skinAtRest, rest.get(s), v) + THROUGH_MM);
+                        }
                     }
                 }
             }
