@@ -33,7 +33,7 @@ final class LungBase implements PrescribedMotion {
     private static final double APPOSED_MM = 8;
 
     private static final double LATERAL = 0.5;
-    private static final double OPEN_MM = 18;
+    private static final double OPEN_MM = 15;
     private static final double REACH_MM = 140;
     /** Anchors go on without a jump, and make up for what they are behind in this time. */
     private static final double CATCH_UP_S = 0.04;
