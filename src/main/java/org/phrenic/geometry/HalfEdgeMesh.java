@@ -266,6 +266,23 @@ final class HalfEdgeMesh {
         return count;
     }
 
+    /** Whether a vertex has more than so many neighbours, without going round all of them. */
+    private boolean hasMoreThan(int least, int v) {
+        int count = 0;
+        int h = out[v];
+        do {
+            count++;
+            h = twin[previous(h)];
+            if (count > least) {
+                return true;
+            }
+            if (h == NONE) {
+                return count + 1 > least;
+            }
+        } while (h != out[v]);
+        return false;
+    }
+
     boolean areNeighbours(int a, int b) {
         int h = out[a];
         do {
@@ -402,7 +419,7 @@ final class HalfEdgeMesh {
             return false;
         }
         int c = start[previous(h)];
-        return valence(c) > (isBoundaryVertex(c) ? 2 : 3);
+        return hasMoreThan(isBoundaryVertex(c) ? 2 : 3, c);
     }
 
     /** Removes the edge of {@code h} and its start vertex; the end vertex stays and moves to the given point. */

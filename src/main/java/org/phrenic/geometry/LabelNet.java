@@ -89,8 +89,7 @@ public final class LabelNet {
     public LabelNet smoothed(int iterations, double passBand) {
         double[] c = WindowedSinc.coefficients(iterations, passBand, WindowedSinc.Window.NUTTALL);
         NetNeighbours neighbours = new NetNeighbours(vertexCount(), quads, sides);
-        return new LabelNet(
-                this, WindowedSinc.filtered(positions, neighbours.start(), neighbours.neighbours(), c));
+        return new LabelNet(this, WindowedSinc.filtered(positions, neighbours.start(), neighbours.neighbours(), c));
     }
 
     /** The surface of one part, closed and facing outward; without triangles if there is no such part. */

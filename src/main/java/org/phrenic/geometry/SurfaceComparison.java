@@ -95,8 +95,7 @@ public record SurfaceComparison(
     /** What {@link #byArea()} says, for a part of the work. */
     public static DistanceSummary byAreaOf(TriangleMesh a, TriangleMesh b) {
         return DistanceSummary.of(
-                join(distances(a, b), distances(b, a)),
-                join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
+                join(distances(a, b), distances(b, a)), join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
     }
 
     private static double[] distances(TriangleMesh from, TriangleMesh to) {

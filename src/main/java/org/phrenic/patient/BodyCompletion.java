@@ -177,9 +177,7 @@ public final class BodyCompletion {
     }
 
     private void move(PointMap map, boolean bones) {
-        shared.parallelStream()
-                .filter(s -> bones || !BONES.contains(s.kind()))
-                .forEach(s -> s.move(map));
+        shared.parallelStream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.move(map));
         List<Structure> moved = template.parallelStream()
                 .map(s -> bones || !BONES.contains(s.kind()) ? moved(s, map) : s)
                 .toList();

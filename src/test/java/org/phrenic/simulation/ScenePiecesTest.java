@@ -56,7 +56,8 @@ class ScenePiecesTest {
         TriangleMesh even = Remesher.toVertexCount(DomeSheet.adult(9), 600);
         double[] p = even.positions().clone();
         for (int i = 0; i < p.length; i += 3) {
-            // A quarter is drawn out to eight times its length, as where a patient's body has more room than the template.
+            // A quarter is drawn out to eight times its length, as where a patient's body has more room than the
+            // template.
             p[i] += 7 * Math.max(0, p[i] - 60);
         }
         TriangleMesh warped = even.withPositions(p);
