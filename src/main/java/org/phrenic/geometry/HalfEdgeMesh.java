@@ -121,7 +121,7 @@ final class HalfEdgeMesh extends HalfEdges {
             return false;
         }
         int c = start[previous(h)];
-        return valence(c) > (isBoundaryVertex(c) ? 2 : 3);
+        return hasMoreThan(isBoundaryVertex(c) ? 2 : 3, c);
     }
 
     /** Removes the edge of {@code h} and its start vertex; the end vertex stays and moves to the given point. */

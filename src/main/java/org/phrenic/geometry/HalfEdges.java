@@ -266,6 +266,23 @@ abstract class HalfEdges {
         return count;
     }
 
+    /** Whether a vertex has more than so many neighbours, without going round all of them. */
+    final boolean hasMoreThan(int least, int v) {
+        int count = 0;
+        int h = out[v];
+        do {
+            count++;
+            h = twin[previous(h)];
+            if (count > least) {
+                return true;
+            }
+            if (h == NONE) {
+                return count + 1 > least;
+            }
+        } while (h != out[v]);
+        return false;
+    }
+
     boolean areNeighbours(int a, int b) {
         int h = out[a];
         do {

@@ -169,11 +169,7 @@ public final class WindowedSinc {
         }
         double[] next = new double[positions.length];
         for (int n = 2; n < c.length; n++) {
-            umbrella(now, start, neighbours, next);
-            for (int i = 0; i < next.length; i++) {
-                next[i] = 2 * now[i] - next[i] - before[i];
-                sum[i] += c[n] * next[i];
-            }
+            addTerm(c[n], before, now, start, neighbours, next, sum);
             double[] swap = before;
             before = now;
             now = next;
@@ -202,6 +198,33 @@ public final class WindowedSinc {
             out[3 * v] = count == 0 ? 0 : p[3 * v] - x / count;
             out[3 * v + 1] = count == 0 ? 0 : p[3 * v + 1] - y / count;
             out[3 * v + 2] = count == 0 ? 0 : p[3 * v + 2] - z / count;
+        }
+    }
+
+    /** The next term of the Chebyshev recursion, T = 2 (now - umbrella(now) / 2) - before, and its share of the sum, in one pass. */
+    private static void addTerm(
+            double c, double[] before, double[] now, int[] start, int[] neighbours, double[] next, double[] sum) {
+        for (int v = 0; v + 1 < start.length; v++) {
+            double x = 0;
+            double y = 0;
+            double z = 0;
+            int count = start[v + 1] - start[v];
+            for (int k = start[v]; k < start[v + 1]; k++) {
+                int o = 3 * neighbours[k];
+                x += now[o];
+                y += now[o + 1];
+                z += now[o + 2];
+            }
+            int i = 3 * v;
+            double tx = 2 * now[i] - (count == 0 ? 0 : now[i] - x / count) - before[i];
+            double ty = 2 * now[i + 1] - (count == 0 ? 0 : now[i + 1] - y / count) - before[i + 1];
+            double tz = 2 * now[i + 2] - (count == 0 ? 0 : now[i + 2] - z / count) - before[i + 2];
+            next[i] = tx;
+            next[i + 1] = ty;
+            next[i + 2] = tz;
+            sum[i] += c * tx;
+            sum[i + 1] += c * ty;
+            sum[i + 2] += c * tz;
         }
     }
 

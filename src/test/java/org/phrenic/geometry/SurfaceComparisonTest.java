@@ -37,6 +37,7 @@ class SurfaceComparisonTest {
         assertThat(c.aToB().perVertex().maximum()).isCloseTo(10, within(ROUNDING));
         assertThat(c.bToA().perVertex().maximum()).isCloseTo(0, within(ROUNDING));
         assertThat(c.hausdorff()).isCloseTo(10, within(ROUNDING));
+        assertThat(SurfaceComparison.byAreaOf(longer, shorter)).isEqualTo(c.byArea());
     }
 
     @Test

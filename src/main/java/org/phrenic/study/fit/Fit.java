@@ -145,7 +145,16 @@ public final class Fit {
             List<FitResult.Effect> effects,
             String ended,
             long begun) {
-        body.breath().to(values);
+        Scenario scenario = HeldBreath.scenario(setup.base(), setup.parameters(), values);
+        List<String> hashes = Jobs.run(
+                List.of(
+                        new Jobs.Job<>("best", () -> {
+                            body.breath().to(values);
+                            return body.breath().stateHash();
+                        }),
+                        new Jobs.Job<>("anew", () -> stateHash(scenario))),
+                setup.threads(),
+                silent());
         List<FitResult.TargetResult> targets = body.distances().stream()
                 .map(d -> new FitResult.TargetResult(
                         d.target(),
@@ -159,7 +168,6 @@ public final class Fit {
         for (String column : Observation.COLUMNS) {
             observed.put(column, body.breath().observed(column));
         }
-        Scenario scenario = HeldBreath.scenario(setup.base(), setup.parameters(), values);
         return new FitResult(
                 setup,
                 values,
@@ -170,7 +178,7 @@ public final class Fit {
                 effects,
                 observed,
                 scenario,
-                stateHash(scenario).equals(body.breath().stateHash()),
+                hashes.get(0).equals(hashes.get(1)),
                 trials.stream().mapToDouble(Trial::value).toArray(),
                 ended,
                 made == 0 ? Double.NaN : cpuNanos.get() * 1e-9 / made,

@@ -24,6 +24,7 @@ import org.phrenic.patient.SecondScan;
 import org.phrenic.patient.StatedAxes;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.Jobs;
 import org.phrenic.study.StudyProgress;
 import org.phrenic.study.fit.Fit;
 import org.phrenic.study.fit.FitParameter;
@@ -66,15 +67,29 @@ public final class PatientStudy {
      */
     public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
         int count = Math.min(quick ? 1 : MOST_PATIENTS, scans.size());
-        List<PatientCase> cases = new ArrayList<>();
+        List<Jobs.Job<Imported>> imports = new ArrayList<>();
         for (PatientScans pair : scans.subList(0, count)) {
-            cases.add(of(pair, axes));
-            progress.done(cases.size(), count, pair.name());
+            imports.add(new Jobs.Job<>(pair.name(), () -> imported(pair, axes)));
+        }
+        List<PatientCase> cases = new ArrayList<>();
+        for (Imported patient : Jobs.run(imports, THREADS, (done, of, what) -> {})) {
+            progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
+            FitResult fit = fit(
+                    Scenario.defaults().with("preset=deep", "resolution=low"),
+                    patient.body(),
+                    FitTarget.withBases(patient.targets()),
+                    patient.alignment());
+            cases.add(new PatientCase(
+                    patient.name(), "CT, two breath holds", false, patient.body(), patient.notes(), fit));
+            progress.done(cases.size(), count, patient.name());
         }
         return cases;
     }
 
-    private PatientCase of(PatientScans pair, Optional<String> axes) {
+    /** A patient of two scans, before anything is tuned. */
+    private record Imported(String name, Thorax body, List<FitTarget> targets, String alignment, List<String> notes) {}
+
+    private Imported imported(PatientScans pair, Optional<String> axes) {
         progress.note(pair.name() + ": import of both breath levels");
         Thorax template = SimulationRun.thorax(Scenario.defaults());
         FittedBody expired = BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template);
@@ -100,19 +115,13 @@ public final class PatientStudy {
                             .structure()
                             .mesh()));
         }
-        progress.note(pair.name() + ": a fit of " + evaluations() + " breaths");
         String alignment = inspired.notes().stream()
                 .filter(note -> note.startsWith("brought rigidly"))
                 .findFirst()
                 .orElseThrow();
         List<String> notes = new ArrayList<>(expired.notes());
         notes.add("end of inhale: " + alignment);
-        FitResult fit = fit(
-                Scenario.defaults().with("preset=deep", "resolution=low"),
-                body,
-                FitTarget.withBases(targets),
-                alignment);
-        return new PatientCase(pair.name(), "CT, two breath holds", false, body, notes, fit);
+        return new Imported(pair.name(), body, targets, alignment, notes);
     }
 
     private static FittedBody imported(Path file, Optional<String> axes, String name) {
