@@ -14,8 +14,8 @@ import org.phrenic.geometry.HelicalAxis;
 /** How liver and base of the lungs go with a diaphragm that is moved by hand. */
 class OrgansFollowTest {
     private static final double ROUNDING = 1e-6;
-    /** Between the shape as meshed, where tracks begin, and the shape as settled. */
-    private static final double SETTLED_MM = 3;
+    /** Between the shape as meshed, where tracks begin, and the shape as settled; what settling opens counts by the square of 1 over 15 mm (LungBase). */
+    private static final double SETTLED_MM = 4;
 
     private static Simulation simulation;
     private static Scene scene;
