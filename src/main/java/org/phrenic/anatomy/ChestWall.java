@@ -206,15 +206,27 @@ public final class ChestWall {
 
     /** Bilinear radius at fractional sector and layer. */
     private double radiusAt(double sector, double layer) {
-        double l = Math.max(0, Math.min(layers - 1.001, layer));
-        int l0 = (int) l;
-        int s0 = (int) sector % SECTORS;
-        int s1 = (s0 + 1) % SECTORS;
-        double fs = sector - Math.floor(sector);
-        double fl = l - l0;
-        double lower = (1 - fs) * radius[l0 * SECTORS + s0] + fs * radius[l0 * SECTORS + s1];
-        double upper = (1 - fs) * radius[(l0 + 1) * SECTORS + s0] + fs * radius[(l0 + 1) * SECTORS + s1];
-        return (1 - fl) * lower + fl * upper;
+        int below = (int) withinLayers(layer);
+        return between(below, withinLayers(layer) - below, (int) sector, sector - (int) sector);
+    }
+
+    private double withinLayers(double layer) {
+        return Math.max(0, Math.min(layers - 1.001, layer));
+    }
+
+    /** Radius between four cells: so far above a layer, so far past a sector. */
+    private double between(int layer, double above, int sector, double past) {
+        int lower = layer * SECTORS;
+        int next = sector + 1 < SECTORS ? sector + 1 : 0;
+        double below = (1 - past) * radius[lower + sector] + past * radius[lower + next];
+        double over = (1 - past) * radius[lower + SECTORS + sector] + past * radius[lower + SECTORS + next];
+        return (1 - above) * below + above * over;
+    }
+
+    /** Radius so far above a layer, at a sector that may lie a little before the first or behind the last. */
+    private double ahead(int layer, double above, double sector) {
+        double round = sector < 0 ? sector + SECTORS : sector < SECTORS ? sector : sector - SECTORS;
+        return between(layer, above, (int) round, round - (int) round);
     }
 
     private void moveTo(double now) {
@@ -241,10 +253,17 @@ public final class ChestWall {
         double r = Math.max(1, Math.sqrt(x * x + y * y));
         double sector = sectorOf(x, y);
         double layer = (pz - uz - bottom) / LAYER_MM;
-        double wall = radiusAt(sector, layer);
-        double slopeSector =
-                radiusAt((sector + 0.5) % SECTORS, layer) - radiusAt((sector + SECTORS - 0.5) % SECTORS, layer);
-        double slopeHeight = (radiusAt(sector, layer + 0.5) - radiusAt(sector, layer - 0.5)) / LAYER_MM;
+        int whole = (int) sector;
+        double past = sector - whole;
+        double level = withinLayers(layer);
+        int below = (int) level;
+        double wall = between(below, level - below, whole, past);
+        double slopeSector = ahead(below, level - below, sector + 0.5) - ahead(below, level - below, sector - 0.5);
+        double higher = withinLayers(layer + 0.5);
+        double lower = withinLayers(layer - 0.5);
+        double slopeHeight = (between((int) higher, higher - (int) higher, whole, past)
+                        - between((int) lower, lower - (int) lower, whole, past))
+                / LAYER_MM;
         // Gradient of G = r_wall - r: the sector grows along (-y, x) / (|x| + |y|)².
         double size = Math.max(1, Math.abs(x) + Math.abs(y));
         double turn = slopeSector * QUARTER / (size * size);
@@ -264,7 +283,9 @@ public final class ChestWall {
     }
 
     private int nearestCell(double sector, double layer) {
-        int l = (int) Math.round(Math.max(0, Math.min(layers - 1, layer)));
-        return l * SECTORS + (int) Math.round(sector) % SECTORS;
+        // Both are positive: cut off after a half was added they are rounded, in a third of the time.
+        int l = (int) (Math.max(0, Math.min(layers - 1, layer)) + 0.5);
+        int s = (int) (sector + 0.5);
+        return l * SECTORS + (s < SECTORS ? s : s - SECTORS);
     }
 }

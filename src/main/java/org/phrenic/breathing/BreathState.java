@@ -32,6 +32,13 @@ public final class BreathState {
     /** What the breath is doing. */
     public BreathLabel label = BreathLabel.PAUSE;
 
+    /** Breath and place in it at a time of breaths that all last as long; before the first, its beginning. */
+    void place(double timeS, double periodS) {
+        double breaths = Math.max(0, timeS / periodS);
+        breath = (int) breaths;
+        phase = breaths - breath;
+    }
+
     /** Rest at end-expiration; the count of breaths stays. */
     void rest(BreathLabel why) {
         activation = 0;

@@ -62,9 +62,7 @@ public final class CoughPattern implements BreathingPattern {
 
     @Override
     public void at(double timeS, BreathState state) {
-        double breaths = Math.max(0, timeS / periodS);
-        state.breath = (int) breaths;
-        state.phase = breaths - state.breath;
+        state.place(timeS, periodS);
         double t = state.phase * periodS;
         double compressed = t - inspirationS;
         double expelled = compressed - compressionS;

@@ -27,9 +27,7 @@ public final class PeriodicPattern implements BreathingPattern {
 
     @Override
     public void at(double timeS, BreathState state) {
-        double breaths = Math.max(0, timeS / periodS);
-        state.breath = (int) breaths;
-        state.phase = breaths - state.breath;
+        state.place(timeS, periodS);
         state.label = timeS < 0 ? BreathLabel.PAUSE : wave.label(state.phase);
         drive.write(wave.value(state.phase), wave.slope(state.phase) / periodS, state);
     }

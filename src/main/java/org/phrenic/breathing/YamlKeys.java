@@ -2,15 +2,13 @@ package org.phrenic.breathing;
 
 import java.io.IOException;
 import java.io.Reader;
+import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
-import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.YamlDocument;
 
 /** The keys of a flat YAML file, each asked for once; what nobody asked for is an error. */
 final class YamlKeys {
@@ -20,21 +18,16 @@ final class YamlKeys {
 
     YamlKeys(Reader reader, String name) throws IOException {
         this.name = name;
-        LoaderOptions options = new LoaderOptions();
-        options.setAllowDuplicateKeys(false);
-        Object document;
+        StringWriter text = new StringWriter();
+        reader.transferTo(text);
         try {
-            document = new Yaml(new SafeConstructor(options)).load(reader);
-        } catch (MarkedYAMLException e) {
-            int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
-            throw new IOException(name + " line " + line + ": " + e.getProblem() + ", expected YAML", e);
-        } catch (YAMLException e) {
-            throw new IOException(name + ": " + e.getMessage() + ", expected YAML", e);
+            left.putAll(YamlDocument.parse(name, text.toString()).toMap());
+        } catch (BadInputException e) {
+            throw new IOException(e.getMessage(), e);
         }
-        if (!(document instanceof Map<?, ?> map)) {
+        if (left.isEmpty()) {
             throw new IOException(name + ": no keys, expected lines of 'key: value'");
         }
-        map.forEach((key, value) -> left.put(String.valueOf(key), value));
     }
 
     String text(String key) throws IOException {

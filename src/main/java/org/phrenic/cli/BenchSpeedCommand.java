@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.phrenic.format.AtomicFile;
 import org.phrenic.format.Json;
-import org.phrenic.study.StudyProgress;
 import org.phrenic.study.speed.SpeedReport;
 import org.phrenic.study.speed.SpeedStudy;
 import picocli.CommandLine.Command;
@@ -54,7 +53,7 @@ final class BenchSpeedCommand implements Callable<Integer> {
         }
         SpeedStudy study = SpeedStudy.of(
                 quick ? SpeedStudy.Settings.QUICK : SpeedStudy.Settings.FULL,
-                progress(spec.commandLine().getErr()));
+                new LineProgress(spec.commandLine().getErr(), "done"));
         SpeedReport report = new SpeedReport(study);
         if (out != null) {
             AtomicFile.write(out.resolve("speed.md"), report.markdown());
@@ -71,18 +70,9 @@ final class BenchSpeedCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    private static StudyProgress progress(PrintWriter err) {
-        return (count, total, what) -> {
-            err.println(count + " of " + total + " done: " + what);
-            err.flush();
-        };
-    }
-
     private static String table(List<List<String>> rows) {
         boolean[] right = new boolean[rows.get(0).size()];
         Arrays.fill(right, 1, right.length, true);
-        Table table = new Table(right);
-        rows.forEach(row -> table.row(row.toArray(String[]::new)));
-        return table.text();
+        return new Table(right).rows(rows).text();
     }
 }

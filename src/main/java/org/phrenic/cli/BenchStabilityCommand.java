@@ -9,7 +9,6 @@ import org.phrenic.format.AtomicFile;
 import org.phrenic.format.BadInputException;
 import org.phrenic.format.Json;
 import org.phrenic.simulation.Scenario;
-import org.phrenic.study.StudyProgress;
 import org.phrenic.study.hard.StabilityReport;
 import org.phrenic.study.hard.StabilityStudy;
 import picocli.CommandLine.Command;
@@ -71,8 +70,8 @@ final class BenchStabilityCommand implements Callable<Integer> {
         if (out != null) {
             OutputFolder.require(out);
         }
-        StabilityStudy study =
-                StabilityStudy.of(settings(), progress(spec.commandLine().getErr()));
+        StabilityStudy study = StabilityStudy.of(
+                settings(), new LineProgress(spec.commandLine().getErr(), "cells done"));
         StabilityReport report = new StabilityReport(study);
         if (out != null) {
             AtomicFile.write(out.resolve("stability.md"), report.markdown());
@@ -107,16 +106,7 @@ final class BenchStabilityCommand implements Callable<Integer> {
         return spend == null ? settings : settings.spending(OptionNumbers.number("--spend", spend, 1, MOST_SPENT));
     }
 
-    private static StudyProgress progress(PrintWriter err) {
-        return (count, total, what) -> {
-            err.println(count + " of " + total + " cells done: " + what);
-            err.flush();
-        };
-    }
-
     private static String table(List<List<String>> rows) {
-        Table table = new Table(new boolean[rows.get(0).size()]);
-        rows.forEach(row -> table.row(row.toArray(String[]::new)));
-        return table.text();
+        return new Table(new boolean[rows.get(0).size()]).rows(rows).text();
     }
 }

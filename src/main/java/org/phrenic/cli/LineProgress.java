@@ -3,18 +3,25 @@ package org.phrenic.cli;
 import java.io.PrintWriter;
 import org.phrenic.study.StudyProgress;
 
-/** How far a study is, a line a run. */
+/** How far a study is, a line a step. */
 final class LineProgress implements StudyProgress {
     private final PrintWriter err;
+    private final String done;
 
+    /** Counts runs. */
     LineProgress(PrintWriter err) {
+        this(err, "runs done");
+    }
+
+    /** @param done what a line counts, such as "cells done" */
+    LineProgress(PrintWriter err, String done) {
         this.err = err;
+        this.done = done;
     }
 
     @Override
     public void done(int count, int total, String what) {
-        err.println(count + " of " + total + " runs done: " + what);
-        err.flush();
+        note(count + " of " + total + " " + done + ": " + what);
     }
 
     @Override

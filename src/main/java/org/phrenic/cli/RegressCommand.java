@@ -56,11 +56,7 @@ final class RegressCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         List<String> scenes = only == null ? List.of() : OptionNumbers.parts(only);
-        PrintWriter err = spec.commandLine().getErr();
-        StudyProgress progress = (count, total, what) -> {
-            err.println(count + " of " + total + " scenes done: " + what);
-            err.flush();
-        };
+        StudyProgress progress = new LineProgress(spec.commandLine().getErr(), "scenes done");
         if (write != null) {
             if (references != null) {
                 throw new BadInputException(

@@ -83,17 +83,11 @@ final class ReproduceCommand implements Callable<Integer> {
     public Integer call() {
         OutputFolder.require(out);
         PrintWriter err = spec.commandLine().getErr();
-        StudyProgress progress = new StudyProgress() {
-            @Override
-            public void done(int count, int total, String what) {
-                err.println(count + " of " + total + " measured: " + what);
-                err.flush();
-            }
-        };
+        StudyProgress progress = new LineProgress(err, "measured");
         Optional<List<PatientScans>> scans = scans();
         Map<Integer, List<FigurePicture>> figures = figures(err);
         Reproduction found = Reproduction.of(quick, progress);
-        PatientResults people = people(scans, new PatientProgress(err));
+        PatientResults people = people(scans, new LineProgress(err, "patients done"));
         Map<Integer, List<Picture>> pictures = new TreeMap<>();
         figures.forEach((number, of) -> pictures.put(number, written(of)));
         Map<String, List<Picture>> segmented = new TreeMap<>();
@@ -173,20 +167,6 @@ final class ReproduceCommand implements Callable<Integer> {
         return figure.stream()
                 .map(p -> new Picture(PICTURES + "/" + p.fileName(), p.alternative(), p.caption()))
                 .toList();
-    }
-
-    /** A line a stage. */
-    private record PatientProgress(PrintWriter err) implements StudyProgress {
-        @Override
-        public void done(int count, int total, String what) {
-            note(count + " of " + total + " patients done: " + what);
-        }
-
-        @Override
-        public void note(String sentence) {
-            err.println(sentence);
-            err.flush();
-        }
     }
 
     private Map<Integer, List<FigurePicture>> figures(PrintWriter err) {

@@ -20,6 +20,11 @@ final class Table {
         return this;
     }
 
+    Table rows(List<List<String>> more) {
+        more.forEach(cells -> rows.add(cells.toArray(String[]::new)));
+        return this;
+    }
+
     /** The lines, each ended; blanks at their ends are left out. */
     String text() {
         int[] width = new int[right.length];

@@ -203,7 +203,7 @@ final class ValidateCommand implements Callable<Integer> {
                     ValidationReport.range(f.row()),
                     f.row().unit(),
                     f.row().confidence().tag(),
-                    f.isMiss() ? "OUT" : f.verdict().label() + (none ? ": " + f.reason() : ""));
+                    (f.isMiss() ? "OUT" : f.verdict().label()) + (f.reason().isEmpty() ? "" : ": " + f.reason()));
         }
         return table.text() + ValidationReport.sum(body) + "\n\n";
     }

@@ -1,23 +1,10 @@
 package org.phrenic.engine;
 
-import java.util.stream.IntStream;
-
-/** Something that positions must obey, put right after each step; velocities are corrected by the same shift over h. */
+/** Something that positions must obey, put right after each step, as a {@link WholeConstraint whole} or {@link SeparableConstraint item by item}; velocities are corrected by the same shift over h. */
 public interface Constraint {
 
-    /** Told once, on one thread, before the constraint is put right at a time. */
-    default void prepare(double time) {}
-
-    /**
-     * Moves nodes so that the constraint holds.
-     *
-     * @param system the nodes; positions and velocities are changed
-     * @param h the step just taken, s
-     */
-    void project(ParticleSystem system, double h);
-
-    /** The nodes that it may move, internal numbers times 3: what no other constraint moves needs no second sweep. */
-    IntStream nodes();
+    /** Told once before the constraint is put right at a time, with nodes where the step without constraints has left them; it may share out work. */
+    default void prepare(ParticleSystem system, double time) {}
 
     /**
      * Takes away what velocities have against the constraint after a step's last forces were added to them, at the positions at hand (the second half of RATTLE: Andersen 1983, doi

@@ -3,16 +3,25 @@ package org.phrenic.engine;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /** The constraints of a system: which are switched on, in which order and how often they are put right. */
 final class ConstraintSet {
     private final int nodeCount;
     private final List<Constraint> all = new ArrayList<>();
     private Constraint[] active = {};
-    /** Those of them that share nodes with another. */
-    private Constraint[] entangled = {};
+    /** All of them at once, where that can be. */
+    private Optional<JointProjection> joint = Optional.empty();
+    /** Otherwise each by itself, in the same order. */
+    private Stage[] stages = {};
 
     private int sweeps = 1;
+
+    /** Puts one constraint right. */
+    @FunctionalInterface
+    private interface Stage {
+        void project(ParticleSystem system, double h);
+    }
 
     ConstraintSet(int nodeCount) {
         this.nodeCount = nodeCount;
@@ -30,13 +39,20 @@ final class ConstraintSet {
             chosen.add(constraint);
         }
         active = all.stream().filter(chosen::contains).toArray(Constraint[]::new);
-        int[] movers = new int[nodeCount];
-        for (Constraint each : active) {
-            each.nodes().map(n -> n / 3).distinct().forEach(n -> movers[n]++);
+        joint = JointProjection.of(List.of(active), nodeCount);
+        stages = joint.isPresent()
+                ? new Stage[0]
+                : Arrays.stream(active).map(this::stage).toArray(Stage[]::new);
+    }
+
+    private Stage stage(Constraint constraint) {
+        if (constraint instanceof WholeConstraint whole) {
+            return whole::project;
         }
-        entangled = Arrays.stream(active)
-                .filter(each -> each.nodes().anyMatch(n -> movers[n / 3] > 1))
-                .toArray(Constraint[]::new);
+        JointProjection alone = JointProjection.of(List.of(constraint), nodeCount)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "constraint: expected one that is put right as a whole, or item by item"));
+        return (system, h) -> alone.project(system, h, 1);
     }
 
     /** Those switched on, in the order they were added. */
@@ -63,17 +79,17 @@ final class ConstraintSet {
         return all.stream().anyMatch(Constraint::isWall);
     }
 
-    /** One sweep over all that are switched on, the others over those that share nodes: what alone moves its nodes holds after the first. */
     void project(ParticleSystem system, double time, double h) {
         for (Constraint constraint : active) {
-            constraint.prepare(time);
+            constraint.prepare(system, time);
         }
-        for (Constraint constraint : active) {
-            constraint.project(system, h);
+        if (joint.isPresent()) {
+            joint.get().project(system, h, sweeps);
+            return;
         }
-        for (int sweep = 1; sweep < sweeps; sweep++) {
-            for (Constraint constraint : entangled) {
-                constraint.project(system, h);
+        for (int sweep = 0; sweep < sweeps; sweep++) {
+            for (Stage stage : stages) {
+                stage.project(system, h);
             }
         }
     }

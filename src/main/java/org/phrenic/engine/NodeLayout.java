@@ -124,6 +124,16 @@ public final class NodeLayout {
         return callerOfInternal[internalNode];
     }
 
+    /** Which of some listed nodes comes first in memory, which second, and so on; of one listed twice the earlier. */
+    public int[] inMemoryOrder(int[] callerNodes) {
+        long[] key = new long[callerNodes.length];
+        for (int i = 0; i < key.length; i++) {
+            key[i] = (long) internal(callerNodes[i]) << 32 | i;
+        }
+        Arrays.sort(key);
+        return Arrays.stream(key).mapToInt(k -> (int) k).toArray();
+    }
+
     /** Three numbers a node from the caller's order into the internal one. */
     public double[] toInternal(double[] callerValues) {
         double[] out = new double[callerValues.length];

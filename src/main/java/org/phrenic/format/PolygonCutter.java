@@ -1,6 +1,8 @@
 package org.phrenic.format;
 
 import java.util.Arrays;
+import org.phrenic.geometry.Triangles;
+import org.phrenic.geometry.Vectors;
 
 /**
  * Cuts a polygon into triangles: a fan from its first corner where that covers it (any convex polygon), else ear clipping
@@ -101,12 +103,8 @@ final class PolygonCutter {
 
     /** Twice the signed area of triangle a b c seen against {@code normal}, times the length of the normal. */
     private static double turn(double[] p, int a, int b, int c, double[] normal) {
-        double ux = p[3 * b] - p[3 * a];
-        double uy = p[3 * b + 1] - p[3 * a + 1];
-        double uz = p[3 * b + 2] - p[3 * a + 2];
-        double vx = p[3 * c] - p[3 * a];
-        double vy = p[3 * c + 1] - p[3 * a + 1];
-        double vz = p[3 * c + 2] - p[3 * a + 2];
-        return normal[0] * (uy * vz - uz * vy) + normal[1] * (uz * vx - ux * vz) + normal[2] * (ux * vy - uy * vx);
+        double[] cross = new double[3];
+        Triangles.cross(p, 3 * a, 3 * b, 3 * c, cross);
+        return Vectors.dot(normal, cross);
     }
 }

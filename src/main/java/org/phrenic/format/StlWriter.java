@@ -2,6 +2,7 @@ package org.phrenic.format;
 
 import java.nio.file.Path;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Triangles;
 
 /** Binary STL. Coordinates are rounded to single precision, as the format has them; the normal of a degenerate triangle is 0. */
 public final class StlWriter {
@@ -31,7 +32,7 @@ public final class StlWriter {
             double[] normal = new double[3];
             int[] corners = mesh.triangles();
             for (int t = 0; t < mesh.triangleCount(); t++) {
-                normal(p, 3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2], normal);
+                Triangles.normal(p, 3 * corners[3 * t], 3 * corners[3 * t + 1], 3 * corners[3 * t + 2], normal);
                 for (double component : normal) {
                     out.float32((float) component);
                 }
@@ -43,21 +44,5 @@ public final class StlWriter {
                 out.int16(0);
             }
         });
-    }
-
-    private static void normal(double[] p, int a, int b, int c, double[] normal) {
-        double ux = p[b] - p[a];
-        double uy = p[b + 1] - p[a + 1];
-        double uz = p[b + 2] - p[a + 2];
-        double vx = p[c] - p[a];
-        double vy = p[c + 1] - p[a + 1];
-        double vz = p[c + 2] - p[a + 2];
-        normal[0] = uy * vz - uz * vy;
-        normal[1] = uz * vx - ux * vz;
-        normal[2] = ux * vy - uy * vx;
-        double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        for (int axis = 0; axis < 3; axis++) {
-            normal[axis] = length > 0 ? normal[axis] / length : 0;
-        }
     }
 }

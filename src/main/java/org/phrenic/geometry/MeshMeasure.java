@@ -190,16 +190,7 @@ public final class MeshMeasure {
         int a = 3 * mesh.triangles()[3 * triangle];
         int b = 3 * mesh.triangles()[3 * triangle + 1];
         int c = 3 * mesh.triangles()[3 * triangle + 2];
-        double ux = p[b] - p[a];
-        double uy = p[b + 1] - p[a + 1];
-        double uz = p[b + 2] - p[a + 2];
-        double vx = p[c] - p[a];
-        double vy = p[c + 1] - p[a + 1];
-        double vz = p[c + 2] - p[a + 2];
-        out[0] = uy * vz - uz * vy;
-        out[1] = uz * vx - ux * vz;
-        out[2] = ux * vy - uy * vx;
-        return Math.sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+        return Triangles.cross(p, a, b, c, out);
     }
 
     static double distance(TriangleMesh mesh, int a, int b) {

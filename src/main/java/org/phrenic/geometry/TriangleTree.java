@@ -19,6 +19,8 @@ public final class TriangleTree {
     final int[] order;
     /** Nine corner coordinates a triangle, in leaf order. */
     final double[] corners;
+
+    private final double[] normal = new double[3];
     /** Unit normal a triangle, in leaf order. */
     private final double[] normals;
 
@@ -91,20 +93,11 @@ public final class TriangleTree {
                 corners[o + 3 * k + 1] = positions[v + 1];
                 corners[o + 3 * k + 2] = positions[v + 2];
             }
-            double ux = corners[o + 3] - corners[o];
-            double uy = corners[o + 4] - corners[o + 1];
-            double uz = corners[o + 5] - corners[o + 2];
-            double vx = corners[o + 6] - corners[o];
-            double vy = corners[o + 7] - corners[o + 1];
-            double vz = corners[o + 8] - corners[o + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
             double scale = length > 0 ? 1 / length : 0;
-            normals[3 * place] = nx * scale;
-            normals[3 * place + 1] = ny * scale;
-            normals[3 * place + 2] = nz * scale;
+            for (int k = 0; k < 3; k++) {
+                normals[3 * place + k] = normal[k] * scale;
+            }
             flat[place] = PointTriangle.isFlat(corners, o);
         }
         for (int node = nodes - 1; node >= 0; node--) {
@@ -322,7 +315,7 @@ public final class TriangleTree {
         out.triangle = -1;
         out.along = Double.POSITIVE_INFINITY;
         out.distanceSquared = Double.POSITIVE_INFINITY;
-        walkRay(ox, oy, oz, dx, dy, dz, out, false);
+        RayWalk.of(this, ox, oy, oz, dx, dy, dz, out, false);
         if (out.triangle < 0) {
             return false;
         }
@@ -337,100 +330,7 @@ public final class TriangleTree {
      */
     public int countAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit working) {
         working.along = Double.POSITIVE_INFINITY;
-        return walkRay(ox, oy, oz, dx, dy, dz, working, true);
-    }
-
-    private int walkRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit out, boolean counting) {
-        int[] stack = out.stack;
-        int depth = 0;
-        int met = 0;
-        if (nodes > 0) {
-            stack[depth++] = 0;
-        }
-        while (depth > 0) {
-            int node = stack[--depth];
-            if (!rayMeetsBox(node, ox, oy, oz, dx, dy, dz, out.along)) {
-                continue;
-            }
-            if (child[node] >= 0) {
-                stack[depth++] = child[node];
-                stack[depth++] = node + 1;
-                continue;
-            }
-            int first = -1 - child[node];
-            for (int place = first; place < first + count[node]; place++) {
-                double along = rayMeetsTriangle(place, ox, oy, oz, dx, dy, dz, out.weights);
-                if (along < Double.POSITIVE_INFINITY && counting) {
-                    met++;
-                } else if (along < out.along || (along == out.along && met > 0 && order[place] < out.triangle)) {
-                    met++;
-                    out.along = along;
-                    out.triangle = order[place];
-                    out.place = place;
-                    out.weightB = out.weights[0];
-                    out.weightC = out.weights[1];
-                }
-            }
-        }
-        return met;
-    }
-
-    private boolean rayMeetsBox(
-            int node, double ox, double oy, double oz, double dx, double dy, double dz, double limit) {
-        int o = 6 * node;
-        double from = 0;
-        double to = limit;
-        for (int axis = 0; axis < 3; axis++) {
-            double origin = axis == 0 ? ox : axis == 1 ? oy : oz;
-            double direction = axis == 0 ? dx : axis == 1 ? dy : dz;
-            double low = boxes[o + axis] - origin;
-            double high = boxes[o + 3 + axis] - origin;
-            if (direction == 0) {
-                if (low > 0 || high < 0) {
-                    return false;
-                }
-                continue;
-            }
-            double t1 = low / direction;
-            double t2 = high / direction;
-            from = Math.max(from, Math.min(t1, t2));
-            to = Math.min(to, Math.max(t1, t2));
-        }
-        // A little slack: the quotients round, and a flat box must not lose the triangle that lies in it.
-        return from <= to + 1e-12 * Math.abs(to);
-    }
-
-    private double rayMeetsTriangle(
-            int place, double ox, double oy, double oz, double dx, double dy, double dz, double[] weights) {
-        int o = 9 * place;
-        double e1x = corners[o + 3] - corners[o];
-        double e1y = corners[o + 4] - corners[o + 1];
-        double e1z = corners[o + 5] - corners[o + 2];
-        double e2x = corners[o + 6] - corners[o];
-        double e2y = corners[o + 7] - corners[o + 1];
-        double e2z = corners[o + 8] - corners[o + 2];
-        double px = dy * e2z - dz * e2y;
-        double py = dz * e2x - dx * e2z;
-        double pz = dx * e2y - dy * e2x;
-        double determinant = e1x * px + e1y * py + e1z * pz;
-        if (determinant == 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double tx = ox - corners[o];
-        double ty = oy - corners[o + 1];
-        double tz = oz - corners[o + 2];
-        double v = (tx * px + ty * py + tz * pz) / determinant;
-        double qx = ty * e1z - tz * e1y;
-        double qy = tz * e1x - tx * e1z;
-        double qz = tx * e1y - ty * e1x;
-        double w = (dx * qx + dy * qy + dz * qz) / determinant;
-        double along = (e2x * qx + e2y * qy + e2z * qz) / determinant;
-        if (!(v >= 0 && w >= 0 && v + w <= 1 && along >= 0)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        weights[0] = v;
-        weights[1] = w;
-        return along;
+        return RayWalk.of(this, ox, oy, oz, dx, dy, dz, working, true);
     }
 
     /**

@@ -3,6 +3,7 @@ package org.phrenic.rehearsal;
 import org.phrenic.geometry.SegmentProbe;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.geometry.Triangles;
 
 /**
  * The lower border of a rib: those of its faces that look down. Intercostal vein, artery and nerve run in the groove there, so a needle goes over the upper border of the rib below; within
@@ -27,17 +28,10 @@ final class RibBorder {
         int[] t = mesh.triangles();
         int[] kept = new int[t.length];
         int count = 0;
+        double[] normal = new double[3];
         for (int k = 0; k < t.length; k += 3) {
-            double ux = mesh.x(t[k + 1]) - mesh.x(t[k]);
-            double uy = mesh.y(t[k + 1]) - mesh.y(t[k]);
-            double uz = mesh.z(t[k + 1]) - mesh.z(t[k]);
-            double vx = mesh.x(t[k + 2]) - mesh.x(t[k]);
-            double vy = mesh.y(t[k + 2]) - mesh.y(t[k]);
-            double vz = mesh.z(t[k + 2]) - mesh.z(t[k]);
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            if (nz < DOWN * Math.sqrt(nx * nx + ny * ny + nz * nz)) {
+            double length = Triangles.cross(mesh.positions(), 3 * t[k], 3 * t[k + 1], 3 * t[k + 2], normal);
+            if (normal[2] < DOWN * length) {
                 System.arraycopy(t, k, kept, count, 3);
                 count += 3;
             }

@@ -8,6 +8,7 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
@@ -32,12 +33,17 @@ final class LungBase implements PrescribedMotion {
     private static final double APPOSED_MM = 8;
 
     private static final double LATERAL = 0.5;
-    private static final double OPEN_MM = 18;
+    private static final double OPEN_MM = 15;
     private static final double REACH_MM = 140;
     /** Anchors go on without a jump, and make up for what they are behind in this time. */
     private static final double CATCH_UP_S = 0.04;
     /** After longer they begin anew. */
     private static final double LONGEST_S = 0.2;
+
+    /** Numbers of a plane of the wall. */
+    private static final int PLANE = 5;
+
+    private static final int POINTS_A_PIECE = 128;
 
     private final ParticleSystem system;
     private final ContactSurface wall;
@@ -46,7 +52,7 @@ final class LungBase implements PrescribedMotion {
 
     private final double[] gapAtRest;
     private final double[] opening;
-    private final double[] plane = new double[5];
+    private final double[] plane;
     /** Of each track: its first point, the point where it comes to the wall, and the share of the sliding that the vertex takes. */
     private final int[] start;
 
@@ -62,13 +68,15 @@ final class LungBase implements PrescribedMotion {
     private final double[] height;
 
     private final double[] aside;
-    private final double[] frame = new double[6];
     /** Where the anchors were when last asked for, how fast they went on from there, and where they ought to have been. */
     private final double[] anchor;
 
     private final double[] speed;
     private final double[] target;
     private double lastTime = Double.NaN;
+    private double since;
+    private final Workers.Task openTask = this::open;
+    private final Workers.Task carryTask = this::carry;
 
     /**
      * @param points the base's vertices at rest, three numbers each, mm
@@ -91,6 +99,7 @@ final class LungBase implements PrescribedMotion {
         wall = chest.holding(SceneParts.points(sheet.sheet().positions(), 0, vertices), new double[vertices.length]);
         gapAtRest = new double[vertices.length];
         opening = new double[vertices.length];
+        plane = new double[PLANE * vertices.length];
         double[] rest = sheet.sheet().positions();
         double[] normals = MeshMeasure.vertexNormals(sheet.sheet());
         double[] outward = new double[vertices.length];
@@ -131,13 +140,13 @@ final class LungBase implements PrescribedMotion {
         target = new double[3 * n];
         aside = new double[3 * n];
         for (int i = 0; i < n; i++) {
-            place(start[i], 0, system.positions());
+            int first = start[i];
             for (int axis = 0; axis < 3; axis++) {
-                aside[3 * i + axis] = points[3 * i + axis] - frame[axis];
-                height[i] += aside[3 * i + axis] * frame[3 + axis];
+                aside[3 * i + axis] = points[3 * i + axis] - mean(first, axis, system.positions());
+                height[i] += aside[3 * i + axis] * normal[3 * first + axis];
             }
             for (int axis = 0; axis < 3; axis++) {
-                aside[3 * i + axis] -= height[i] * frame[3 + axis];
+                aside[3 * i + axis] -= height[i] * normal[3 * first + axis];
             }
         }
     }
@@ -150,12 +159,23 @@ final class LungBase implements PrescribedMotion {
 
     /** Forms the distance of the watched nodes from the wall less that at rest. */
     private void open() {
+        system.workers().run(pieces(watched.length), openTask);
+    }
+
+    private void open(int piece) {
         double[] x = system.positions();
-        for (int i = 0; i < watched.length; i++) {
+        int end = Math.min(watched.length, (piece + 1) * POINTS_A_PIECE);
+        for (int i = piece * POINTS_A_PIECE; i < end; i++) {
             int k = watched[i];
-            wall.planeNear(i, x[k], x[k + 1], x[k + 2], plane, 0);
-            opening[i] = plane[0] * x[k] + plane[1] * x[k + 1] + plane[2] * x[k + 2] - plane[3] - gapAtRest[i];
+            int p = PLANE * i;
+            wall.planeNear(i, x[k], x[k + 1], x[k + 2], plane, p);
+            opening[i] =
+                    plane[p] * x[k] + plane[p + 1] * x[k + 1] + plane[p + 2] * x[k + 2] - plane[p + 3] - gapAtRest[i];
         }
+    }
+
+    private static int pieces(int points) {
+        return (points + POINTS_A_PIECE - 1) / POINTS_A_PIECE;
     }
 
     @Override
@@ -167,25 +187,33 @@ final class LungBase implements PrescribedMotion {
     public void at(double time, double[] position, double[] velocity) {
         wall.prepare(time);
         open();
+        since = time - lastTime;
+        system.workers().run(pieces(share.length), carryTask);
+        lastTime = time;
+        System.arraycopy(anchor, 0, position, 0, anchor.length);
+        System.arraycopy(speed, 0, velocity, 0, speed.length);
+    }
+
+    private void carry(int piece) {
         double[] x = system.positions();
-        double since = time - lastTime;
         boolean anew = !(since > 0 && since < LONGEST_S);
-        for (int i = 0; i < share.length; i++) {
+        int end = Math.min(share.length, (piece + 1) * POINTS_A_PIECE);
+        for (int i = piece * POINTS_A_PIECE; i < end; i++) {
             double along = share[i] * slid(i);
             int last = start[i + 1] - 1;
             int point = Math.min(start[i] + (int) along, Math.max(start[i], last - 1));
             double t = last == start[i] ? 0 : Math.min(1, start[i] + along - point);
-            place(point, t, x);
-            for (int c = 3 * i; c < 3 * i + 3; c++) {
-                double to = frame[c - 3 * i] + height[i] * frame[3 + c - 3 * i] + aside[c];
+            int next = t > 0 ? point + 1 : point;
+            for (int axis = 0; axis < 3; axis++) {
+                int c = 3 * i + axis;
+                double place = (1 - t) * mean(point, axis, x) + t * mean(next, axis, x);
+                double up = (1 - t) * normal[3 * point + axis] + t * normal[3 * next + axis];
+                double to = place + height[i] * up + aside[c];
                 anchor[c] = anew ? to : anchor[c] + since * speed[c];
                 speed[c] = anew ? 0 : (to - target[c]) / since + (to - anchor[c]) / CATCH_UP_S;
                 target[c] = to;
             }
         }
-        lastTime = time;
-        System.arraycopy(anchor, 0, position, 0, anchor.length);
-        System.arraycopy(speed, 0, velocity, 0, speed.length);
     }
 
     /** How much of a track has opened, in points. */
@@ -198,15 +226,7 @@ final class LungBase implements PrescribedMotion {
         return sum;
     }
 
-    /** Writes the place so far past a point of a track, and the normal that the sheet has there at rest, into the frame. */
-    private void place(int point, double t, double[] x) {
-        int next = t > 0 ? point + 1 : point;
-        for (int axis = 0; axis < 3; axis++) {
-            frame[axis] = (1 - t) * mean(point, axis, x) + t * mean(next, axis, x);
-            frame[3 + axis] = (1 - t) * normal[3 * point + axis] + t * normal[3 * next + axis];
-        }
-    }
-
+    /** Coordinate of a point of a track as the sheet stands. */
     private double mean(int point, int axis, double[] of) {
         return weight[3 * point] * of[watched[corner[3 * point]] + axis]
                 + weight[3 * point + 1] * of[watched[corner[3 * point + 1]] + axis]

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -327,53 +326,7 @@ public record Scenario(
 
     /** Every key with its value, in the order of the documentation: reading it back gives an equal scenario. Keys whose value the preset gives are left out. */
     public Map<String, Object> toMap() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("name", name());
-        map.put("preset", preset);
-        trace.ifPresent(
-                file -> map.put("trace", file.toAbsolutePath().normalize().toString()));
-        map.put("material", material.label());
-        map.put(
-                "anatomy",
-                isVirtual()
-                        ? anatomy
-                        : Path.of(anatomy).toAbsolutePath().normalize().toString());
-        map.put("resolution", ScenarioReader.label(resolution));
-        if (!Double.isNaN(givenDurationS)) {
-            map.put("duration_s", givenDurationS);
-        }
-        if (givenSteps >= 0) {
-            map.put("steps", givenSteps);
-        }
-        map.put("time_step_s", timeStepS());
-        map.put("integrator", integrator().label());
-        map.put("step_policy", ScenarioReader.label(stepPolicy));
-        map.put("projection_sweeps", projectionSweeps());
-        map.put("refresh_s", refreshS());
-        map.put("mass_scaling_s", massScalingS);
-        map.put("threads", threads);
-        map.put("record_every_s", recordEveryS);
-        map.put("meshes_every_s", meshesEveryS);
-        map.put("muscle", muscle);
-        map.put("pressure", pressure);
-        map.put("ribs", ribs);
-        map.put("tensegrity", tensegrity);
-        map.put("contact", contact);
-        map.put("sternum", sternum.label());
-        map.put("lungs", lungs.label());
-        map.put("liver", liver);
-        map.put("links_per_node", linksPerNode);
-        map.put("tendon", tendon.label());
-        map.put("hold", hold);
-        for (Parameter parameter : Parameter.values()) {
-            if (!Double.isNaN(value(parameter))) {
-                map.put(parameter.key(), value(parameter));
-            }
-        }
-        if (!changes.isEmpty()) {
-            map.put("changes", changes.stream().map(Change::text).toList());
-        }
-        return map;
+        return ScenarioWriter.map(this);
     }
 
     @Override

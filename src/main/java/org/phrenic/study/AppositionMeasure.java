@@ -8,6 +8,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
+import org.phrenic.geometry.Triangles;
 import org.phrenic.simulation.Frame;
 
 /**
@@ -98,6 +99,7 @@ final class AppositionMeasure implements SceneMeasure {
     }
 
     private void add(int[] t, double[] p, boolean[] which, Sum sum) {
+        double[] normal = new double[3];
         for (int i = 0; i < t.length; i += 3) {
             if (which != null && !which[i / 3]) {
                 continue;
@@ -105,15 +107,10 @@ final class AppositionMeasure implements SceneMeasure {
             int a = 3 * t[i];
             int b = 3 * t[i + 1];
             int c = 3 * t[i + 2];
-            double ux = p[b] - p[a];
-            double uy = p[b + 1] - p[a + 1];
-            double uz = p[b + 2] - p[a + 2];
-            double vx = p[c] - p[a];
-            double vy = p[c + 1] - p[a + 1];
-            double vz = p[c + 2] - p[a + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
+            Triangles.cross(p, a, b, c, normal);
+            double nx = normal[0];
+            double ny = normal[1];
+            double nz = normal[2];
             double level = Math.sqrt(nx * nx + ny * ny);
             double twice = Math.sqrt(level * level + nz * nz);
             double x = (p[a] + p[b] + p[c]) / 3;

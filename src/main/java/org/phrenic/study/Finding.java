@@ -6,9 +6,12 @@ package org.phrenic.study;
  * @param row the quantity
  * @param verdict whether the value lies in the range
  * @param value in the row's unit; NaN where there is none
- * @param reason why there is none; empty otherwise
+ * @param reason why there is none, or why it lies outside its range; empty for what lies within
  */
 public record Finding(PhysiologyRow row, Verdict verdict, double value, String reason) {
+    /** What is said of a value outside its range where the table gives no reason. */
+    static final String NO_REASON = "no reason is known yet";
+
     /** Whether a value lies in its range. */
     public enum Verdict {
         WITHIN("within"),

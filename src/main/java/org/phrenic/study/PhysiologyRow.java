@@ -21,6 +21,7 @@ import java.util.Optional;
  * @param confidence in the range
  * @param source where it comes from
  * @param note what to know about it, or why it cannot be measured here; may be empty
+ * @param missedBecause why the model misses the range, where it is known to; empty where no reason is known
  */
 public record PhysiologyRow(
         String key,
@@ -37,7 +38,8 @@ public record PhysiologyRow(
         String unit,
         Confidence confidence,
         String source,
-        String note) {
+        String note,
+        String missedBecause) {
 
     public PhysiologyRow {
         observables = List.copyOf(observables);

@@ -42,7 +42,8 @@ public record PhysiologyTable(String name, List<PhysiologyRow> rows) {
             "unit",
             "confidence",
             "source",
-            "note");
+            "note",
+            "missed_because");
 
     public PhysiologyTable {
         rows = List.copyOf(rows);
@@ -106,6 +107,15 @@ public record PhysiologyTable(String name, List<PhysiologyRow> rows) {
         if (preset.isEmpty() && note.isBlank()) {
             throw map.bad("note", "found none, expected why the quantity cannot be measured here (preset: none)");
         }
+        String missedBecause = map.text("missed_because", "");
+        if (map.has("missed_because") && missedBecause.isBlank()) {
+            throw map.bad("missed_because", "found nothing, expected why the range is missed");
+        }
+        if (map.has("missed_because") && preset.isEmpty()) {
+            throw map.bad(
+                    "missed_because",
+                    "found it with preset none, expected none there: what is not measured is not missed");
+        }
         boolean measured = preset.isPresent();
         Reduction reduction = measured
                 ? Reduction.of(oneOf(map, "reduction", Reduction.labels(), null))
@@ -128,7 +138,8 @@ public record PhysiologyTable(String name, List<PhysiologyRow> rows) {
                 map.text("unit"),
                 Confidence.of(oneOf(map, "confidence", tags(), null)).orElseThrow(),
                 source(map),
-                note);
+                note,
+                missedBecause);
     }
 
     private static String source(YamlMap map) {

@@ -6,6 +6,7 @@ import org.phrenic.anatomy.SheetFaces;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Triangles;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Surface;
 
@@ -45,9 +46,8 @@ final class SheetMeasure implements SceneMeasure {
             if (thoracic < 2) {
                 continue;
             }
-            cross(rest, t, i, then);
-            cross(now, t, i, normal);
-            double size = 0.5 * Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+            Triangles.cross(rest, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], then);
+            double size = 0.5 * Triangles.cross(now, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normal);
             area += size;
             ofTendon += inTendon == 3 ? size : 0;
             for (int axis = 0; axis < 3; axis++) {
@@ -62,16 +62,5 @@ final class SheetMeasure implements SceneMeasure {
         values.put("tendon_area_cm2", ofTendon / 100);
         values.put("tendon_share_percent", 100 * ofTendon / area);
         values.put("diaphragm_swept_ml", swept / 1000);
-    }
-
-    private static void cross(double[] p, int[] t, int i, double[] out) {
-        int a = 3 * t[i];
-        int b = 3 * t[i + 1];
-        int c = 3 * t[i + 2];
-        for (int axis = 0; axis < 3; axis++) {
-            int j = (axis + 1) % 3;
-            int k = (axis + 2) % 3;
-            out[axis] = (p[b + j] - p[a + j]) * (p[c + k] - p[a + k]) - (p[b + k] - p[a + k]) * (p[c + j] - p[a + j]);
-        }
     }
 }

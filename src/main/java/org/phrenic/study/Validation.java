@@ -151,7 +151,11 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         if (!Double.isFinite(value)) {
             return none(row, "the body or the breath lacks what it is measured on");
         }
-        return new Finding(row, row.holds(value) ? Verdict.WITHIN : Verdict.OUT, value, "");
+        if (row.holds(value)) {
+            return new Finding(row, Verdict.WITHIN, value, "");
+        }
+        return new Finding(
+                row, Verdict.OUT, value, row.missedBecause().isEmpty() ? Finding.NO_REASON : row.missedBecause());
     }
 
     private static Finding none(PhysiologyRow row, String reason) {

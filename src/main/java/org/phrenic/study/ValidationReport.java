@@ -107,8 +107,8 @@ public final class ValidationReport {
 
     private static String line(Finding f) {
         PhysiologyRow row = f.row();
-        boolean told = f.verdict() == Verdict.NOT_MEASURABLE;
-        String verdict = f.isMiss() ? "**out**" : f.verdict().label() + (told ? ": " + f.reason() : "");
+        String verdict = f.isMiss() ? "**out**" : f.verdict().label();
+        String reason = f.reason().isEmpty() ? "" : ": " + f.reason().replace("|", "/");
         String note = row.note().isEmpty() || row.preset().isEmpty() ? "" : " (" + row.note() + ")";
         return "| "
                 + String.join(
@@ -119,7 +119,7 @@ public final class ValidationReport {
                         range(row),
                         row.unit(),
                         row.confidence().tag(),
-                        verdict,
+                        verdict + reason,
                         how(row),
                         (row.source() + note).replace("|", "/"))
                 + " |\n";
@@ -169,7 +169,11 @@ public final class ValidationReport {
         map.put("confidence", row.confidence().tag());
         map.put("measured", how(row));
         map.put("source", row.source());
-        String note = f.reason().isEmpty() ? row.note() : f.reason();
+        boolean out = f.verdict() == Verdict.OUT;
+        if (out) {
+            map.put("missed_because", f.reason());
+        }
+        String note = f.reason().isEmpty() || out ? row.note() : f.reason();
         if (!note.isEmpty()) {
             map.put("note", note);
         }

@@ -43,11 +43,13 @@ class BreathingPatternsTest {
 
     /** Beyer et al. 2016: above the middle of the capacity ribs move much less than below it. */
     @Test
-    void deepBreathsTurnTheRibsEarly() {
+    void deepBreathsTurnTheRibsEarlyAndTheMuscleGoesWithThem() {
         BreathingPattern deep = new PeriodicPattern("deep", FULL);
         BreathState middle = at(deep, 1.8);
-        assertThat(middle.activation).isCloseTo(0.5, ROUNDING);
         assertThat(middle.ribTurn).isCloseTo(0.731, within(1e-3));
+        // muscle and pressure go with them, for the dome follows the volume (Houston et al. 1994)
+        assertThat(middle.activation).isCloseTo(middle.ribTurn, ROUNDING);
+        assertThat(middle.pressure).isCloseTo(0.25 * middle.ribTurn, ROUNDING);
     }
 
     /** PMC7055431: 5.6 mm of a full excursion of 70 mm in 24 s, that is 0.08 of the drive. */

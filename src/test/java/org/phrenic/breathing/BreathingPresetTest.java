@@ -136,7 +136,7 @@ class BreathingPresetTest {
                 .hasMessageStartingWith("q.yaml: unknown key 'depth', expected name, kind, rate_per_min");
         assertThatThrownBy(() -> BreathingPreset.read(new StringReader(QUIET + "name: r\n"), "q.yaml", null))
                 .hasMessageContaining("q.yaml")
-                .hasMessageContaining("duplicate key name");
+                .hasMessageContaining("key 'name': found the key a second time");
         refused(
                 QUIET.replace("inspiratory_fraction: 0.4", "inspiratory_fraction: 0.95"),
                 "q.yaml: breath: inspiratory fraction 0.95 and pause fraction 0.1, expected an inspiratory fraction above "

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Commands in a Java process of their own, as a machine without a screen starts them. */
+/** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
 class HeadlessTest {
     private static final long PATIENCE_S = 120;
 
@@ -154,14 +154,20 @@ class HeadlessTest {
     @Test
     void amongThingsThatAreOnlyKnownOfTheBodyAWrongOneIsToldAndNothingIsWritten() throws Exception {
         Path out = folder.resolve("pictures");
-        int code = render(Map.of(), "--out", out.toString(), "--hide", "livre");
-        assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
-        assertThat(code).isEqualTo(ExitCode.BAD_INPUT);
-        assertThat(Files.readString(folder.resolve("stderr"))).contains("did you mean 'liver'?");
-        code = render(Map.of(), "--out", out.toString(), "--at", "1e6");
-        assertThat(code).isEqualTo(ExitCode.BAD_INPUT);
-        assertThat(Files.readString(folder.resolve("stderr"))).contains("--at: found 1000000.0 s, expected 0 to 8");
+        List<String> coarse =
+                List.of("render", "--resolution", "low", "--set", "lungs=embedded", "--out", out.toString());
+        CommandLineRun hidden = CommandLineRun.of(with(coarse, "--hide", "livre"));
+        assumeThat(hidden.exitCode()).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(hidden.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(hidden.err()).contains("did you mean 'liver'?");
+        CommandLineRun late = CommandLineRun.of(with(coarse, "--at", "1e6"));
+        assertThat(late.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(late.err()).contains("--at: found 1000000.0 s, expected 0 to 8");
         assertThat(out).doesNotExist();
+    }
+
+    private static String[] with(List<String> first, String... more) {
+        return Stream.concat(first.stream(), Arrays.stream(more)).toArray(String[]::new);
     }
 
     @Test

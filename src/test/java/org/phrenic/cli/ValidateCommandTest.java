@@ -34,6 +34,7 @@ class ValidateCommandTest {
                 unit: mm
                 confidence: S
                 source: "people's domes go down"
+                missed_because: nothing moves a dome so far
               - key: full_exhale
                 preset: none
                 low: 1
@@ -68,13 +69,34 @@ class ValidateCommandTest {
                 .contains("dome_falls", "within", "not measurable here: nothing is driven", "passed", Notice.TEXT);
         assertThat(out.resolve("validation.md")).content().contains("**passed**", Notice.TEXT, "dome_falls");
         assertThat(out.resolve("validation.json")).content().contains("\"passes\": true", Notice.TEXT);
+        assertThat(run.out()).as("a stated reason of a row that is met").doesNotContain("nothing moves");
+        assertThat(out.resolve("validation.md")).content().doesNotContain("nothing moves");
+        assertThat(out.resolve("validation.json")).content().doesNotContain("nothing moves");
     }
 
     @Test
     void aDoctoredRangeGivesExitCode3() throws IOException {
-        CommandLineRun run = run("--table", table("1000"), "--json");
+        Path out = folder.resolve("out");
+        CommandLineRun run = run("--table", table("1000"), "--json", "--out", out.toString());
         assertThat(run.exitCode()).isEqualTo(ExitCode.OUT_OF_RANGE);
-        assertThat(run.out()).contains("\"verdict\": \"out\"", "\"passes\": false");
+        assertThat(run.out())
+                .contains(
+                        "\"verdict\": \"out\"",
+                        "\"passes\": false",
+                        "\"missed_because\": \"nothing moves a dome so far\"");
+        assertThat(out.resolve("validation.md")).content().contains("**out**: nothing moves a dome so far");
+    }
+
+    @Test
+    void aMissSaysItsReasonOrThatNoneIsKnown() throws IOException {
+        CommandLineRun told = run("--table", table("1000"));
+        assertThat(told.exitCode()).isEqualTo(ExitCode.OUT_OF_RANGE);
+        assertThat(told.out()).contains("OUT: nothing moves a dome so far");
+        Path file = folder.resolve("untold.yaml");
+        Files.writeString(file, TABLE.formatted("1000").replaceFirst(" *missed_because.*\n", ""));
+        CommandLineRun untold = run("--table", file.toString());
+        assertThat(untold.exitCode()).isEqualTo(ExitCode.OUT_OF_RANGE);
+        assertThat(untold.out()).contains("OUT: no reason is known yet");
     }
 
     @Test

@@ -10,16 +10,17 @@ import java.util.Set;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.virtual.Bodies;
 import org.phrenic.breathing.BreathLabel;
 import org.phrenic.engine.Workers;
 import org.phrenic.geometry.Vectors;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
-import org.phrenic.simulation.SimulationRun;
 
-/** Access to targets in the coarse virtual adult male in a deep breath, and in a body of boxes. */
+/** Access to targets in the coarse virtual adult male in a deep breath that is taken fast, and in a body of boxes. */
 class AccessMapTest {
     private static final int MOMENTS = 10;
     private static final int INSPIRED = 4;
@@ -36,9 +37,9 @@ class AccessMapTest {
     @BeforeAll
     static void breathe() {
         workers = Workers.of(2);
-        Scenario deep =
-                Scenario.defaults().with("preset=deep", "resolution=low", "lungs=embedded", "sternum=kinematic");
-        try (Simulation simulation = Simulation.of(deep, SimulationRun.thorax(deep))) {
+        Scenario deep = Scenario.defaults()
+                .with("preset=deep", "rate_per_min=20", "resolution=low", "lungs=embedded", "sternum=kinematic");
+        try (Simulation simulation = Simulation.of(deep, Bodies.grow("adult-male", Resolution.LOW))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
             scene = new MovingScene(surfaces.surfaces());

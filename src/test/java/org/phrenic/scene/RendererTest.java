@@ -109,7 +109,7 @@ class RendererTest {
 
     @Test
     void nothingOfTheGraphicsCardIsKept() {
-        for (int i = 0; i < 20; i++) {
+        for (int i = 0; i < 4; i++) {
             Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
             draw(renderer, everything().withTransparency(Transparency.values()[i % 2]));
             assertThat(renderer.held()).isPositive();
@@ -121,11 +121,11 @@ class RendererTest {
     }
 
     @Test
-    void twoHundredPicturesTakeNoMoreThanAFew() {
+    void fortyPicturesTakeNoMoreThanAFew() {
         Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
         fixture.offscreen.run(gl -> {
             int after = 0;
-            for (int i = 0; i < 200; i++) {
+            for (int i = 0; i < 44; i++) {
                 renderer.draw(
                         gl,
                         i % 2 == 0 ? fixture.rest : fixture.inspired,

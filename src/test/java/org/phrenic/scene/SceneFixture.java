@@ -4,14 +4,14 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.simulation.Assignment;
+import org.phrenic.anatomy.virtual.Bodies;
 import org.phrenic.simulation.Frame;
 import org.phrenic.simulation.Overlay;
 import org.phrenic.simulation.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
-import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.Surface;
 
 /** The virtual thorax for tests of drawing: its surfaces, a frame at rest and one in the middle of a breath, and a context without a window. */
@@ -19,24 +19,36 @@ final class SceneFixture implements AutoCloseable {
     /** Quiet inspiration is well on its way at this time of the first breath. */
     private static final double INSPIRED_S = 1.2;
 
-    final List<Surface> surfaces;
+    final List<Surface> surfaces = Breath.ONCE.surfaces;
     final List<Overlay> overlays;
-    final Frame rest;
-    final Frame inspired;
+    final Frame rest = Breath.ONCE.rest.copy();
+    final Frame inspired = Breath.ONCE.inspired.copy();
     final OffscreenGl offscreen;
 
     SceneFixture() {
         offscreen = openOrSkip();
-        Scenario scenario = Scenario.defaults().with(List.of(new Assignment("test", "resolution", "low")));
-        try (Simulation simulation = Simulation.of(scenario, SimulationRun.thorax(scenario))) {
-            SceneSurfaces scene = new SceneSurfaces(simulation);
-            surfaces = scene.surfaces();
-            rest = scene.newFrame();
-            while (simulation.time() < INSPIRED_S) {
-                simulation.step();
+        overlays = someOverlays(rest.nodes().length / 3);
+    }
+
+    /** The breath, simulated once for all tests. */
+    private static final class Breath {
+        static final Breath ONCE = new Breath();
+
+        final List<Surface> surfaces;
+        final Frame rest;
+        final Frame inspired;
+
+        Breath() {
+            Scenario scenario = Scenario.defaults().with("resolution=low");
+            try (Simulation simulation = Simulation.of(scenario, Bodies.grow("adult-male", Resolution.LOW))) {
+                SceneSurfaces scene = new SceneSurfaces(simulation);
+                surfaces = scene.surfaces();
+                rest = scene.newFrame();
+                while (simulation.time() < INSPIRED_S) {
+                    simulation.step();
+                }
+                inspired = scene.newFrame();
             }
-            inspired = scene.newFrame();
-            overlays = someOverlays(rest.nodes().length / 3);
         }
     }
 

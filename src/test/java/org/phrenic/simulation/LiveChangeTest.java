@@ -177,7 +177,7 @@ class LiveChangeTest {
                                 .isEqualTo(before.get(column));
                     }
                 }
-                for (int i = 0; i < 220; i++) {
+                for (int i = 0; i < 170; i++) {
                     simulation.step();
                     Observation now = observer.at(simulation.time());
                     for (String driven : List.of("activation", "rib_turn", "pressure_kpa")) {

@@ -44,7 +44,7 @@ class RerunTest {
                 "0:bucket_handle=0.6",
                 "0:mediastinum_left_mm=8",
                 "40:hold=true");
-        Thorax thorax = SimulationRun.thorax(SCENARIO);
+        Thorax thorax = Runs.male();
         String fresh;
         String freshOther;
         List<Change> other = changes("0:muscle_activation=0.3", "10:depth=0.5");

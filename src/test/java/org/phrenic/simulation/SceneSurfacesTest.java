@@ -16,7 +16,8 @@ import org.phrenic.geometry.TriangleTree;
 
 /** What is drawn of a scene, in a deep breath of the coarse virtual adult male. */
 class SceneSurfacesTest {
-    private static final int END_INSPIRATION = 3200;
+    /** Of 20 deep breaths a minute, each 3 s long and in after 1.35 s. */
+    private static final int END_INSPIRATION = 1200;
     /** Bone may come so much farther out of the skin in a deep breath than it does at rest. */
     private static final double THROUGH_MM = 1;
 
@@ -24,9 +25,12 @@ class SceneSurfacesTest {
         double x = bone.x(vertex);
         double y = bone.y(vertex);
         double z = bone.z(vertex);
+        if (skin.isInside(x, y, z)) {
+            return 0;
+        }
         TriangleTree.Hit hit = new TriangleTree.Hit();
         skin.closest(x, y, z, hit);
-        return skin.isInside(x, y, z) ? 0 : Math.sqrt(hit.distanceSquared);
+        return Math.sqrt(hit.distanceSquared);
     }
 
     private static boolean isBone(Surface surface) {
@@ -35,7 +39,8 @@ class SceneSurfacesTest {
 
     @Test
     void inADeepBreathNoBoneComesThroughTheSkinTheBellyComesForwardAndTheBackStays() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("preset=deep")), Runs.male())) {
+        try (Simulation simulation =
+                Simulation.of(Runs.scenario(Runs.sheetAlone("preset=deep", "rate_per_min=20")), Runs.male())) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             int skin = surfaces.surfaces().stream().map(Surface::kind).toList().indexOf(StructureKind.SKIN);
             List<TriangleMesh> rest = surfaces.meshes();
@@ -48,9 +53,13 @@ class SceneSurfacesTest {
             for (int s = 0; s < rest.size(); s++) {
                 if (isBone(surfaces.surfaces().get(s))) {
                     for (int v = 0; v < rest.get(s).vertexCount(); v++) {
-                        assertThat(outside(skinNow, now.get(s), v))
-                                .as(surfaces.surfaces().get(s).name())
-                                .isLessThan(outside(skinAtRest, rest.get(s), v) + THROUGH_MM);
+                        double out = outside(skinNow, now.get(s), v);
+                        // Where it stood at rest costs as much to know, and counts only for what is out now.
+                        if (out >= THROUGH_MM) {
+                            assertThat(out)
+                                    .as(surfaces.surfaces().get(s).name())
+                                    .isLessThan(outside(skinAtRest, rest.get(s), v) + THROUGH_MM);
+                        }
                     }
                 }
             }

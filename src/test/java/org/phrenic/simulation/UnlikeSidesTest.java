@@ -21,7 +21,7 @@ class UnlikeSidesTest {
     static void assemble() {
         Scenario scenario = Scenario.defaults()
                 .with("resolution=low", "preset=deep", "rate_per_min=60", "inspiratory_fraction=0.6", "threads=1");
-        simulation = Simulation.of(scenario, SimulationRun.thorax(scenario));
+        simulation = Simulation.of(scenario, Runs.male());
         surfaces = new SceneSurfaces(simulation);
     }
 

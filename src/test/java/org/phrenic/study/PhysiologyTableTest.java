@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -64,6 +67,17 @@ class PhysiologyTableTest {
                         "hold_creep");
     }
 
+    @Test
+    void ofTwoRangesThatExcludeOneAnotherEachSaysSo() {
+        Map<String, PhysiologyRow> rows = PhysiologyTable.shipped().rows().stream()
+                .collect(Collectors.toMap(PhysiologyRow::key, Function.identity()));
+        PhysiologyRow ultrasound = rows.get("dome_left_deep_male");
+        PhysiologyRow slices = rows.get("dome_left_deep_gierada");
+        assertThat(ultrasound.low()).isGreaterThan(slices.high());
+        assertThat(ultrasound.missedBecause()).contains("dome_left_deep_gierada", "one of the two is always missed");
+        assertThat(slices.missedBecause()).contains("dome_left_deep_male", "misses one of the two");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',
@@ -95,6 +109,14 @@ class PhysiologyTableTest {
                 .hasMessageContaining(problem)
                 .message()
                 .satisfies(m -> assertThat(m.lines()).hasSize(1));
+    }
+
+    @Test
+    void aReasonForAMissIsNotEmptyAndNotOfWhatIsNotMeasured() {
+        assertThatThrownBy(() -> read(GOOD + "    missed_because: ''\n"))
+                .hasMessageContaining("found nothing, expected why the range is missed");
+        String none = GOOD.replace("preset: quiet", "preset: none") + "    note: x\n    missed_because: y\n";
+        assertThatThrownBy(() -> read(none)).hasMessageContaining("what is not measured is not missed");
     }
 
     @Test

@@ -34,6 +34,7 @@ class ValidationTest {
                 "mm",
                 confidence,
                 "someone",
+                "",
                 "");
     }
 
@@ -54,6 +55,7 @@ class ValidationTest {
         Finding fair = judge(row("quiet", null, 21, 25, Confidence.FAIR), null);
         assertThat(fair.verdict()).isEqualTo(Verdict.OUT);
         assertThat(fair.isMiss()).isFalse();
+        assertThat(fair.reason()).isEqualTo("no reason is known yet");
         assertThat(judge(row("deep", null, 15, 25, Confidence.SEEN), null).reason())
                 .contains("not asked for");
         assertThat(judge(row("quiet", "female", 15, 25, Confidence.SEEN), "male")

@@ -18,6 +18,7 @@ final class ClinicHarness {
                 Scenario.defaults()
                         .with(
                                 "preset=rapid-shallow",
+                                "rate_per_min=70",
                                 "resolution=low",
                                 "lungs=embedded",
                                 "sternum=kinematic",
@@ -77,6 +78,16 @@ final class ClinicHarness {
         window.key("O");
         until("a report", () -> attempts().attempts().size() > before);
         return WindowHarness.onEdt(() -> attempts().attempts().get(before));
+    }
+
+    /** Lets the run stand still, which flat out would take the processor from what works on a finished attempt. */
+    void rest() {
+        WindowHarness.doOnEdt(() -> window.session().live().pause());
+    }
+
+    /** Lets the run go on after a rest. */
+    void goOn() {
+        WindowHarness.doOnEdt(() -> window.session().live().play());
     }
 
     void close() throws Exception {

@@ -277,8 +277,10 @@ class RehearsalInputTest {
 
             JButton save = WindowHarness.onEdt(
                     () -> WindowHarness.find(dock, JButton.class, "Save report").orElseThrow());
+            clinic.rest();
             WindowHarness.doOnEdt(save::doClick);
             clinic.until("the report", () -> save.isEnabled());
+            clinic.goOn();
             for (String file : new String[] {"report.html", "report.json", "plan.yaml", "scenario.yaml"}) {
                 assertThat(folder.resolve("kept").resolve(file)).isNotEmptyFile();
             }

@@ -79,6 +79,7 @@ class RehearsalWindowTest {
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
         Rehearsal attempt = clinic.ended();
+        clinic.rest();
         window.screenshot("rehearse-hit");
         assertThat(attempt.record().hit()).isTrue();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Hit");
@@ -95,6 +96,7 @@ class RehearsalWindowTest {
         Rehearsal again = Rehearsal.play(RehearsalPlan.read(report.resolve("plan.yaml")), (at, total, perS) -> {});
         assertThat(Json.format(new RehearsalReport(again).values()))
                 .isEqualTo(Files.readString(report.resolve("report.json")));
+        clinic.goOn();
     }
 
     @Test

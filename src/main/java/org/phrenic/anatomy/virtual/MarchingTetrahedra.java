@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Triangles;
 
 /**
  * The surface of a region as triangles: each cube of a grid is cut into six tetrahedra along its diagonal (Kuhn), and in each
@@ -34,6 +35,7 @@ final class MarchingTetrahedra {
     private final int[] in = new int[4];
     private final int[] out = new int[4];
     private final int[] corners = new int[4];
+    private final double[] normal = new double[3];
     private double[] positions = new double[3 * 1024];
     private int vertices;
     private int[] triangles = new int[3 * 2048];
@@ -151,16 +153,8 @@ final class MarchingTetrahedra {
         if (length + 3 > triangles.length) {
             triangles = Arrays.copyOf(triangles, 2 * triangles.length);
         }
-        double[] p = positions;
-        double ux = p[3 * b] - p[3 * a];
-        double uy = p[3 * b + 1] - p[3 * a + 1];
-        double uz = p[3 * b + 2] - p[3 * a + 2];
-        double vx = p[3 * c] - p[3 * a];
-        double vy = p[3 * c + 1] - p[3 * a + 1];
-        double vz = p[3 * c + 2] - p[3 * a + 2];
-        boolean right =
-                (uy * vz - uz * vy) * outward(0) + (uz * vx - ux * vz) * outward(1) + (ux * vy - uy * vx) * outward(2)
-                        > 0;
+        Triangles.cross(positions, 3 * a, 3 * b, 3 * c, normal);
+        boolean right = normal[0] * outward(0) + normal[1] * outward(1) + normal[2] * outward(2) > 0;
         triangles[length] = a;
         triangles[length + 1] = right ? b : c;
         triangles[length + 2] = right ? c : b;

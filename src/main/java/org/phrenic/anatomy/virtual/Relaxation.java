@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.IntFunction;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.Triangles;
 import org.phrenic.geometry.Vectors;
 
 /**
@@ -246,15 +247,7 @@ final class Relaxation {
 
     /** Twice the area vector of the triangle (o, a, b), seen from o. */
     private void cross(int o, int a, int b, double[] into) {
-        double ux = positions[3 * a] - positions[3 * o];
-        double uy = positions[3 * a + 1] - positions[3 * o + 1];
-        double uz = positions[3 * a + 2] - positions[3 * o + 2];
-        double vx = positions[3 * b] - positions[3 * o];
-        double vy = positions[3 * b + 1] - positions[3 * o + 1];
-        double vz = positions[3 * b + 2] - positions[3 * o + 2];
-        into[0] = uy * vz - uz * vy;
-        into[1] = uz * vx - ux * vz;
-        into[2] = ux * vy - uy * vx;
+        Triangles.cross(positions, 3 * o, 3 * a, 3 * b, into);
     }
 
     private double cotangent(int apex, int a, int b) {

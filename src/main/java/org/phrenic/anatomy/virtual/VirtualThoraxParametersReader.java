@@ -2,18 +2,14 @@ package org.phrenic.anatomy.virtual;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
-import org.yaml.snakeyaml.error.YAMLException;
+import org.phrenic.format.BadInputException;
+import org.phrenic.format.YamlDocument;
 
 /** Reads {@link VirtualThoraxParameters} from YAML. Unknown keys, missing keys and wrong counts are errors. */
 public final class VirtualThoraxParametersReader {
@@ -38,7 +34,7 @@ public final class VirtualThoraxParametersReader {
                 throw new IllegalArgumentException(
                         "virtual thorax '" + preset + "' is not known, expected adult-male or adult-female");
             }
-            return read(preset + ".yaml", new InputStreamReader(in, StandardCharsets.UTF_8));
+            return read(preset + ".yaml", new String(in.readAllBytes(), StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -50,14 +46,13 @@ public final class VirtualThoraxParametersReader {
      * @param source what to call the text in messages
      * @throws IllegalArgumentException with one sentence naming source and key if the text is no full set of measures
      */
-    public static VirtualThoraxParameters read(String source, Reader text) {
+    public static VirtualThoraxParameters read(String source, String text) {
         VirtualThoraxParametersReader reader = new VirtualThoraxParametersReader(source);
         try {
-            Object root = new Yaml(new SafeConstructor(new LoaderOptions())).load(text);
-            return reader.thorax(reader.section("the document", root));
-        } catch (YAMLException e) {
-            throw new IllegalArgumentException(
-                    source + ": is no YAML: " + e.getMessage().replace('\n', ' '), e);
+            return reader.thorax(reader.section(
+                    "the document", YamlDocument.parse(source, text).toMap()));
+        } catch (BadInputException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
         }
     }
 

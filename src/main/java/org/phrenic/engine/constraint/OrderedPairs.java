@@ -1,11 +1,9 @@
 package org.phrenic.engine.constraint;
 
-import java.util.Arrays;
-import java.util.stream.IntStream;
-import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
-import org.phrenic.engine.Workers;
+import org.phrenic.engine.SeparableConstraint;
+import org.phrenic.geometry.Triangles;
 
 /**
  * Pairs of nodes on the two faces of a thin sheet that may not change places: along the outer face's normal the outer node stays at least some distance in front of the inner one, (x_o - x_i)·n ≥ d. A strut between
@@ -14,20 +12,14 @@ import org.phrenic.engine.Workers;
  * <p>No node may be in two pairs. Where the order is broken both nodes are moved, the correction shared by inverse mass, and their speed toward each other is taken away. Normals are those of one triangle of
  * the outer face at the outer node, taken anew every few steps.
  */
-public final class OrderedPairs implements Constraint {
-    private static final int PAIRS_A_PIECE = 512;
-
+public final class OrderedPairs implements SeparableConstraint {
     private final int[] outer;
     private final int[] inner;
     private final int[] triangle;
     private final double[] least;
-    private double refreshInterval;
     private final double[] normal;
-    private double refreshed = Double.NaN;
-    private double now = Double.NaN;
-    private boolean refresh;
-    private ParticleSystem system;
-    private final Workers.Task task = this::piece;
+    private final double[] fresh = new double[3];
+    private final RefreshClock refresh;
 
     /**
      * @param layout of the system it is for
@@ -49,31 +41,34 @@ public final class OrderedPairs implements Constraint {
         this.outer = new int[n];
         this.inner = new int[n];
         this.triangle = new int[3 * n];
+        this.least = new double[n];
+        int[] order = layout.inMemoryOrder(outer);
         for (int i = 0; i < n; i++) {
-            this.outer[i] = 3 * layout.internal(outer[i]);
-            this.inner[i] = 3 * layout.internal(inner[i]);
-            for (int c = 3 * i; c < 3 * i + 3; c++) {
-                this.triangle[c] = 3 * layout.internal(triangle[c]);
+            int listed = order[i];
+            this.outer[i] = 3 * layout.internal(outer[listed]);
+            this.inner[i] = 3 * layout.internal(inner[listed]);
+            for (int c = 0; c < 3; c++) {
+                this.triangle[3 * i + c] = 3 * layout.internal(triangle[3 * listed + c]);
             }
+            this.least[i] = least[listed];
         }
-        this.least = least.clone();
-        this.refreshInterval = refreshInterval;
+        this.refresh = new RefreshClock(refreshInterval);
         this.normal = new double[3 * n];
     }
 
     @Override
     public void setRefreshInterval(double seconds) {
-        refreshInterval = seconds;
+        refresh.setInterval(seconds);
     }
 
     @Override
     public void forget() {
-        now = Double.NaN;
+        refresh.forget();
     }
 
     @Override
-    public IntStream nodes() {
-        return IntStream.concat(Arrays.stream(outer), Arrays.stream(inner));
+    public int[][] ends() {
+        return new int[][] {outer, inner};
     }
 
     public int count() {
@@ -86,53 +81,29 @@ public final class OrderedPairs implements Constraint {
     }
 
     @Override
-    public void prepare(double time) {
-        // A time that does not move on means that an earlier state was put back: its normals are taken anew.
-        refresh = !(time > now && time - refreshed < refreshInterval * (1 - 1e-9));
-        now = time;
-        if (refresh) {
-            refreshed = time;
-        }
-    }
-
-    @Override
-    public void project(ParticleSystem particles, double h) {
-        system = particles;
-        if (refresh) {
+    public void prepare(ParticleSystem particles, double time) {
+        if (refresh.goTo(time)) {
             takeNormals(particles.positions());
         }
-        particles.workers().run((outer.length + PAIRS_A_PIECE - 1) / PAIRS_A_PIECE, task);
     }
 
     private void takeNormals(double[] x) {
         for (int i = 0; i < normal.length; i += 3) {
-            int a = triangle[i];
-            int b = triangle[i + 1];
-            int c = triangle[i + 2];
-            double ux = x[b] - x[a];
-            double uy = x[b + 1] - x[a + 1];
-            double uz = x[b + 2] - x[a + 2];
-            double vx = x[c] - x[a];
-            double vy = x[c + 1] - x[a + 1];
-            double vz = x[c + 2] - x[a + 2];
-            double nx = uy * vz - uz * vy;
-            double ny = uz * vx - ux * vz;
-            double nz = ux * vy - uy * vx;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            if (length > 0) {
-                normal[i] = nx / length;
-                normal[i + 1] = ny / length;
-                normal[i + 2] = nz / length;
+            // A triangle that has no area for the moment keeps the normal it had.
+            if (Triangles.normal(x, triangle[i], triangle[i + 1], triangle[i + 2], fresh) > 0) {
+                System.arraycopy(fresh, 0, normal, i, 3);
             }
         }
     }
 
-    private void piece(int piece) {
-        double[] x = system.positions();
-        double[] v = system.velocities();
-        double[] w = system.inverseMasses();
-        int to = Math.min(outer.length, (piece + 1) * PAIRS_A_PIECE);
-        for (int i = piece * PAIRS_A_PIECE; i < to; i++) {
+    @Override
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        int end = from;
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        for (int k = from; k < to; k++) {
+            int i = items[k];
             int o = outer[i];
             int n = inner[i];
             double nx = normal[3 * i];
@@ -144,6 +115,7 @@ public final class OrderedPairs implements Constraint {
             if (gap >= 0 || wo + wn == 0) {
                 continue;
             }
+            moved[end++] = i;
             double so = wo / (wo + wn);
             double sn = wn / (wo + wn);
             move(x, o, n, -gap * so, gap * sn, nx, ny, nz);
@@ -152,6 +124,7 @@ public final class OrderedPairs implements Constraint {
                 move(v, o, n, -closing * so, closing * sn, nx, ny, nz);
             }
         }
+        return end - from;
     }
 
     private static void move(double[] a, int o, int n, double outward, double inward, double nx, double ny, double nz) {

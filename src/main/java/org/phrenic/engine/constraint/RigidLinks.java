@@ -3,9 +3,9 @@ package org.phrenic.engine.constraint;
 import java.util.Arrays;
 import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
-import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.WholeConstraint;
 
 /**
  * Links of constant length between two nodes: the compression members of a tensegrity structure (Villard, Bourne and Bello 2009, eq. 5).
@@ -21,7 +21,7 @@ import org.phrenic.engine.ParticleSystem;
  *       turn: a link that turns at ω loses speed at the rate ω² h, so the scheme is of order 1.
  * </ul>
  */
-public abstract sealed class RigidLinks implements Constraint permits SweptLinks, PublishedLinks {
+public abstract sealed class RigidLinks implements WholeConstraint permits SweptLinks, PublishedLinks {
     static final int LINKS_A_PIECE = DisjointLinks.SIZE;
 
     /** First and other node of each link times 3, internal order. */
@@ -158,11 +158,6 @@ public abstract sealed class RigidLinks implements Constraint permits SweptLinks
 
     /** Sweeps that the last projection took. */
     public abstract int sweepsLast();
-
-    @Override
-    public IntStream nodes() {
-        return IntStream.concat(Arrays.stream(nodeA), Arrays.stream(nodeB));
-    }
 
     @Override
     public void rows(ParticleSystem particles, Rows out) {

@@ -1,10 +1,9 @@
 package org.phrenic.engine.constraint;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
-import org.phrenic.engine.Constraint;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.Workers;
 
 /**
@@ -16,25 +15,30 @@ import org.phrenic.engine.Workers;
  * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
  * millimetre, so the plane is as good as the wall and costs a tenth.
  */
-public final class SlidingContact implements Constraint {
+public final class SlidingContact implements SeparableConstraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
+    /** A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until planes are taken anew, mm. */
+    private static final double FAR_MM = 5;
+
     /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
     public static final double RETURN_SPEED = 500;
 
+    /** Nodes times 3 in internal order, which is that of memory, and which of the caller's list each is. */
     private final int[] node;
+
+    private final int[] listed;
     private final ContactSurface surface;
-    private double refreshInterval;
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] touching;
+    /** Nodes that cannot come to the wall before planes are taken anew. */
+    private final boolean[] far;
+
     private double returnSpeed = RETURN_SPEED;
-    private double planeTime = Double.NaN;
-    private double now = Double.NaN;
     private ParticleSystem system;
-    private double step;
-    private boolean refresh;
-    private final Workers.Task task = this::piece;
+    private final Workers.Task refreshTask = this::takePlanes;
+    private final RefreshClock refresh;
 
     /**
      * @param layout of the system it is for
@@ -55,14 +59,15 @@ public final class SlidingContact implements Constraint {
     private SlidingContact(
             NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
         this.adhering = adhering;
-        node = new int[callerNodes.length];
-        for (int i = 0; i < node.length; i++) {
-            node[i] = 3 * layout.internal(callerNodes[i]);
-        }
+        listed = layout.inMemoryOrder(callerNodes);
+        node = Arrays.stream(listed)
+                .map(i -> 3 * layout.internal(callerNodes[i]))
+                .toArray();
         this.surface = surface;
-        this.refreshInterval = refreshInterval;
+        refresh = new RefreshClock(refreshInterval);
         plane = new double[PLANE * node.length];
         touching = new boolean[node.length];
+        far = new boolean[node.length];
     }
 
     /** How fast a node beyond the wall may be put back, mm/s; less than {@link #RETURN_SPEED} while a wall that was not there comes in. */
@@ -72,17 +77,17 @@ public final class SlidingContact implements Constraint {
 
     @Override
     public void setRefreshInterval(double seconds) {
-        refreshInterval = seconds;
+        refresh.setInterval(seconds);
     }
 
     @Override
     public void forget() {
-        now = Double.NaN;
+        refresh.forget();
     }
 
     @Override
-    public IntStream nodes() {
-        return Arrays.stream(node);
+    public int[][] ends() {
+        return new int[][] {node};
     }
 
     public int count() {
@@ -104,42 +109,44 @@ public final class SlidingContact implements Constraint {
     }
 
     @Override
-    public void prepare(double time) {
-        // The interval is compared with slack, so that rounding of the time cannot shift a refresh by a step. A time
-        // that
-        // does not move on means that an earlier state was put back: planes of the lost one are worth nothing.
-        refresh = !(time > now && time - planeTime < refreshInterval * (1 - 1e-9));
-        now = time;
-        if (refresh) {
-            planeTime = time;
+    public void prepare(ParticleSystem particles, double time) {
+        if (refresh.goTo(time)) {
             surface.prepare(time);
+            system = particles;
+            particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, refreshTask);
+        }
+    }
+
+    private void takePlanes(int piece) {
+        double[] x = system.positions();
+        double[] v = system.velocities();
+        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
+        for (int i = piece * NODES_A_PIECE; i < to; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            surface.planeNear(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
+            far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
+            touching[i] = false;
         }
     }
 
     @Override
-    public void project(ParticleSystem particles, double h) {
-        system = particles;
-        step = h;
-        particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, task);
-    }
-
-    private void piece(int piece) {
-        double[] x = system.positions();
-        double[] v = system.velocities();
-        double[] w = system.inverseMasses();
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
         double[] planes = plane;
         int[] nodes = node;
-        double elapsed = now - planeTime;
-        double farthest = returnSpeed * step;
-        int from = piece * NODES_A_PIECE;
-        int to = Math.min(nodes.length, from + NODES_A_PIECE);
-        if (refresh) {
-            for (int i = from; i < to; i++) {
-                int n = nodes[i];
-                surface.planeNear(i, x[n], x[n + 1], x[n + 2], planes, PLANE * i);
+        double elapsed = refresh.elapsed();
+        double farthest = returnSpeed * h;
+        int end = from;
+        for (int k = from; k < to; k++) {
+            int i = items[k];
+            if (far[i]) {
+                continue;
             }
-        }
-        for (int i = from; i < to; i++) {
             int n = nodes[i];
             int p = PLANE * i;
             double nx = planes[p];
@@ -150,6 +157,7 @@ public final class SlidingContact implements Constraint {
             boolean held = (adhering || gap < 0) && w[n / 3] > 0;
             touching[i] = held;
             if (held) {
+                moved[end++] = i;
                 double shift = Math.max(-farthest, Math.min(farthest, gap));
                 x[n] -= shift * nx;
                 x[n + 1] -= shift * ny;
@@ -162,12 +170,13 @@ public final class SlidingContact implements Constraint {
                 }
             }
         }
+        return end - from;
     }
 
     @Override
     public void rows(ParticleSystem particles, Rows out) {
         double[] x = particles.positions();
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;
@@ -181,7 +190,7 @@ public final class SlidingContact implements Constraint {
     public double error(ParticleSystem particles) {
         double[] x = particles.positions();
         double worst = 0;
-        double elapsed = now - planeTime;
+        double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
             int n = node[i];
             int p = PLANE * i;

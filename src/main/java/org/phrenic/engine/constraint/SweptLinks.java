@@ -4,10 +4,13 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.Workers;
 
-/** Links swept colour by colour until the worst is below a tolerance, shifted along the lines that they had before the step. */
-final class SweptLinks extends RigidLinks {
+/**
+ * Links swept colour by colour until the worst is below a tolerance, shifted along the lines that they had before the step. Links of one colour share no node: if there is but one, each is exact after one pass.
+ */
+final class SweptLinks extends RigidLinks implements SeparableConstraint {
     /** Cosine of the turn in one step beyond which the old line no longer serves as direction. */
     private static final double TURN = 0.9;
     /** Relative length error left after the last sweep that says that links contradict each other. */
@@ -72,6 +75,35 @@ final class SweptLinks extends RigidLinks {
     }
 
     @Override
+    public boolean isSeparable() {
+        return colourStart.length <= 2;
+    }
+
+    @Override
+    public int[][] ends() {
+        return new int[][] {nodeA, nodeB};
+    }
+
+    @Override
+    public void prepare(ParticleSystem particles, double time) {
+        if (isSeparable()) {
+            sweepsLast = 1;
+        }
+    }
+
+    @Override
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        for (int i = from; i < to; i++) {
+            restore(items[i], x, v, w, h, 1 / h);
+        }
+        System.arraycopy(items, from, moved, from, to - from);
+        return to - from;
+    }
+
+    @Override
     public void project(ParticleSystem particles, double h) {
         system = particles;
         step = h;
@@ -88,8 +120,7 @@ final class SweptLinks extends RigidLinks {
                 }
             }
             sweepsLast++;
-            // Links that share no node are exact after one pass: nothing can have moved them since.
-            if (colourStart.length <= 2) {
+            if (isSeparable()) {
                 worst = 0;
             }
         }
@@ -119,54 +150,58 @@ final class SweptLinks extends RigidLinks {
         double[] x = system.positions();
         double[] v = system.velocities();
         double[] w = system.inverseMasses();
-        int[] ends = nodeA;
-        int[] otherEnds = nodeB;
-        double[] lengths = length;
         double h = step;
         double perStep = inverseStep;
         double worst = 0;
         for (int i = from; i < to; i++) {
-            int a = ends[i];
-            int b = otherEnds[i];
-            double rest = lengths[i];
-            double wa = w[a / 3];
-            double wb = w[b / 3];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            double over = l - rest;
-            if (!(Math.abs(over) <= worst * rest)) {
-                worst = Math.abs(over) / rest;
+            double error = restore(i, x, v, w, h, perStep);
+            if (!(error <= worst)) {
+                worst = error;
             }
-            if (wa + wb == 0 || l == 0) {
-                // Both ends given, or on one spot, where the line has no direction.
-                continue;
-            }
-            double under = l;
-            // Back by h v lies the line before the step; along it the impulse changes no angular momentum.
-            double ox = dx - h * (v[b] - v[a]);
-            double oy = dy - h * (v[b + 1] - v[a + 1]);
-            double oz = dz - h * (v[b + 2] - v[a + 2]);
-            double along = dx * ox + dy * oy + dz * oz;
-            double squared = ox * ox + oy * oy + oz * oz;
-            double more = over * (l + rest);
-            double root = along * along - squared * more;
-            if (along > TURN * l * Math.sqrt(squared) && root > 0) {
-                // |d - t o| = L: t = over / under is the smaller root.
-                over = more;
-                under = along + Math.sqrt(root);
-                dx = ox;
-                dy = oy;
-                dz = oz;
-            }
-            double s = over / (under * (wa + wb));
-            double sa = s * wa;
-            double sb = s * wb;
-            shift(x, a, b, sa, sb, dx, dy, dz);
-            shift(v, a, b, sa * perStep, sb * perStep, dx, dy, dz);
         }
         pieceError[piece] = worst;
+    }
+
+    /** Gives a link its length; returns the relative error that it had. */
+    private double restore(int i, double[] x, double[] v, double[] w, double h, double perStep) {
+        int a = nodeA[i];
+        int b = nodeB[i];
+        double rest = length[i];
+        double wa = w[a / 3];
+        double wb = w[b / 3];
+        double dx = x[b] - x[a];
+        double dy = x[b + 1] - x[a + 1];
+        double dz = x[b + 2] - x[a + 2];
+        double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double over = l - rest;
+        double error = Math.abs(over) / rest;
+        if (wa + wb == 0 || l == 0) {
+            // Both ends given, or on one spot, where the line has no direction.
+            return error;
+        }
+        double under = l;
+        // Back by h v lies the line before the step; along it the impulse changes no angular momentum.
+        double ox = dx - h * (v[b] - v[a]);
+        double oy = dy - h * (v[b + 1] - v[a + 1]);
+        double oz = dz - h * (v[b + 2] - v[a + 2]);
+        double along = dx * ox + dy * oy + dz * oz;
+        double squared = ox * ox + oy * oy + oz * oz;
+        double more = over * (l + rest);
+        double root = along * along - squared * more;
+        if (along > TURN * l * Math.sqrt(squared) && root > 0) {
+            // |d - t o| = L: t = over / under is the smaller root.
+            over = more;
+            under = along + Math.sqrt(root);
+            dx = ox;
+            dy = oy;
+            dz = oz;
+        }
+        double s = over / (under * (wa + wb));
+        double sa = s * wa;
+        double sb = s * wb;
+        shift(x, a, b, sa, sb, dx, dy, dz);
+        shift(v, a, b, sa * perStep, sb * perStep, dx, dy, dz);
+        return error;
     }
 
     /** Takes away the rate at which links lengthen, shared by inverse mass. */

@@ -11,21 +11,22 @@ import org.phrenic.engine.PrescribedMotion;
 public final class Attachments implements ForceField {
     private final BlockedNodes nodes;
     private final int[] callerNodes;
+    /** One an entry of {@link #nodes}, so that a block reads them in a row; anchors likewise, three numbers each. */
     private final double[] stiffness;
+
     private final double dampingRatio;
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
-    /** Stiffness, anchor and its velocity in the order of the blocks, so that a block reads them in a row. */
-    private final double[] entryStiffness;
+    /** Anchors in the caller's order, as they are given. */
+    private final double[] given;
 
-    private final double[] entryAnchor;
-    private final double[] entryVelocity;
+    private final double[] givenVelocity;
     private double refreshInterval;
     private double refreshed = Double.NaN;
     private double elapsed;
     private double factor = 1;
-    /** A constant force on each, three numbers, in the order of the blocks; null for none. */
+    /** A constant force on each, three numbers an entry; null for none. */
     private double[] preload;
 
     /**
@@ -53,32 +54,27 @@ public final class Attachments implements ForceField {
         }
         this.callerNodes = callerNodes.clone();
         this.nodes = new BlockedNodes(layout, callerNodes);
-        this.stiffness = stiffness.clone();
+        this.stiffness = new double[stiffness.length];
         this.dampingRatio = damping;
         this.anchors = anchors;
         this.anchor = new double[3 * callerNodes.length];
         this.anchorVelocity = new double[3 * callerNodes.length];
-        entryStiffness = new double[callerNodes.length];
-        entryAnchor = new double[3 * callerNodes.length];
-        entryVelocity = new double[3 * callerNodes.length];
-        sort(this.stiffness, 1, entryStiffness);
-        ask(0);
+        this.given = new double[3 * callerNodes.length];
+        this.givenVelocity = new double[3 * callerNodes.length];
+        takeStiffness(stiffness);
+        takeAnchors(0);
     }
 
-    private void ask(double time) {
-        anchors.at(time, anchor, anchorVelocity);
-        sort(anchor, 3, entryAnchor);
-        sort(anchorVelocity, 3, entryVelocity);
-    }
-
-    /** Brings numbers, so many each, from the caller's order to that of the blocks. */
-    private void sort(double[] given, int each, double[] sorted) {
-        int[] item = nodes.item;
-        for (int i = 0; i < item.length; i++) {
-            for (int k = 0; k < each; k++) {
-                sorted[each * i + k] = given[each * item[i] + k];
-            }
+    private void takeStiffness(double[] each) {
+        for (int i = 0; i < stiffness.length; i++) {
+            stiffness[i] = each[nodes.item[i]];
         }
+    }
+
+    private void takeAnchors(double time) {
+        anchors.at(time, given, givenVelocity);
+        nodes.toEntries(given, anchor);
+        nodes.toEntries(givenVelocity, anchorVelocity);
     }
 
     /**
@@ -101,14 +97,17 @@ public final class Attachments implements ForceField {
         if (preload == null) {
             preload = new double[constant.length];
         }
-        System.arraycopy(k, 0, stiffness, 0, k.length);
-        sort(stiffness, 1, entryStiffness);
-        sort(constant, 3, preload);
+        takeStiffness(k);
+        nodes.toEntries(constant, preload);
     }
 
     /** Stiffness of each spring before the factor, N/m; a copy. */
     public double[] stiffnesses() {
-        return stiffness.clone();
+        double[] each = new double[stiffness.length];
+        for (int i = 0; i < each.length; i++) {
+            each[nodes.item[i]] = stiffness[i];
+        }
+        return each;
     }
 
     /** The attached nodes in the caller's numbering, in the order given; a copy. */
@@ -144,9 +143,12 @@ public final class Attachments implements ForceField {
 
     @Override
     public void prepare(double time) {
+        if (anchors.isStill()) {
+            return;
+        }
         // With slack, so that rounding of the time cannot shift a refresh by a step; going back in time refreshes too.
         if (!(Math.abs(time - refreshed) < refreshInterval * (1 - 1e-9))) {
-            ask(time);
+            takeAnchors(time);
             refreshed = time;
         }
         elapsed = time - refreshed;
@@ -154,31 +156,55 @@ public final class Attachments implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
+        int from = nodes.start[block];
+        int end = nodes.start[block + 1];
+        if (anchors.isStill() && dampingRatio == 0) {
+            pull(x, force, from, end);
+        } else {
+            pullAlong(x, v, force, from, end);
+        }
+        if (preload != null) {
+            int[] node = nodes.node;
+            double[] constant = preload;
+            for (int i = from; i < end; i++) {
+                force[node[i]] += constant[3 * i];
+                force[node[i] + 1] += constant[3 * i + 1];
+                force[node[i] + 2] += constant[3 * i + 2];
+            }
+        }
+    }
+
+    /** To anchors that stand still, without dashpots. */
+    private void pull(double[] x, double[] force, int from, int end) {
         int[] node = nodes.node;
-        double[] each = entryStiffness;
-        double[] from = entryAnchor;
-        double[] speed = entryVelocity;
+        double[] each = stiffness;
+        double[] to = anchor;
+        double all = factor;
+        for (int i = from; i < end; i++) {
+            int n = node[i];
+            double k = all * each[i];
+            force[n] += k * (to[3 * i] - x[n]);
+            force[n + 1] += k * (to[3 * i + 1] - x[n + 1]);
+            force[n + 2] += k * (to[3 * i + 2] - x[n + 2]);
+        }
+    }
+
+    private void pullAlong(double[] x, double[] v, double[] force, int from, int end) {
+        int[] node = nodes.node;
+        double[] each = stiffness;
+        double[] to = anchor;
+        double[] speed = anchorVelocity;
         double all = factor;
         double ratio = dampingRatio;
         double since = elapsed;
-        int end = nodes.start[block + 1];
-        for (int i = nodes.start[block]; i < end; i++) {
+        for (int i = from; i < end; i++) {
             int n = node[i];
             int p = 3 * i;
             double k = all * each[i];
             double c = k * ratio;
-            force[n] += k * (from[p] + since * speed[p] - x[n]) + c * (speed[p] - v[n]);
-            force[n + 1] += k * (from[p + 1] + since * speed[p + 1] - x[n + 1]) + c * (speed[p + 1] - v[n + 1]);
-            force[n + 2] += k * (from[p + 2] + since * speed[p + 2] - x[n + 2]) + c * (speed[p + 2] - v[n + 2]);
-        }
-        double[] constant = preload;
-        if (constant != null) {
-            for (int i = nodes.start[block]; i < end; i++) {
-                int n = node[i];
-                force[n] += constant[3 * i];
-                force[n + 1] += constant[3 * i + 1];
-                force[n + 2] += constant[3 * i + 2];
-            }
+            force[n] += k * (to[p] + since * speed[p] - x[n]) + c * (speed[p] - v[n]);
+            force[n + 1] += k * (to[p + 1] + since * speed[p + 1] - x[n + 1]) + c * (speed[p + 1] - v[n + 1]);
+            force[n + 2] += k * (to[p + 2] + since * speed[p + 2] - x[n + 2]) + c * (speed[p + 2] - v[n + 2]);
         }
     }
 
@@ -188,11 +214,10 @@ public final class Attachments implements ForceField {
         for (int i = 0; i < nodes.count(); i++) {
             double squared = 0;
             for (int axis = 0; axis < 3; axis++) {
-                int p = 3 * i + axis;
-                double d = x[nodes.node[i] + axis] - entryAnchor[p] - elapsed * entryVelocity[p];
+                double d = x[nodes.node[i] + axis] - anchor[3 * i + axis] - elapsed * anchorVelocity[3 * i + axis];
                 squared += d * d;
             }
-            sum += 0.5 * factor * entryStiffness[i] * squared;
+            sum += 0.5 * factor * stiffness[i] * squared;
         }
         return sum;
     }
@@ -201,7 +226,7 @@ public final class Attachments implements ForceField {
     public void addStiffness(double[] x, double[] u, double[] out, int block) {
         for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
             int n = nodes.node[i];
-            double k = factor * entryStiffness[i];
+            double k = factor * stiffness[i];
             for (int axis = 0; axis < 3; axis++) {
                 out[n + axis] += k * u[n + axis];
             }
@@ -211,7 +236,7 @@ public final class Attachments implements ForceField {
     @Override
     public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
         for (int i = 0; i < nodes.count(); i++) {
-            double k = factor * entryStiffness[i];
+            double k = factor * stiffness[i];
             stiffnessSum[nodes.node[i] / 3] += k;
             dampingSum[nodes.node[i] / 3] += dampingRatio * k;
         }

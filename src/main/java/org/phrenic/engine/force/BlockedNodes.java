@@ -1,6 +1,5 @@
 package org.phrenic.engine.force;
 
-import java.util.Arrays;
 import org.phrenic.engine.NodeLayout;
 
 /** A list of nodes sorted by block: which of the caller's entries fall into a block. */
@@ -13,22 +12,26 @@ final class BlockedNodes {
     final int[] item;
 
     BlockedNodes(NodeLayout layout, int[] callerNodes) {
-        long[] key = new long[callerNodes.length];
-        for (int i = 0; i < key.length; i++) {
-            key[i] = (long) layout.internal(callerNodes[i]) << 32 | i;
-        }
-        Arrays.sort(key);
+        item = layout.inMemoryOrder(callerNodes);
         start = new int[layout.blockCount() + 1];
-        node = new int[key.length];
-        item = new int[key.length];
-        for (int i = 0; i < key.length; i++) {
-            int internal = (int) (key[i] >>> 32);
+        node = new int[item.length];
+        for (int i = 0; i < item.length; i++) {
+            int internal = layout.internal(callerNodes[item[i]]);
             node[i] = 3 * internal;
-            item[i] = (int) key[i];
             start[layout.blockOf(internal) + 1]++;
         }
         for (int b = 0; b < layout.blockCount(); b++) {
             start[b + 1] += start[b];
+        }
+    }
+
+    /** Puts three numbers a node of the caller's list in the order of entries. */
+    void toEntries(double[] listed, double[] sorted) {
+        for (int i = 0; i < item.length; i++) {
+            int p = 3 * item[i];
+            sorted[3 * i] = listed[p];
+            sorted[3 * i + 1] = listed[p + 1];
+            sorted[3 * i + 2] = listed[p + 2];
         }
     }
 

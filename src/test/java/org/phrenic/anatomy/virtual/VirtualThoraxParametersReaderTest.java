@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
@@ -19,7 +18,7 @@ class VirtualThoraxParametersReaderTest {
 
     private static void assertRefused(String text, String... words) {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> VirtualThoraxParametersReader.read("body.yaml", new StringReader(text)))
+                .isThrownBy(() -> VirtualThoraxParametersReader.read("body.yaml", text))
                 .withMessageStartingWith("body.yaml: ")
                 .satisfies(e -> assertThat(e.getMessage()).contains(words).doesNotContain("\n"));
     }
@@ -64,6 +63,6 @@ class VirtualThoraxParametersReaderTest {
     @Test
     void textThatIsNoYamlIsRefused() {
         assertRefused("name: [", "YAML");
-        assertRefused("just a sentence", "expected keys with values");
+        assertRefused("just a sentence", "expected", "mapping");
     }
 }

@@ -241,16 +241,16 @@ class LiveRunTest {
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
         long settled = 0;
-        for (int round = 0; round < 60; round++) {
+        for (int round = 0; round < 32; round++) {
             change("depth=" + (0.5 + round % 10 * 0.1), "muscle_activation=" + (0.3 + round % 5 * 0.05));
             steps(30);
             run.reset();
             until(() -> run.status().step() < 30);
-            if (round == 20) {
+            if (round == 11) {
                 settled = used();
             }
         }
-        // A scene is some 30 MB: not one is left behind by forty resets.
+        // A scene is some 30 MB: not one is left behind by twenty resets.
         assertThat(used() - settled).isLessThan(15L << 20);
         change("resolution=medium");
         run.close();

@@ -1,0 +1,86 @@
+package org.phrenic.engine;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Nodes that items of constraints hold together: a forest in which each node points to an earlier one of its group, and the first to itself. */
+final class ConstraintGroups {
+    private final int[] parent;
+    private final int[] itemCount;
+    private final int[] size;
+    private int pieceCount;
+
+    ConstraintGroups(List<SeparableConstraint> constraints, int nodeCount) {
+        parent = new int[nodeCount];
+        Arrays.setAll(parent, i -> i);
+        itemCount = new int[nodeCount];
+        size = new int[nodeCount];
+        for (SeparableConstraint each : constraints) {
+            int[][] ends = each.ends();
+            for (int i = 0; i < ends[0].length; i++) {
+                for (int[] end : ends) {
+                    join(ends[0][i] / 3, end[i] / 3);
+                }
+            }
+        }
+        for (int i = 0; i < nodeCount; i++) {
+            size[of(i)]++;
+        }
+        for (SeparableConstraint each : constraints) {
+            for (int first : each.ends()[0]) {
+                itemCount[of(first / 3)]++;
+            }
+        }
+    }
+
+    private void join(int a, int b) {
+        int first = of(a);
+        int other = of(b);
+        parent[Math.max(first, other)] = Math.min(first, other);
+    }
+
+    /** The group of a node: its first node. */
+    int of(int node) {
+        int at = node;
+        while (parent[at] != at) {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
+        }
+        return at;
+    }
+
+    /** Nodes of the largest group. */
+    int largest() {
+        return Arrays.stream(size).max().orElse(0);
+    }
+
+    /** Of how many items the group of a node consists. */
+    int itemCount(int node) {
+        return itemCount[of(node)];
+    }
+
+    /** Which piece each node is in: groups in the order of their first nodes, so that a piece lies together. */
+    int[] pieces(int nodesAPiece) {
+        int[] piece = new int[parent.length];
+        int current = 0;
+        int filled = 0;
+        for (int i = 0; i < parent.length; i++) {
+            if (of(i) != i) {
+                piece[i] = piece[of(i)];
+                continue;
+            }
+            if (filled >= nodesAPiece) {
+                current++;
+                filled = 0;
+            }
+            piece[i] = current;
+            filled += itemCount[i] > 0 ? size[i] : 0;
+        }
+        pieceCount = current + 1;
+        return piece;
+    }
+
+    int pieceCount() {
+        return pieceCount;
+    }
+}
