@@ -267,7 +267,7 @@ abstract class HalfEdges {
     }
 
     /** Whether a vertex has more than so many neighbours, without going round all of them. */
-    final boolean hasMoreThan(int least, int v) {
+    boolean hasMoreThan(int least, int v) {
         int count = 0;
         int h = out[v];
         do {
