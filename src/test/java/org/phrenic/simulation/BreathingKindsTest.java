@@ -33,7 +33,7 @@ class BreathingKindsTest {
         assertThat(cough.rise("dome_right_mm")).isBetween(2.0, 45.0);
     }
 
-    /** 2 to 8 mm in 24 s (up to 5.6 mm measured, PMC7055431); here, to be quick, a third of the hold and its share. */
+    /** Up to 5.6 mm in 24 s are measured (PMC7055431), and less than 1 mm would not be seen; here, to be quick, a third of the hold and its share. */
     @Test
     void aHeldBreathCreepsBack() {
         // Two quiet breaths until 8 s, 1.35 s in; the creep gathers speed for 1 s.
@@ -43,7 +43,7 @@ class BreathingKindsTest {
         assertThat(held.last().get("rib_turn")).as("still held").isGreaterThan(0.9);
         assertThat(held.fall("dome_right_mm")).isGreaterThan(30);
         double crept = held.last().get("dome_right_mm") - at(held, from);
-        assertThat(24 / (to - from) * crept).as("creep of 24 s, mm").isBetween(2.0, 8.0);
+        assertThat(24 / (to - from) * crept).as("creep of 24 s, mm").isBetween(1.0, 5.6);
     }
 
     @Test
