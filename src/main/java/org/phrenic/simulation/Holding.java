@@ -61,13 +61,17 @@ final class Holding {
         }
         Optional<Attachments> toBone = Optional.empty();
         Optional<Attachments> toPlace = Optional.empty();
-        int[] attached = parts.attachedNodes();
+        int[] listed = parts.attachedNodes();
+        // In the order of memory, so that anchors need not be sorted at every refresh.
+        int[] order = system.layout().inMemoryOrder(listed);
+        int[] attached = Arrays.stream(order).map(i -> listed[i]).toArray();
         if (attached.length > 0) {
+            double[] stiffness = parts.attachedStiffnesses();
             double[] anchors = SceneParts.points(positions, 0, attached);
             Attachments springs = new Attachments(
                     system.layout(),
                     attached,
-                    parts.attachedStiffnesses(),
+                    Arrays.stream(order).mapToDouble(i -> stiffness[i]).toArray(),
                     0,
                     new BlendedMotion(pose, anchors, bones.at(anchors), workers));
             springs.setRefreshInterval(refresh);

@@ -18,7 +18,7 @@ public final class Attachments implements ForceField {
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
-    /** Anchors in the caller's order, as they are given. */
+    /** Anchors in the caller's order, as they are given; the same arrays where that is the order of entries. */
     private final double[] given;
 
     private final double[] givenVelocity;
@@ -59,8 +59,8 @@ public final class Attachments implements ForceField {
         this.anchors = anchors;
         this.anchor = new double[3 * callerNodes.length];
         this.anchorVelocity = new double[3 * callerNodes.length];
-        this.given = new double[3 * callerNodes.length];
-        this.givenVelocity = new double[3 * callerNodes.length];
+        this.given = nodes.isSorted() ? anchor : new double[3 * callerNodes.length];
+        this.givenVelocity = nodes.isSorted() ? anchorVelocity : new double[3 * callerNodes.length];
         takeStiffness(stiffness);
         takeAnchors(0);
     }
@@ -73,8 +73,10 @@ public final class Attachments implements ForceField {
 
     private void takeAnchors(double time) {
         anchors.at(time, given, givenVelocity);
-        nodes.toEntries(given, anchor);
-        nodes.toEntries(givenVelocity, anchorVelocity);
+        if (!nodes.isSorted()) {
+            nodes.toEntries(given, anchor);
+            nodes.toEntries(givenVelocity, anchorVelocity);
+        }
     }
 
     /**

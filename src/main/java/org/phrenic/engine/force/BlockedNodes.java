@@ -1,5 +1,6 @@
 package org.phrenic.engine.force;
 
+import java.util.stream.IntStream;
 import org.phrenic.engine.NodeLayout;
 
 /** A list of nodes sorted by block: which of the caller's entries fall into a block. */
@@ -11,8 +12,11 @@ final class BlockedNodes {
     /** Which of the caller's list an entry is. */
     final int[] item;
 
+    private final boolean sorted;
+
     BlockedNodes(NodeLayout layout, int[] callerNodes) {
         item = layout.inMemoryOrder(callerNodes);
+        sorted = IntStream.range(0, item.length).allMatch(i -> item[i] == i);
         start = new int[layout.blockCount() + 1];
         node = new int[item.length];
         for (int i = 0; i < item.length; i++) {
@@ -23,6 +27,11 @@ final class BlockedNodes {
         for (int b = 0; b < layout.blockCount(); b++) {
             start[b + 1] += start[b];
         }
+    }
+
+    /** Whether the caller's list already is in the order of entries. */
+    boolean isSorted() {
+        return sorted;
     }
 
     /** Puts three numbers a node of the caller's list in the order of entries. */
