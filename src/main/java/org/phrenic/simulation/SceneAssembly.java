@@ -80,6 +80,12 @@ final class SceneAssembly {
                 scenario.linksPerNode(),
                 physical ? value(Parameter.LEFT_OVER_RIGHT) : 1,
                 physical ? value(Parameter.FRONT_OVER_BACK) : 1);
+        // The liver hangs on the diaphragm alone and is wanted last.
+        Optional<Ahead<LiverPart>> liver = scenario.liver()
+                ? thorax.all(StructureKind.LIVER).stream()
+                        .findFirst()
+                        .map(s -> Ahead.of(() -> new LiverPart(s, diaphragm)))
+                : Optional.empty();
         Optional<SternumPart> sternum = scenario.sternum() == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(parts, sternumMeshed.get(), cage, law))
                 : Optional.empty();
@@ -153,9 +159,6 @@ final class SceneAssembly {
             system.add(SlidingContact.adhering(
                     layout, pleural, wall.keeping(SceneParts.points(positions, 0, pleural)), refresh));
         }
-        Optional<LiverPart> liver = scenario.liver()
-                ? thorax.all(StructureKind.LIVER).stream().findFirst().map(s -> new LiverPart(s, diaphragm))
-                : Optional.empty();
         return new Scene(
                 thorax,
                 system,
@@ -166,7 +169,7 @@ final class SceneAssembly {
                 sternum,
                 lungs,
                 scenario.lungs() == LungModel.EMBEDDED ? lungStructures : List.of(),
-                liver,
+                liver.map(Ahead::get),
                 new SceneForces(sheet, passive, holding.bone, holding.home, base, rest, lines, links, contact),
                 parts.diaphragm.count() + parts.passive.count(),
                 holding.nodes,
