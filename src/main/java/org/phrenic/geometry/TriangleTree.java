@@ -163,7 +163,7 @@ public final class TriangleTree {
      */
     public boolean isWithin(double x, double y, double z, double distance, Hit working) {
         double limit = distance * distance;
-        if (working.place < order.length && isTriangleWithin(working.place, x, y, z, limit, working.weights)) {
+        if (working.place < order.length && squaredDistance(working.place, x, y, z, working.weights) <= limit) {
             return true;
         }
         int[] stack = working.stack;
@@ -173,7 +173,7 @@ public final class TriangleTree {
             if (child[node] < 0) {
                 int first = -1 - child[node];
                 for (int place = first; place < first + count[node]; place++) {
-                    if (isTriangleWithin(place, x, y, z, limit, working.weights)) {
+                    if (squaredDistance(place, x, y, z, working.weights) <= limit) {
                         working.place = place;
                         return true;
                     }
@@ -201,11 +201,11 @@ public final class TriangleTree {
         return false;
     }
 
-    private boolean isTriangleWithin(int place, double x, double y, double z, double limit, double[] weights) {
-        double square = flat[place]
+    /** Squared distance of a point from one triangle; the weights of its nearest place come with it. */
+    private double squaredDistance(int place, double x, double y, double z, double[] weights) {
+        return flat[place]
                 ? PointTriangle.nearestOfFlat(corners, 9 * place, x, y, z, weights)
                 : PointTriangle.nearest(corners, 9 * place, x, y, z, weights);
-        return square <= limit;
     }
 
     private boolean search(
@@ -240,9 +240,7 @@ public final class TriangleTree {
                                     > minimumCosine)) {
                         continue;
                     }
-                    double square = flat[place]
-                            ? PointTriangle.nearestOfFlat(corners, 9 * place, x, y, z, weights)
-                            : PointTriangle.nearest(corners, 9 * place, x, y, z, weights);
+                    double square = squaredDistance(place, x, y, z, weights);
                     // Among equals the lowest triangle wins, so the answer does not depend on the tree's shape.
                     if (square < best || (square == best && found >= 0 && order[place] < order[found])) {
                         best = square;
