@@ -1,5 +1,6 @@
 package org.phrenic.simulation;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.AcrossSheet;
@@ -26,18 +27,24 @@ final class DiaphragmPart {
     private static final double LEAST_SHARE = 0.4;
 
     private static final double LEAST_MM = 1.5;
+    /** A pair that leans more than this cosine, as at the rim of an opening, says nothing of inside and outside: kept in order, such pairs threw nodes to and fro by millimetres. */
+    private static final double UPRIGHT = 0.5;
     /** Depth below the wall at rest up to which the abdominal face is apposed. */
     private static final double APPOSED_MM = 15;
     /** Something more than half of the sheet's 2 to 5 mm. */
     private static final double BEHIND_MM = 1.8;
     /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
     private static final double STRUT_STIFFNESS = 0.3;
+    /** Of the bed that the crura's origin lies in: against muscle's pull of some kPa over a sheet of some mm it gives by a millimetre or two. */
+    private static final double CRURAL_KPA_PER_MM = 2;
 
     final Diaphragm diaphragm;
     final int first;
     final List<AcrossSheet.Pair> links;
+    /** How much of each vertex is the tendinous origin of the crura, 0 to 1: so much less does muscle shorten there. */
+    private final double[] origin;
     /** Muscle's pairs across the sheet, each vertex in one at most. */
-    private final List<AcrossSheet.Pair> musclePairs;
+    private final List<Ordered> ordered;
     /** Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across the midline and from back (0) to front (1). */
     private double[] fibreShare;
 
@@ -47,6 +54,7 @@ final class DiaphragmPart {
     DiaphragmPart(
             SceneParts parts,
             Diaphragm diaphragm,
+            double[] origin,
             TissueLaw law,
             double tendonRatio,
             boolean struts,
@@ -54,6 +62,7 @@ final class DiaphragmPart {
             double leftOverRight,
             double frontOverBack) {
         this.diaphragm = diaphragm;
+        this.origin = origin;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);
         double[] tendon = law.masses(sheet, tendonRatio);
@@ -75,7 +84,9 @@ final class DiaphragmPart {
             }
         }
         links = across.matched(diaphragm::isTendon, linksPerNode);
-        musclePairs = struts ? across.matched(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1) : List.of();
+        ordered = struts
+                ? ordered(across.matched(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1))
+                : List.of();
     }
 
     private void addEdges(
@@ -103,7 +114,7 @@ final class DiaphragmPart {
                     share += alongFibre(p, a, b, fibre, t);
                 }
             }
-            fibreShare[e] = stiff ? 0 : share / sides;
+            fibreShare[e] = stiff ? 0 : share / sides * (1 - 0.5 * (origin[a] + origin[b]));
             leftness[e] = share(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
             frontness[e] = share(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
             springs.add(
@@ -180,6 +191,25 @@ final class DiaphragmPart {
                 .toArray();
     }
 
+    /** Nodes of the scene at the origin of the crura, but for those that bone holds exactly. */
+    int[] cruralNodes() {
+        return SceneParts.shifted(crural(), first);
+    }
+
+    /** Stiffness of what holds each of these to the vertebrae, N/m: in proportion to its area, so that finer meshes are held alike. */
+    double[] cruralStiffnesses() {
+        double[] areas = MeshMeasure.vertexAreas(diaphragm.sheet());
+        return IntStream.of(crural())
+                .mapToDouble(i -> CRURAL_KPA_PER_MM * origin[i] * areas[i])
+                .toArray();
+    }
+
+    private int[] crural() {
+        return IntStream.range(0, origin.length)
+                .filter(i -> origin[i] > 0 && !diaphragm.isInserted(i))
+                .toArray();
+    }
+
     /**
      * Vertices of the sheet that the chest wall stops: the thoracic face of the muscle, and the abdominal face where it is apposed, for a strut keeps its length but would let the two faces change places.
      */
@@ -198,27 +228,44 @@ final class DiaphragmPart {
 
     /** What keeps the thoracic face outside the abdominal one in muscle. */
     OrderedPairs order(NodeLayout layout, double refresh) {
+        int[] t = diaphragm.sheet().triangles();
+        return new OrderedPairs(
+                layout,
+                ordered.stream().mapToInt(p -> first + p.outer).toArray(),
+                ordered.stream().mapToInt(p -> first + p.inner).toArray(),
+                ordered.stream()
+                        .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
+                        .map(c -> first + t[c])
+                        .toArray(),
+                ordered.stream().mapToDouble(p -> p.least).toArray(),
+                refresh);
+    }
+
+    /**
+     * Vertices on the two faces that may not change places.
+     *
+     * @param triangle of the outer face, whose normal says where outside is
+     * @param least distance along it, mm
+     */
+    private record Ordered(int outer, int inner, int triangle, double least) {}
+
+    /** Of pairs across muscle those that stand upright on the sheet. */
+    private List<Ordered> ordered(List<AcrossSheet.Pair> pairs) {
         TriangleMesh s = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
-        int n = musclePairs.size();
-        int[] outer = new int[n];
-        int[] inner = new int[n];
-        int[] triangle = new int[3 * n];
-        double[] least = new double[n];
+        double[] p = s.positions();
         double[] normals = MeshMeasure.triangleNormals(s);
-        for (int i = 0; i < n; i++) {
-            AcrossSheet.Pair pair = musclePairs.get(i);
+        List<Ordered> out = new ArrayList<>();
+        for (AcrossSheet.Pair pair : pairs) {
             int a = diaphragm.isThoracic(pair.a()) ? pair.a() : pair.b();
             int b = a == pair.a() ? pair.b() : pair.a();
-            outer[i] = first + a;
-            inner[i] = first + b;
             int t = topology.vertexTriangles()[topology.vertexTriangleStart()[a]];
-            for (int c = 0; c < 3; c++) {
-                triangle[3 * i + c] = first + s.triangles()[3 * t + c];
+            double along = along(p, normals, a, b, t);
+            if (along > UPRIGHT * SceneParts.distance(p, a, p, b)) {
+                out.add(new Ordered(a, b, t, Math.min(LEAST_MM, LEAST_SHARE * along)));
             }
-            least[i] = Math.min(LEAST_MM, LEAST_SHARE * along(s.positions(), normals, a, b, t));
         }
-        return new OrderedPairs(layout, outer, inner, triangle, least, refresh);
+        return out;
     }
 
     /** Distance of a from b along the normal of a triangle. */

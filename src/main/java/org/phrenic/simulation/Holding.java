@@ -14,7 +14,7 @@ import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.format.BadInputException;
 
-/** What holds the nodes of a scene in the body: the insertion of the diaphragm follows bone exactly, sternum, cartilages and lungs by springs to anchors on bone. */
+/** What holds the nodes of a scene in the body: the insertion of the diaphragm follows bone exactly, the origin of the crura, sternum, cartilages and lungs by springs to anchors on bone. */
 final class Holding {
     /** Fall-off of the paper's attachments round the insertion, and their low elasticity as a share of a spring's. */
     private static final double ATTACHMENT_MM = 25;
@@ -58,6 +58,12 @@ final class Holding {
                             diaphragm.first + i, ATTACHMENT_SHARE * scenario.value(Parameter.SPRING_STIFFNESS) * fade);
                 }
             }
+        }
+        int[] crural = diaphragm.cruralNodes();
+        if (crural.length > 0) {
+            // The spine stands still.
+            PrescribedMotion onVertebrae = PrescribedMotion.still(SceneParts.points(positions, 0, crural));
+            system.add(new Attachments(system.layout(), crural, diaphragm.cruralStiffnesses(), 0, onVertebrae));
         }
         Optional<Attachments> toBone = Optional.empty();
         Optional<Attachments> toPlace = Optional.empty();

@@ -8,6 +8,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.ChestWall;
+import org.phrenic.anatomy.CruralOrigin;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.RibCage;
 import org.phrenic.anatomy.RibCagePose;
@@ -71,9 +72,13 @@ final class SceneAssembly {
                 ? SternumPart.meshed(thorax, scenario.resolution())
                 : List.of());
         Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
+        Diaphragm tissue = diaphragm();
         DiaphragmPart diaphragm = new DiaphragmPart(
                 parts,
-                diaphragm(),
+                tissue,
+                physical
+                        ? CruralOrigin.of(thorax, tissue)
+                        : new double[tissue.sheet().vertexCount()],
                 law,
                 value(Parameter.TENDON_RATIO),
                 physical,
@@ -104,7 +109,7 @@ final class SceneAssembly {
                 .map(points -> Ahead.of(() -> new LungBase.Tracks(diaphragm.diaphragm, points)));
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
-        double massAdded = physical ? scaleMasses(positions, masses, lungs) : 0;
+        double massAdded = physical ? scaleMasses(positions, masses, diaphragm, lungs) : 0;
         ParticleSystem system = new ParticleSystem(layout, positions, masses, workers);
         if (physical) {
             system.setViscosityPerMass(value(Parameter.DAMPING_RATE));
@@ -178,11 +183,12 @@ final class SceneAssembly {
     }
 
     /** Makes nodes that alone would shorten the step heavier; returns the mass added, per cent. */
-    private double scaleMasses(double[] positions, double[] masses, Optional<LungPart> lungs) {
+    private double scaleMasses(double[] positions, double[] masses, DiaphragmPart diaphragm, Optional<LungPart> lungs) {
         MassScaling scaling = new MassScaling(positions, masses);
         scaling.springs(parts.diaphragm);
         scaling.springs(parts.passive);
         scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
+        scaling.attachments(diaphragm.cruralNodes(), diaphragm.cruralStiffnesses(), 1);
         lungs.ifPresent(l -> scaling.attachments(l.base.node(), l.base.stiffnesses(), 1));
         scaling.scaleFor(scenario.massScalingS() / Stepper.SAFETY);
         return scaling.addedPercent();

@@ -23,9 +23,11 @@ class MeasuresTest {
     @BeforeAll
     static void make() {
         simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
+        Diaphragm sheet = Diaphragm.trefoil(DomeSheet.adult(12));
         dome = new DiaphragmPart(
                 new SceneParts(),
-                Diaphragm.trefoil(DomeSheet.adult(12)),
+                sheet,
+                new double[sheet.sheet().vertexCount()],
                 TissueLaw.membrane(300, 60),
                 10,
                 true,
