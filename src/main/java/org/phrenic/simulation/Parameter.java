@@ -74,7 +74,7 @@ public enum Parameter {
             "1",
             0,
             0.8,
-            0.62,
+            0.68,
             Double.NaN,
             "Shortening of the muscle's rest length at full drive, as a share of it."),
     LEFT_OVER_RIGHT(

@@ -1,0 +1,94 @@
+package org.phrenic.anatomy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.virtual.Bodies;
+import org.phrenic.geometry.TriangleMesh;
+
+class CruralOriginTest {
+    private static final int THIRD_LUMBAR = StructureName.FIRST_LUMBAR + 2;
+
+    private static Thorax body;
+    private static Diaphragm diaphragm;
+    private static double[] share;
+
+    @BeforeAll
+    static void find() {
+        body = Bodies.grow("adult-male", Resolution.LOW);
+        diaphragm = Diaphragm.trefoil(body.find("diaphragm").orElseThrow().mesh());
+        share = CruralOrigin.of(body, diaphragm);
+    }
+
+    private static Thorax with(Predicate<Structure> kept) {
+        return new Thorax("part", body.structures().stream().filter(kept).toList(), List.of());
+    }
+
+    private static boolean isLumbar(Structure s) {
+        return s.kind() == StructureKind.VERTEBRA && s.level() >= StructureName.FIRST_LUMBAR;
+    }
+
+    @Test
+    void bothCruraComeFromTheVertebraeAndNothingElseDoes() {
+        TriangleMesh sheet = diaphragm.sheet();
+        double top = body.structures().stream()
+                .filter(CruralOriginTest::isLumbar)
+                .mapToDouble(s -> s.mesh().bounds()[5])
+                .max()
+                .orElseThrow();
+        int right = 0;
+        int left = 0;
+        for (int i = 0; i < share.length; i++) {
+            assertThat(share[i]).isBetween(0.0, 1.0);
+            if (share[i] > 0) {
+                assertThat(sheet.z(i)).as("height of vertex %d", i).isLessThan(top + 14);
+                assertThat(diaphragm.isTendon(i)).isFalse();
+            }
+            right += share[i] > 0.5 && sheet.x(i) < 0 ? 1 : 0;
+            left += share[i] > 0.5 && sheet.x(i) > 0 ? 1 : 0;
+        }
+        assertThat(right).isGreaterThan(20);
+        assertThat(left).isGreaterThan(20);
+    }
+
+    @Test
+    void itIsASmallPartOfTheSheet() {
+        assertThat(Arrays.stream(share).sum() / share.length).isBetween(0.005, 0.1);
+    }
+
+    @Test
+    void itEndsAtTheThirdLumbarVertebra() {
+        assertThat(CruralOrigin.of(with(s -> !isLumbar(s) || s.level() <= THIRD_LUMBAR), diaphragm))
+                .isEqualTo(share);
+        assertThat(CruralOrigin.of(with(s -> isLumbar(s) && s.level() > THIRD_LUMBAR), diaphragm))
+                .containsOnly(0);
+    }
+
+    @Test
+    void aBodyWithoutLumbarSpineHasNone() {
+        double[] none = CruralOrigin.of(with(s -> !isLumbar(s)), diaphragm);
+        assertThat(none).hasSize(share.length).containsOnly(0);
+    }
+
+    @Test
+    void itFadesWithoutAStep() {
+        int[] edges = diaphragm.topology().edges();
+        TriangleMesh sheet = diaphragm.sheet();
+        // The profile's steepest slope is 1.54 over the reach (at 0.58 of it); the nearest bone is no farther from one
+        // end than from the other plus the edge.
+        double steepest = 1.55 / 14;
+        IntStream.range(0, edges.length / 2).forEach(e -> {
+            int a = edges[2 * e];
+            int b = edges[2 * e + 1];
+            double length = Math.sqrt(Math.pow(sheet.x(a) - sheet.x(b), 2)
+                    + Math.pow(sheet.y(a) - sheet.y(b), 2)
+                    + Math.pow(sheet.z(a) - sheet.z(b), 2));
+            assertThat(Math.abs(share[a] - share[b])).isLessThanOrEqualTo(steepest * length);
+        });
+    }
+}
