@@ -6,13 +6,13 @@ import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
 
 /**
- * Where the crura come from: the front of the first three lumbar vertebrae, by tendons that blend with the ligament there. What of the sheet lies on that bone does not slide on it, and the less of it is muscle the nearer it is.
+ * Where the crura come from: the front of the first three lumbar vertebrae and the discs between them, by tendons that blend with the ligament there. What of the sheet lies there does not slide, and the less of it is muscle the nearer it is.
  */
 public final class CruralOrigin {
     /** The right crus comes from L1 to L3, the left from L1 and L2 (physiology C1). */
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
-    /** The sheet's middle is 3 to 8 mm off the bone: its half thickness, ligament and what smoothing does to both surfaces. */
-    private static final double REACH_MM = 14;
+    /** The sheet's middle is 3 to 8 mm off the bone: its half thickness, ligament and what smoothing does to both surfaces. With 14 mm it creased at the border of what is held. */
+    private static final double REACH_MM = 20;
 
     private CruralOrigin() {}
 
@@ -24,12 +24,14 @@ public final class CruralOrigin {
     public static double[] of(Thorax thorax, Diaphragm diaphragm) {
         TriangleMesh sheet = diaphragm.sheet();
         double[] share = new double[sheet.vertexCount()];
-        List<Structure> vertebrae = thorax.all(StructureKind.VERTEBRA).stream()
-                .filter(s -> s.level() >= StructureName.FIRST_LUMBAR && s.level() <= LAST_LEVEL)
+        List<Structure> spine = thorax.structures().stream()
+                .filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() <= LAST_LEVEL
+                        || s.kind() == StructureKind.DISC && s.level() < LAST_LEVEL)
+                .filter(s -> s.level() >= StructureName.FIRST_LUMBAR)
                 .toList();
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        for (Structure vertebra : vertebrae) {
-            TriangleTree tree = new TriangleTree(vertebra.mesh());
+        for (Structure part : spine) {
+            TriangleTree tree = new TriangleTree(part.mesh());
             for (int i = 0; i < share.length; i++) {
                 if (tree.closest(sheet.x(i), sheet.y(i), sheet.z(i), REACH_MM, hit)) {
                     share[i] = Math.max(share[i], FallOff.at(Math.sqrt(hit.distanceSquared), REACH_MM));
