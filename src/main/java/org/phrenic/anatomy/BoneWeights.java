@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
-import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
 
 /**
@@ -135,7 +134,11 @@ public final class BoneWeights {
         int from = 0;
         for (int k = 1; k <= n; k++) {
             if (k == n || order[k] >>> 32 != order[from] >>> 32) {
-                runs.add(Arrays.stream(order, from, k).mapToInt(o -> (int) o).toArray());
+                int[] run = new int[k - from];
+                for (int i = from; i < k; i++) {
+                    run[i - from] = (int) order[i];
+                }
+                runs.add(run);
                 from = k;
             }
         }
@@ -172,10 +175,15 @@ public final class BoneWeights {
                 farthest = Math.min(farthest, farthest(c, box));
             }
             double limit = Math.sqrt(farthest) + REACH_MM;
-            cells = IntStream.range(0, all)
-                    .filter(c -> !(apart(c, box) > limit * limit))
-                    .toArray();
-            toCell = new double[cells.length];
+            int[] near = new int[all];
+            int count = 0;
+            for (int c = 0; c < all; c++) {
+                if (!(apart(c, box) > limit * limit)) {
+                    near[count++] = c;
+                }
+            }
+            cells = Arrays.copyOf(near, count);
+            toCell = new double[count];
         }
 
         /** Distance from the nearest sample. */

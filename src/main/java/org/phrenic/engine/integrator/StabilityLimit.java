@@ -87,26 +87,44 @@ public record StabilityLimit(
         Workers.Task stiffness = block -> system.addStiffness(system.positions(), u, image, block);
         double eigenvalue = 0;
         for (int iteration = 0; iteration < ITERATIONS; iteration++) {
-            double norm = 0;
-            for (int i = 0; i < u.length; i++) {
-                norm += w[i / 3] == 0 ? 0 : u[i] * u[i] / w[i / 3];
-            }
+            double norm = squaredNorm(u, w);
             if (norm == 0) {
                 return 0;
             }
-            double scale = 1 / Math.sqrt(norm);
-            for (int i = 0; i < u.length; i++) {
-                u[i] *= scale;
-            }
+            scale(u, 1 / Math.sqrt(norm));
             Arrays.fill(image, 0);
             system.workers().run(blocks, stiffness);
-            eigenvalue = 0;
-            for (int i = 0; i < u.length; i++) {
-                eigenvalue += u[i] * image[i];
-                u[i] = w[i / 3] * image[i];
-            }
+            eigenvalue = accelerate(u, w, image);
         }
         return Math.max(0, eigenvalue);
+    }
+
+    private static double squaredNorm(double[] u, double[] w) {
+        double norm = 0;
+        for (int n = 0; n < w.length; n++) {
+            for (int i = 3 * n; i < 3 * n + 3; i++) {
+                norm += w[n] == 0 ? 0 : u[i] * u[i] / w[n];
+            }
+        }
+        return norm;
+    }
+
+    private static void scale(double[] u, double by) {
+        for (int i = 0; i < u.length; i++) {
+            u[i] *= by;
+        }
+    }
+
+    /** Puts M⁻¹ K u, of which K u is given, in the place of u; returns u · K u. */
+    private static double accelerate(double[] u, double[] w, double[] image) {
+        double product = 0;
+        for (int n = 0; n < w.length; n++) {
+            for (int i = 3 * n; i < 3 * n + 3; i++) {
+                product += u[i] * image[i];
+                u[i] = w[n] * image[i];
+            }
+        }
+        return product;
     }
 
     /** Largest stable step of a scheme on this system, s; 0 if none is, infinite if every one is. */
