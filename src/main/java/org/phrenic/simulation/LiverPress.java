@@ -63,11 +63,12 @@ final class LiverPress {
     private double distance(int node) {
         if (Double.isNaN(distance[node])) {
             int row = node / count[0];
+            int layer = row / count[1];
             measure(
                     node,
                     origin[0] + SPACING_MM * (node % count[0]),
                     origin[1] + SPACING_MM * (row % count[1]),
-                    origin[2] + SPACING_MM * (row / count[1]));
+                    origin[2] + SPACING_MM * layer);
         }
         return distance[node];
     }
