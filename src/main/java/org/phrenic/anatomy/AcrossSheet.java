@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -18,11 +17,21 @@ public final class AcrossSheet {
     /** What lies closer is a seam between patches, not the other face. */
     private static final double SHORTEST_MM = 0.2;
 
-    /** Vertices that one thread takes at a time. */
-    private static final int RUN = 256;
+    /** Where the other face is looked for first: most vertices find it so near, and only the others are looked for further away, mm. */
+    private static final double NEAR_MM = 8;
 
     private final TriangleMesh sheet;
+    private final double[] normals;
+    /** Of two faces told apart the one that a vertex is on; null where normals alone tell. */
+    private final boolean[] face;
+
+    private final double near;
+    private final double reach;
+    private final PointGrid far;
+    /** Opposing vertices of each vertex that are near, by distance. */
     private final int[][] opposing;
+
+    private long[] found = new long[64];
 
     /** One pair of vertices. */
     public record Pair(int a, int b) {}
@@ -34,7 +43,11 @@ public final class AcrossSheet {
      * @param reach the suitable distance, mm
      */
     public static AcrossSheet of(Diaphragm diaphragm, double reach) {
-        return new AcrossSheet(diaphragm.sheet(), reach, (i, j) -> diaphragm.isThoracic(i) != diaphragm.isThoracic(j));
+        boolean[] thoracic = new boolean[diaphragm.sheet().vertexCount()];
+        for (int i = 0; i < thoracic.length; i++) {
+            thoracic[i] = diaphragm.isThoracic(i);
+        }
+        return new AcrossSheet(diaphragm.sheet(), reach, thoracic);
     }
 
     /**
@@ -44,36 +57,38 @@ public final class AcrossSheet {
      * @param reach the suitable distance, mm
      */
     public static AcrossSheet of(TriangleMesh body, double reach) {
-        return new AcrossSheet(body, reach, (i, j) -> true);
+        return new AcrossSheet(body, reach, null);
     }
 
-    private interface Opposite {
-        boolean test(int i, int j);
-    }
-
-    private AcrossSheet(TriangleMesh sheet, double reach, Opposite opposite) {
+    private AcrossSheet(TriangleMesh sheet, double reach, boolean[] face) {
         this.sheet = sheet;
-        double[] normals = MeshMeasure.vertexNormals(sheet);
-        PointGrid grid = new PointGrid(sheet.positions(), reach);
+        this.reach = reach;
+        this.face = face;
+        normals = MeshMeasure.vertexNormals(sheet);
+        near = Math.min(reach, NEAR_MM);
+        PointGrid grid = new PointGrid(sheet.positions(), near);
+        far = near < reach ? new PointGrid(sheet.positions(), reach) : grid;
         opposing = new int[sheet.vertexCount()][];
-        // Each vertex is found by itself, so it does not matter who does which.
-        IntStream.range(0, (opposing.length + RUN - 1) / RUN).parallel().forEach(run -> {
-            long[] found = new long[64];
-            int end = Math.min(opposing.length, (run + 1) * RUN);
-            for (int i = run * RUN; i < end; i++) {
-                found = across(grid, normals, i, reach, opposite, found);
-            }
-        });
+        for (int i = 0; i < opposing.length; i++) {
+            opposing[i] = across(grid, i, 0, near, null);
+        }
     }
 
-    private long[] across(PointGrid grid, double[] normals, int i, double reach, Opposite opposite, long[] room) {
-        long[] found = room;
+    /**
+     * Opposing vertices of a vertex by distance.
+     *
+     * @param from what is no farther is left out, mm
+     * @param to what is farther is left out, mm
+     * @param used how often each vertex is in use: one in full use is left out; null if all may be named
+     */
+    private int[] across(PointGrid grid, int i, double from, double to, Use used) {
         int count = 0;
         double[] p = sheet.positions();
         double x = p[3 * i];
         double y = p[3 * i + 1];
         double z = p[3 * i + 2];
-        double most = reach * reach;
+        double least = Math.max(from * from, SHORTEST_MM * SHORTEST_MM);
+        double most = to * to;
         for (int row = 0; row < 9; row++) {
             int end = grid.rowEnd(i, row);
             for (int k = grid.rowStart(i, row); k < end; k++) {
@@ -82,23 +97,33 @@ public final class AcrossSheet {
                 double dy = p[3 * j + 1] - y;
                 double dz = p[3 * j + 2] - z;
                 double square = dx * dx + dy * dy + dz * dz;
-                if (square <= most
-                        && square > SHORTEST_MM * SHORTEST_MM
-                        && dot(normals, i, j) < OPPOSING
-                        && opposite.test(i, j)) {
+                if (square <= most && square > least && isOpposite(i, j) && (used == null || used.mayTake(j))) {
                     if (count == found.length) {
                         found = Arrays.copyOf(found, 2 * count);
                     }
-                    found[count++] = byDistance(Math.sqrt(square), j);
+                    insert(byDistance(Math.sqrt(square), j), count++);
                 }
             }
         }
-        Arrays.sort(found, 0, count);
-        opposing[i] = new int[count];
+        int[] out = new int[count];
         for (int k = 0; k < count; k++) {
-            opposing[i][k] = (int) found[k];
+            out[k] = (int) found[k];
         }
-        return found;
+        return out;
+    }
+
+    private boolean isOpposite(int i, int j) {
+        return (face == null || face[i] != face[j]) && dot(normals, i, j) < OPPOSING;
+    }
+
+    /** Puts a number where it belongs among those found so far, which are few. */
+    private void insert(long value, int count) {
+        int k = count;
+        while (k > 0 && found[k - 1] > value) {
+            found[k] = found[k - 1];
+            k--;
+        }
+        found[k] = value;
     }
 
     /** A number that sorts by distance, then by index. */
@@ -122,16 +147,19 @@ public final class AcrossSheet {
         long[] keys = new long[most * opposing.length];
         int count = 0;
         for (int i = 0; i < opposing.length; i++) {
-            for (int k = 0; k < Math.min(most, opposing[i].length); k++) {
-                int j = opposing[i][k];
-                keys[count++] = (long) Math.min(i, j) << 32 | Math.max(i, j);
+            int[] others = opposing[i].length < most ? across(far, i, 0, reach, null) : opposing[i];
+            for (int k = 0; k < Math.min(most, others.length); k++) {
+                keys[count++] = (long) Math.min(i, others[k]) << 32 | Math.max(i, others[k]);
             }
         }
-        return Arrays.stream(keys, 0, count)
-                .sorted()
-                .distinct()
-                .mapToObj(k -> new Pair((int) (k >> 32), (int) k))
-                .toList();
+        Arrays.sort(keys, 0, count);
+        List<Pair> pairs = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            if (k == 0 || keys[k] != keys[k - 1]) {
+                pairs.add(new Pair((int) (keys[k] >> 32), (int) keys[k]));
+            }
+        }
+        return pairs;
     }
 
     /**
@@ -139,16 +167,43 @@ public final class AcrossSheet {
      * all of them right exactly.
      */
     public List<Pair> matched(IntPredicate chosen, int mostPerVertex) {
-        int[] first = new int[256];
-        int[] second = new int[256];
-        long[] order = new long[256];
-        int count = 0;
+        Use use = new Use(chosen, mostPerVertex);
         for (int i = 0; i < opposing.length; i++) {
-            if (!chosen.test(i)) {
-                continue;
+            use.offer(i, opposing[i]);
+        }
+        use.takeShortestFirst();
+        // Whoever is in full use by now would be refused: only the others look further away.
+        for (int i = 0; near < reach && i < opposing.length; i++) {
+            if (use.mayTake(i)) {
+                use.offer(i, across(far, i, near, reach, use));
             }
-            for (int j : opposing[i]) {
-                if (i < j && chosen.test(j)) {
+        }
+        use.takeShortestFirst();
+        return use.pairs;
+    }
+
+    /** Pairs on offer and taken, and how many more each vertex may be in. */
+    private final class Use {
+        final List<Pair> pairs = new ArrayList<>();
+        private final int[] places = new int[opposing.length];
+        private int[] first = new int[256];
+        private int[] second = new int[256];
+        private long[] order = new long[256];
+        private int count;
+
+        Use(IntPredicate chosen, int mostPerVertex) {
+            for (int i = 0; i < places.length; i++) {
+                places[i] = chosen.test(i) ? mostPerVertex : 0;
+            }
+        }
+
+        boolean mayTake(int vertex) {
+            return places[vertex] > 0;
+        }
+
+        void offer(int i, int[] others) {
+            for (int j : others) {
+                if (i < j && mayTake(i) && mayTake(j)) {
                     if (count == order.length) {
                         first = Arrays.copyOf(first, 2 * count);
                         second = Arrays.copyOf(second, 2 * count);
@@ -161,22 +216,28 @@ public final class AcrossSheet {
                 }
             }
         }
-        Arrays.sort(order, 0, count);
-        int[] used = new int[opposing.length];
-        List<Pair> links = new ArrayList<>();
-        for (int k = 0; k < count; k++) {
-            Pair p = new Pair(first[(int) order[k]], second[(int) order[k]]);
-            if (used[p.a] < mostPerVertex && used[p.b] < mostPerVertex) {
-                used[p.a]++;
-                used[p.b]++;
-                links.add(p);
+
+        void takeShortestFirst() {
+            Arrays.sort(order, 0, count);
+            for (int k = 0; k < count; k++) {
+                int i = first[(int) order[k]];
+                int j = second[(int) order[k]];
+                if (mayTake(i) && mayTake(j)) {
+                    places[i]--;
+                    places[j]--;
+                    pairs.add(new Pair(i, j));
+                }
             }
+            count = 0;
         }
-        return links;
     }
 
     /** Share of vertices that have an opposing one in reach. */
     public double coverage() {
-        return Arrays.stream(opposing).filter(o -> o.length > 0).count() / (double) opposing.length;
+        int covered = 0;
+        for (int i = 0; i < opposing.length; i++) {
+            covered += opposing[i].length > 0 || across(far, i, near, reach, null).length > 0 ? 1 : 0;
+        }
+        return covered / (double) opposing.length;
     }
 }

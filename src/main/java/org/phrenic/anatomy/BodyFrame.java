@@ -57,9 +57,13 @@ public record BodyFrame(String axes, double millimetres) {
     public TriangleMesh toLps(TriangleMesh mesh) {
         double[] given = mesh.positions();
         double[] out = new double[given.length];
-        for (int i = 0; i < given.length; i++) {
-            char letter = axes.charAt(i % 3);
-            out[i - i % 3 + axis(letter)] = sign(letter) * millimetres * given[i];
+        for (int from = 0; from < 3; from++) {
+            char letter = axes.charAt(from);
+            int to = axis(letter) - from;
+            double scale = sign(letter) * millimetres;
+            for (int i = from; i < given.length; i += 3) {
+                out[i + to] = scale * given[i];
+            }
         }
         return mesh.withPositions(out);
     }

@@ -3,10 +3,9 @@ package org.phrenic.anatomy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.TreeMap;
 import java.util.function.BiConsumer;
-import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.geometry.SortedOrder;
 
 /**
  * Which bones carry a point, and by how much. A point takes the mean of the {@link BoneSamples} around it, which fades smoothly with distance, so that a row of points along the costal margin moves as one smooth band.
@@ -58,35 +57,38 @@ public final class BoneWeights {
 
     private void sortIntoCells(List<double[]> points, List<double[]> weights) {
         int count = points.size();
-        TreeMap<Long, List<Integer>> cells = new TreeMap<>();
+        long[] key = new long[count];
         for (int j = 0; j < count; j++) {
-            cells.computeIfAbsent(key(points.get(j), 0, CELL_MM), k -> new ArrayList<>())
-                    .add(j);
+            key[j] = key(points.get(j), 0, CELL_MM);
         }
+        int[] order = SortedOrder.of(key);
         sample = new double[3 * count];
         sampleWeights = new double[count][];
         sampleBody = new int[count];
-        cellStart = new int[cells.size() + 1];
-        cellBox = new double[6 * cells.size()];
-        int cell = 0;
-        int at = 0;
-        for (List<Integer> inside : cells.values()) {
-            double[] first = points.get(inside.get(0));
-            System.arraycopy(first, 0, cellBox, 6 * cell, 3);
-            System.arraycopy(first, 0, cellBox, 6 * cell + 3, 3);
-            for (int j : inside) {
-                sampleWeights[at] = weights.get(j);
-                sampleBody[at] = only(weights.get(j));
-                for (int axis = 0; axis < 3; axis++) {
-                    double value = points.get(j)[axis];
-                    sample[3 * at + axis] = value;
-                    cellBox[6 * cell + axis] = Math.min(cellBox[6 * cell + axis], value);
-                    cellBox[6 * cell + 3 + axis] = Math.max(cellBox[6 * cell + 3 + axis], value);
-                }
-                at++;
+        int[] start = new int[count + 1];
+        double[] box = new double[6 * count];
+        int cells = 0;
+        for (int at = 0; at < count; at++) {
+            int j = order[at];
+            double[] point = points.get(j);
+            if (at == 0 || key[j] != key[order[at - 1]]) {
+                start[cells] = at;
+                System.arraycopy(point, 0, box, 6 * cells, 3);
+                System.arraycopy(point, 0, box, 6 * cells + 3, 3);
+                cells++;
             }
-            cellStart[++cell] = at;
+            sampleWeights[at] = weights.get(j);
+            sampleBody[at] = only(weights.get(j));
+            for (int axis = 0; axis < 3; axis++) {
+                int low = 6 * (cells - 1) + axis;
+                sample[3 * at + axis] = point[axis];
+                box[low] = Math.min(box[low], point[axis]);
+                box[low + 3] = Math.max(box[low + 3], point[axis]);
+            }
         }
+        start[cells] = count;
+        cellStart = Arrays.copyOf(start, cells + 1);
+        cellBox = Arrays.copyOf(box, 6 * cells);
     }
 
     private static int only(double[] weight) {
@@ -135,7 +137,11 @@ public final class BoneWeights {
         int from = 0;
         for (int k = 1; k <= n; k++) {
             if (k == n || order[k] >>> 32 != order[from] >>> 32) {
-                runs.add(Arrays.stream(order, from, k).mapToInt(o -> (int) o).toArray());
+                int[] run = new int[k - from];
+                for (int i = from; i < k; i++) {
+                    run[i - from] = (int) order[i];
+                }
+                runs.add(run);
                 from = k;
             }
         }
@@ -172,10 +178,15 @@ public final class BoneWeights {
                 farthest = Math.min(farthest, farthest(c, box));
             }
             double limit = Math.sqrt(farthest) + REACH_MM;
-            cells = IntStream.range(0, all)
-                    .filter(c -> !(apart(c, box) > limit * limit))
-                    .toArray();
-            toCell = new double[cells.length];
+            int[] near = new int[all];
+            int count = 0;
+            for (int c = 0; c < all; c++) {
+                if (!(apart(c, box) > limit * limit)) {
+                    near[count++] = c;
+                }
+            }
+            cells = Arrays.copyOf(near, count);
+            toCell = new double[count];
         }
 
         /** Distance from the nearest sample. */

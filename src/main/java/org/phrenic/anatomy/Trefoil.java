@@ -2,6 +2,7 @@ package org.phrenic.anatomy;
 
 import java.util.Arrays;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.SortedOrder;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
@@ -34,15 +35,16 @@ final class Trefoil {
         double[] areas = MeshMeasure.vertexAreas(sheet);
         int n = sheet.vertexCount();
         double[] level = new double[n];
+        long[] key = new long[n];
         for (int i = 0; i < n; i++) {
             double u = (sheet.x(i) - 0.5 * (box[0] + box[3])) / (0.5 * (box[3] - box[0]));
             double v = (sheet.y(i) - 0.5 * (box[1] + box[4])) / (0.5 * (box[4] - box[1]));
             boolean upper = sheet.z(i) > box[2] + UPPER * (box[5] - box[2]);
             level[i] = upper && Math.abs(normals[3 * i + 2]) > ROOF ? level(u, v) : Double.POSITIVE_INFINITY;
+            // The bits of a non-negative number sort as the number does.
+            key[i] = Double.doubleToRawLongBits(level[i]);
         }
-        Integer[] order = new Integer[n];
-        Arrays.setAll(order, i -> i);
-        Arrays.sort(order, (a, b) -> level[a] != level[b] ? Double.compare(level[a], level[b]) : Integer.compare(a, b));
+        int[] order = SortedOrder.of(key);
         double wanted = share * Arrays.stream(areas).sum();
         boolean[] tendon = new boolean[n];
         double sum = 0;

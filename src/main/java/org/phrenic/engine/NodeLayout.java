@@ -1,6 +1,7 @@
 package org.phrenic.engine;
 
 import java.util.Arrays;
+import org.phrenic.geometry.SortedOrder;
 
 /**
  * The order in which nodes lie in memory, and the fixed blocks of it that are the unit of parallel work.
@@ -61,17 +62,14 @@ public final class NodeLayout {
         }
         double scale = extent > 0 ? ((1 << MORTON_BITS) - 1) / extent : 0;
         long[] code = new long[n];
-        Integer[] order = new Integer[n];
         for (int i = 0; i < n; i++) {
             long morton = 0;
             for (int axis = 0; axis < 3; axis++) {
                 morton |= spread((long) ((positions[3 * i + axis] - low[axis]) * scale)) << axis;
             }
             code[i] = morton;
-            order[i] = i;
         }
-        Arrays.sort(order, (a, b) -> code[a] != code[b] ? Long.compare(code[a], code[b]) : Integer.compare(a, b));
-        return new NodeLayout(Arrays.stream(order).mapToInt(Integer::intValue).toArray());
+        return new NodeLayout(SortedOrder.of(code));
     }
 
     /** Nodes kept in the order given. */

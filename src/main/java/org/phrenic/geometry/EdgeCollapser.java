@@ -75,7 +75,7 @@ final class EdgeCollapser {
         double x = p[3 * a] + share * (p[3 * b] - p[3 * a]);
         double y = p[3 * a + 1] + share * (p[3 * b + 1] - p[3 * a + 1]);
         double z = p[3 * a + 2] + share * (p[3 * b + 2] - p[3 * a + 2]);
-        if (!fits(a, b, x, y, z, longest) || !fits(b, a, x, y, z, longest)) {
+        if (!bothFit(a, b, x, y, z, longest)) {
             return false;
         }
         mesh.collapse(h, x, y, z);
@@ -92,8 +92,12 @@ final class EdgeCollapser {
         int kindA = mesh.kindOf(a);
         int kindB = mesh.kindOf(b);
         if (kindA == HalfEdgeMesh.FREE && kindB == HalfEdgeMesh.FREE) {
-            double spreadA = spread(a);
-            double spreadB = spread(b);
+            double spreadA = 0;
+            double spreadB = 0;
+            for (int end = 0; end < 2; end++) {
+                spreadA = spreadB;
+                spreadB = spread(end == 0 ? a : b);
+            }
             return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
         }
         if (kindA != kindB && (kindA == HalfEdgeMesh.FREE || kindB == HalfEdgeMesh.FREE)) {
@@ -141,6 +145,15 @@ final class EdgeCollapser {
             }
         }
         return least;
+    }
+
+    /** {@link #fits} of both ends, at one place of the code: it is long, and compilers copy it to where it is called. */
+    private boolean bothFit(int a, int b, double x, double y, double z, double longest) {
+        boolean fit = true;
+        for (int end = 0; end < 2 && fit; end++) {
+            fit = fits(end == 0 ? a : b, end == 0 ? b : a, x, y, z, longest);
+        }
+        return fit;
     }
 
     /** Whether the triangles at {@code v} that do not hold {@code gone} keep side, shape and size when v moves to (x, y, z). */

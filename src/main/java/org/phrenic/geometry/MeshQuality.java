@@ -22,18 +22,32 @@ public record MeshQuality(
         double meanEdgeMm,
         double longestEdgeMm) {
     public static MeshQuality of(TriangleMesh mesh) {
-        double[] angles = MeshMeasure.smallestAngles(mesh);
-        Arrays.sort(angles);
+        double[] angles = sortedAngles(mesh);
         MeshMeasure.EdgeLengths edges = MeshMeasure.edgeLengthSummary(mesh, new MeshTopology(mesh));
         boolean empty = angles.length == 0;
         return new MeshQuality(
                 mesh.vertexCount(),
                 mesh.triangleCount(),
                 empty ? 0 : angles[0],
-                empty ? 0 : angles[angles.length / 100],
+                firstPercentile(angles),
                 edges.minimum(),
                 edges.mean(),
                 edges.maximum());
+    }
+
+    /** {@link #firstPercentileAngleDeg()} alone, which asks for no edges. */
+    public static double firstPercentileAngleDeg(TriangleMesh mesh) {
+        return firstPercentile(sortedAngles(mesh));
+    }
+
+    private static double[] sortedAngles(TriangleMesh mesh) {
+        double[] angles = MeshMeasure.smallestAngles(mesh);
+        Arrays.sort(angles);
+        return angles;
+    }
+
+    private static double firstPercentile(double[] angles) {
+        return angles.length == 0 ? 0 : angles[angles.length / 100];
     }
 
     /** Longest over shortest edge. */

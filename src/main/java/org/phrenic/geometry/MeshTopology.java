@@ -213,6 +213,11 @@ public final class MeshTopology {
         return edgeTriangleCount[edge] > 2;
     }
 
+    /** Whether every edge of a mesh has exactly two triangles; without working out the rest. */
+    public static boolean isClosed(TriangleMesh mesh) {
+        return new EdgeTable(mesh).isClosed();
+    }
+
     /** Every edge has exactly two triangles. */
     public boolean isClosed() {
         return table.isClosed();

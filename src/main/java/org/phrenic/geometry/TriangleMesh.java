@@ -36,6 +36,11 @@ public final class TriangleMesh {
         this.triangles = triangles;
     }
 
+    private TriangleMesh(double[] positions, TriangleMesh checked) {
+        this.positions = positions;
+        this.triangles = checked.triangles;
+    }
+
     public int vertexCount() {
         return positions.length / 3;
     }
@@ -71,7 +76,7 @@ public final class TriangleMesh {
         if (moved.length != positions.length) {
             throw new IllegalArgumentException("positions: " + moved.length + " numbers, expected " + positions.length);
         }
-        return new TriangleMesh(moved, triangles);
+        return new TriangleMesh(moved, this);
     }
 
     /** A mesh whose arrays may be written to without touching this one. */

@@ -4,6 +4,11 @@ import java.util.Arrays;
 
 /** Finds, for each vertex in turn, the nearest earlier kept vertex within a distance, by a hashed grid. */
 final class VertexWelder {
+    /** Edge of a cell in tolerances: a vertex then looks into 3.4 cells in the mean and not 27, and no cell has to hold many that are kept. */
+    private static final double CELL = 4;
+    /** How far a vertex looks into the next cells, in tolerances: beyond what rounding takes away. */
+    private static final double REACH = 1.01;
+
     private final double[] positions;
     private final double tolerance;
     private final int[] head;
@@ -22,16 +27,16 @@ final class VertexWelder {
     int[] keepers() {
         int count = chain.length;
         int[] keeper = new int[count];
-        int reach = tolerance > 0 ? 1 : 0;
+        double reach = REACH * tolerance;
         for (int v = 0; v < count; v++) {
-            long cx = cellOf(positions[3 * v]);
-            long cy = cellOf(positions[3 * v + 1]);
-            long cz = cellOf(positions[3 * v + 2]);
+            double px = positions[3 * v];
+            double py = positions[3 * v + 1];
+            double pz = positions[3 * v + 2];
             int best = v;
             double bestSquare = tolerance * tolerance;
-            for (long x = cx - reach; x <= cx + reach; x++) {
-                for (long y = cy - reach; y <= cy + reach; y++) {
-                    for (long z = cz - reach; z <= cz + reach; z++) {
+            for (long x = cellOf(px - reach); x <= cellOf(px + reach); x++) {
+                for (long y = cellOf(py - reach); y <= cellOf(py + reach); y++) {
+                    for (long z = cellOf(pz - reach); z <= cellOf(pz + reach); z++) {
                         for (int other = head[slot(x, y, z)]; other >= 0; other = chain[other]) {
                             double square = squareDistance(v, other);
                             if (square < bestSquare || (square == bestSquare && other < best)) {
@@ -44,7 +49,7 @@ final class VertexWelder {
             }
             keeper[v] = best;
             if (best == v) {
-                int slot = slot(cx, cy, cz);
+                int slot = slot(cellOf(px), cellOf(py), cellOf(pz));
                 chain[v] = head[slot];
                 head[slot] = v;
             }
@@ -54,7 +59,9 @@ final class VertexWelder {
 
     /** With no tolerance a cell is one number, whose bits name it; -0 is 0. */
     private long cellOf(double coordinate) {
-        return tolerance > 0 ? (long) Math.floor(coordinate / tolerance) : Double.doubleToLongBits(coordinate + 0.0);
+        return tolerance > 0
+                ? (long) Math.floor(coordinate / (CELL * tolerance))
+                : Double.doubleToLongBits(coordinate + 0.0);
     }
 
     private int slot(long x, long y, long z) {

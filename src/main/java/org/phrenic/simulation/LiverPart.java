@@ -65,10 +65,13 @@ final class LiverPart {
         Diaphragm d = part.diaphragm;
         TriangleMesh sheet = d.sheet();
         NearestVertex surface = new NearestVertex(mesh, i -> true);
+        // The thoracic face has no part in it.
         double[] distance = new double[sheet.vertexCount()];
         for (int i = 0; i < distance.length; i++) {
-            surface.find(sheet.x(i), sheet.y(i), sheet.z(i), REACH_MM);
-            distance[i] = surface.distance();
+            if (!d.isThoracic(i)) {
+                surface.find(sheet.x(i), sheet.y(i), sheet.z(i), REACH_MM);
+                distance[i] = surface.distance();
+            }
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);
         double[] box = mesh.bounds();

@@ -1,7 +1,6 @@
 package org.phrenic.simulation;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.TriangleTree;
@@ -27,6 +26,9 @@ final class LiverPress {
     private final double[] origin = new double[3];
     private final int[] count = new int[3];
     private final int[] stride = new int[3];
+    private final TriangleTree surface;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final double[] normals;
     private final double[] distance;
     private final double[] asked;
     private final double[] weight;
@@ -52,37 +54,39 @@ final class LiverPress {
         share = new double[3 * all];
         given = new double[3 * all];
         next = new double[3 * all];
-        measure(organ);
+        Arrays.fill(distance, Double.NaN);
+        surface = new TriangleTree(organ);
+        normals = MeshMeasure.vertexNormals(organ);
     }
 
-    private void measure(TriangleMesh organ) {
-        TriangleTree tree = new TriangleTree(organ);
-        double[] normals = MeshMeasure.vertexNormals(organ);
-        IntStream.range(0, count[1] * count[2]).parallel().forEach(row -> measureRow(tree, normals, row));
-    }
-
-    private void measureRow(TriangleTree tree, double[] normals, int row) {
-        int[] corners = tree.mesh().triangles();
-        TriangleTree.Hit hit = new TriangleTree.Hit();
-        double y = origin[1] + SPACING_MM * (row % count[1]);
-        int layer = row / count[1];
-        double z = origin[2] + SPACING_MM * layer;
-        double reach = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < count[0]; i++) {
-            double x = origin[0] + SPACING_MM * i;
-            tree.closest(x, y, z, reach, hit);
-            // The next node is farther from the surface by a spacing at most.
-            reach = 1.001 * (Math.sqrt(hit.distanceSquared) + SPACING_MM);
-            double[] away = {x - hit.x, y - hit.y, z - hit.z};
-            double out = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                out += away[axis]
-                        * (hit.weightA * normals[3 * corners[3 * hit.triangle] + axis]
-                                + hit.weightB * normals[3 * corners[3 * hit.triangle + 1] + axis]
-                                + hit.weightC * normals[3 * corners[3 * hit.triangle + 2] + axis]);
-            }
-            distance[row * count[0] + i] = Math.copySign(Math.sqrt(hit.distanceSquared), out);
+    /** Distance of a node of the lattice from the surface, less than 0 within; measured when it is first asked for, for most never are. */
+    private double distance(int node) {
+        if (Double.isNaN(distance[node])) {
+            int row = node / count[0];
+            int layer = row / count[1];
+            measure(
+                    node,
+                    origin[0] + SPACING_MM * (node % count[0]),
+                    origin[1] + SPACING_MM * (row % count[1]),
+                    origin[2] + SPACING_MM * layer);
         }
+        return distance[node];
+    }
+
+    private void measure(int node, double x, double y, double z) {
+        surface.closest(x, y, z, hit);
+        int[] corners = surface.mesh().triangles();
+        int a = 3 * corners[3 * hit.triangle];
+        int b = 3 * corners[3 * hit.triangle + 1];
+        int c = 3 * corners[3 * hit.triangle + 2];
+        double out = (x - hit.x) * normal(a, b, c);
+        out += (y - hit.y) * normal(a + 1, b + 1, c + 1);
+        out += (z - hit.z) * normal(a + 2, b + 2, c + 2);
+        distance[node] = Math.copySign(Math.sqrt(hit.distanceSquared), out);
+    }
+
+    private double normal(int a, int b, int c) {
+        return hit.weightA * normals[a] + hit.weightB * normals[b] + hit.weightC * normals[c];
     }
 
     /** What lies there at rest, however deep, presses nothing in. */
@@ -231,7 +235,7 @@ final class LiverPress {
     private double sample(int node) {
         double sum = 0;
         for (int corner = 0; corner < 8; corner++) {
-            sum += cornerWeight(corner) * distance[corner(node, corner)];
+            sum += cornerWeight(corner) * distance(corner(node, corner));
         }
         return sum;
     }

@@ -75,13 +75,13 @@ final class NearestVertex {
             }
             for (int i = Math.max(0, cx - shell); i <= Math.min(cells[0] - 1, cx + shell); i++) {
                 for (int j = Math.max(0, cy - shell); j <= Math.min(cells[1] - 1, cy + shell); j++) {
+                    // Of a column through the shells before, only the two ends are new.
                     boolean inner = Math.abs(i - cx) < shell && Math.abs(j - cy) < shell;
-                    for (int k = Math.max(0, cz - shell); k <= Math.min(cells[2] - 1, cz + shell); k++) {
-                        if (inner && Math.abs(k - cz) < shell) {
-                            continue;
-                        }
+                    int stride = inner ? 2 * shell : 1;
+                    int first = inner || cz >= shell ? cz - shell : 0;
+                    for (int k = first; k <= Math.min(cells[2] - 1, cz + shell); k += stride) {
                         int cell = (i * cells[1] + j) * cells[2] + k;
-                        if (start[cell] == start[cell + 1] || toCell(i, j, k, x, y, z) > bestSquared) {
+                        if (k < 0 || start[cell] == start[cell + 1] || toCell(i, j, k, x, y, z) > bestSquared) {
                             continue;
                         }
                         for (int n = start[cell]; n < start[cell + 1]; n++) {

@@ -61,19 +61,12 @@ final class Prestress {
             apply(step, image);
             release(image);
             double alpha = rho / dot(image, image);
-            for (int e = 0; e < tension.length; e++) {
-                tension[e] -= alpha * step[e];
-            }
-            for (int j = 0; j < residual.length; j++) {
-                residual[j] -= alpha * image[j];
-            }
+            subtract(tension, alpha, step);
+            subtract(residual, alpha, image);
             transpose(residual, gradient);
             double next = dot(gradient, gradient);
-            double beta = next / rho;
+            turn(step, next / rho, gradient);
             rho = next;
-            for (int e = 0; e < step.length; e++) {
-                step[e] = gradient[e] + beta * step[e];
-            }
         }
         return norm > 0 ? Math.sqrt(dot(residual, residual)) / norm : 0;
     }
@@ -120,6 +113,18 @@ final class Prestress {
             for (int axis = 0; axis < 3; axis++) {
                 force[i + axis] -= across * wallNormal[i + axis];
             }
+        }
+    }
+
+    private static void subtract(double[] from, double share, double[] what) {
+        for (int i = 0; i < from.length; i++) {
+            from[i] -= share * what[i];
+        }
+    }
+
+    private static void turn(double[] step, double beta, double[] gradient) {
+        for (int e = 0; e < step.length; e++) {
+            step[e] = gradient[e] + beta * step[e];
         }
     }
 

@@ -27,7 +27,7 @@ final class Remeshing {
     /** Whether a sheet can be taken as it is where so many vertices are wanted. */
     static boolean isFit(TriangleMesh sheet, int vertices) {
         return Math.abs(sheet.vertexCount() - vertices) <= NEAR_ENOUGH * vertices
-                && MeshQuality.of(sheet).firstPercentileAngleDeg() >= LEAST_ANGLE_DEG;
+                && MeshQuality.firstPercentileAngleDeg(sheet) >= LEAST_ANGLE_DEG;
     }
 
     static List<Structure> toBudget(List<Structure> structures, int vertices) {

@@ -209,7 +209,7 @@ final class SceneAssembly {
     private Diaphragm diaphragm() {
         TriangleMesh given = thorax.all(StructureKind.DIAPHRAGM).get(0).mesh();
         TriangleMesh sheet = MeshRepair.components(given).stream()
-                .filter(m -> new MeshTopology(m).isClosed() && MeshMeasure.signedVolume(m) > 0)
+                .filter(m -> MeshTopology.isClosed(m) && MeshMeasure.signedVolume(m) > 0)
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow(() -> new BadInputException(thorax.name()
                         + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"

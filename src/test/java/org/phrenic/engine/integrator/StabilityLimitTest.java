@@ -27,7 +27,7 @@ class StabilityLimitTest {
     private static final double M = 0.1;
     private static final double GAMMA = 0.02;
     private static final double DT = 0.01;
-    /** The margin that is put on a power iteration, which comes from below. */
+    /** The margin that is put on the highest frequency found, which comes from below. */
     private static final double MARGIN = 1.03;
     /** How near bisection and the allowance for rounding bring a limit to the formula. */
     private static final double NEAR = 1e-4;
