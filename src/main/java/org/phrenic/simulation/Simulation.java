@@ -31,6 +31,8 @@ public final class Simulation implements AutoCloseable {
 
     /** Of 2.5 to 20 1/s the one that leaves least to creep in later breaths: the softest folds are then about critically damped. */
     private static final double SETTLE_DAMPING = 6;
+    /** Nothing in a trunk goes so far. A soft sheet under the greatest pressure without a wall to lean on would, for nothing in its law ends that. The paper's action lines have no end by their law. */
+    private static final double REACH_MM = 250;
 
     private final Scene scene;
     private final Stepper stepper;
@@ -83,6 +85,9 @@ public final class Simulation implements AutoCloseable {
             double moved = settle(scenario, scene, limit);
             Stepper stepper = new Stepper(
                     scenario.integrator().on(scene.system()), scenario.timeStepS(), scenario.stepPolicy(), limit);
+            if (scenario.material() == Material.PHYSICAL) {
+                stepper.keepWithin(REACH_MM);
+            }
             return new Simulation(scenario, scene, stepper, dials, workers, limit, moved);
         } catch (RuntimeException e) {
             workers.close();

@@ -5,7 +5,8 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
 /**
- * Notices a state that cannot be right (not a number, or a node faster than anything in a body) in the step it appears, and keeps a good one to go back to.
+ * Notices a state that cannot be right (not a number, or a node faster than anything in a body) in the step it appears, and keeps a good one to go back to. Where a reach is given, a node farther than that from home is noticed too,
+ * within {@value #STEPS_BETWEEN_MEASURES} steps: a membrane that is blown up without end is never fast.
  */
 final class DivergenceGuard {
     /** A cough moves tissue at some 1,000 mm/s; ten times that is a fault of the numbers. */
@@ -16,6 +17,10 @@ final class DivergenceGuard {
 
     private static final long STEPS_BETWEEN_SNAPSHOTS = 256;
 
+    private static final long STEPS_BETWEEN_MEASURES = 16;
+    /** A state farther out than this share of the reach may be on its way beyond: it is none to go back to unless it is asked for. */
+    private static final double CALM_REACH = 0.8;
+
     private final ParticleSystem system;
     private final double[] goodX;
     private final double[] goodV;
@@ -23,12 +28,24 @@ final class DivergenceGuard {
     private long goodStep;
     private double bound;
     private final Workers.Task scan = this::scan;
+    /** Where nodes are at home; empty where they may go anywhere. */
+    private double[] home = {};
+
+    private double reach = Double.POSITIVE_INFINITY;
+    private double within;
+    private final Workers.Task measure = this::measure;
 
     DivergenceGuard(ParticleSystem system) {
         this.system = system;
         goodX = system.positions().clone();
         goodV = system.velocities().clone();
         good = new boolean[system.layout().blockCount()];
+    }
+
+    /** From now on no node may go farther than this, mm, from where it is. */
+    void keepWithin(double mm) {
+        home = system.positions().clone();
+        reach = mm;
     }
 
     /** Keeps the state at hand, unless it is itself out of bounds. */
@@ -49,7 +66,10 @@ final class DivergenceGuard {
         if (unmet != null) {
             return unmet;
         }
-        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS && isWithin(CALM_SPEED)) {
+        if (step % STEPS_BETWEEN_MEASURES == 0 && !isNear(reach)) {
+            return describeFarthest();
+        }
+        if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS && isWithin(CALM_SPEED) && isNear(CALM_REACH * reach)) {
             keep(step);
         }
         return null;
@@ -61,7 +81,16 @@ final class DivergenceGuard {
 
     private boolean isWithin(double mmS) {
         bound = mmS;
-        system.workers().run(good.length, scan);
+        return areAllGood(scan);
+    }
+
+    private boolean isNear(double mm) {
+        within = mm;
+        return home.length == 0 || areAllGood(measure);
+    }
+
+    private boolean areAllGood(Workers.Task task) {
+        system.workers().run(good.length, task);
         for (boolean block : good) {
             if (!block) {
                 return false;
@@ -81,6 +110,37 @@ final class DivergenceGuard {
             all = speed <= bound * bound;
         }
         good[block] = all;
+    }
+
+    private void measure(int block) {
+        int end = system.layout().end(block);
+        boolean all = true;
+        for (int n = system.layout().start(block); n < end && all; n++) {
+            all = squaredWay(n) <= within * within;
+        }
+        good[block] = all;
+    }
+
+    private double squaredWay(int node) {
+        double[] x = system.positions();
+        double sum = 0;
+        for (int i = 3 * node; i < 3 * node + 3; i++) {
+            sum += (x[i] - home[i]) * (x[i] - home[i]);
+        }
+        return sum;
+    }
+
+    private String describeFarthest() {
+        int farthest = 0;
+        for (int n = 1; n < system.nodeCount(); n++) {
+            farthest = squaredWay(n) > squaredWay(farthest) ? n : farthest;
+        }
+        return String.format(
+                Locale.ROOT,
+                "node %d is %.3g mm from where it was at rest, the bound is %.3g mm",
+                system.layout().caller(farthest),
+                Math.sqrt(squaredWay(farthest)),
+                reach);
     }
 
     private String describe() {

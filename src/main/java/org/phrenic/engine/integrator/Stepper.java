@@ -85,6 +85,15 @@ public final class Stepper {
         substeps = most;
     }
 
+    /**
+     * From now on no node may go farther from where it is: beyond, a step is given back as one that diverged.
+     *
+     * @param mm more than 0
+     */
+    public void keepWithin(double mm) {
+        guard.keepWithin(mm);
+    }
+
     /** Keeps the state at hand as one to go back to. */
     public void keep() {
         guard.keep(steps);

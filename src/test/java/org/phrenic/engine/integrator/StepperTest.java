@@ -261,4 +261,34 @@ class StepperTest {
                 .isInstanceOf(DivergenceException.class)
                 .hasMessageContaining("turns round in every substep");
     }
+
+    /** A membrane that is blown up without end is never fast: here a node that goes its way at 100 mm/s. */
+    @Test
+    void aNodeThatSlowlyLeavesIsNoticedAndPutBackWhereAGoodStateWas() {
+        ParticleSystem system = Scenes.oscillator(0.1, 1e-6, 0);
+        Stepper stepper = stepper(system, 0.01, StepPolicy.SUBSTEP);
+        stepper.keepWithin(250);
+        double home = system.positions()[0];
+        system.velocities()[0] = 100;
+        DivergenceException lost = catchThrowableOfType(DivergenceException.class, () -> {
+            for (int i = 0; i < 1000; i++) {
+                stepper.step();
+            }
+        });
+        assertThat(lost).hasMessageContaining("node 0").hasMessageContaining("the bound is 250 mm");
+        // 250 mm take 2.5 s; it is looked for every 16 steps.
+        assertThat(stepper.time()).isLessThan(2.5);
+        assertThat(Math.abs(system.positions()[0] - home)).isLessThan(250);
+    }
+
+    @Test
+    void withoutAReachANodeMayGoAnywhere() {
+        ParticleSystem system = Scenes.oscillator(0.1, 1e-6, 0);
+        Stepper stepper = stepper(system, 0.01, StepPolicy.SUBSTEP);
+        system.velocities()[0] = 100;
+        for (int i = 0; i < 1000; i++) {
+            stepper.step();
+        }
+        assertThat(system.positions()[0]).isGreaterThan(900);
+    }
 }
