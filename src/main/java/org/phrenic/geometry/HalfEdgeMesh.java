@@ -41,7 +41,11 @@ final class HalfEdgeMesh extends HalfEdges {
             }
             link(h, u);
             link(o, t);
+            unsettle(u);
+            unsettle(o);
         }
+        unsettle(t);
+        unsettle(h);
         return m;
     }
 
@@ -88,6 +92,8 @@ final class HalfEdgeMesh extends HalfEdges {
         crease[hp] = crease[on];
         crease[on] = crease[op];
         crease[op] = creaseBc;
+        unsettle(h);
+        unsettle(o);
     }
 
     /** Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link condition). */
@@ -144,6 +150,11 @@ final class HalfEdgeMesh extends HalfEdges {
         position[3 * b] = x;
         position[3 * b + 1] = y;
         position[3 * b + 2] = z;
+        int k = out[b];
+        do {
+            unsettle(k);
+            k = twin[previous(k)];
+        } while (k != NONE && k != out[b]);
     }
 
     /**
