@@ -299,15 +299,6 @@ abstract class HalfEdges {
         return false;
     }
 
-    final boolean inRing(int v) {
-        for (int i = 0; i < ringSize; i++) {
-            if (ring[i] == v) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     final int newTriangle(int a, int b, int c) {
         int t;
         if (freeTriangleCount > 0) {
