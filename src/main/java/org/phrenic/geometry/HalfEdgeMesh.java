@@ -158,9 +158,10 @@ final class HalfEdgeMesh extends HalfEdges {
             start[g] = b;
             g = twin[previous(g)];
         } while (g != NONE && g != out[a]);
-        int fromB = closeSide(h);
-        if (o != NONE) {
-            fromB = closeSide(o);
+        int fromB = NONE;
+        // One call for both sides: compilers copy what is called to each place.
+        for (int side = h; side != NONE; side = side == h ? o : NONE) {
+            fromB = closeSide(side);
         }
         // Only now: a turn about b must not enter a triangle that is going.
         out[b] = fanStart(fromB);

@@ -31,6 +31,9 @@ abstract class HalfEdges {
     /** Half-edges that {@link EdgeFlipper} need not look at: it left them as they are, and nothing near has changed since. */
     boolean[] settled;
 
+    /** Whether each edge of the mesh given had two triangles. */
+    final boolean wasClosed;
+
     private boolean hasCreases;
     int lineBefore;
     int lineAfter;
@@ -52,6 +55,7 @@ abstract class HalfEdges {
     HalfEdges(TriangleMesh mesh) {
         int[] t = withoutRepeatedCorners(mesh.triangles());
         EdgeTable edges = new EdgeTable(new TriangleMesh(mesh.positions(), t));
+        wasClosed = edges.isClosed();
         start = t;
         triangleEnd = t.length / 3;
         position = mesh.positions().clone();
