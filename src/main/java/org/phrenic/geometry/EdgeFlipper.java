@@ -101,8 +101,7 @@ final class EdgeFlipper {
         int leastB = mesh.isBoundaryVertex(b) ? 2 : 3;
         return mesh.valence(a) > leastA
                 && mesh.valence(b) > leastB
-                && !mesh.areNeighbours(
-                        mesh.start[HalfEdgeMesh.previous(h)], mesh.start[HalfEdgeMesh.previous(o)]);
+                && !mesh.areNeighbours(mesh.start[HalfEdgeMesh.previous(h)], mesh.start[HalfEdgeMesh.previous(o)]);
     }
 
     private double dotAt(int at, int a, int b) {
