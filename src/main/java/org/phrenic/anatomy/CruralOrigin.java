@@ -25,9 +25,9 @@ public final class CruralOrigin {
         TriangleMesh sheet = diaphragm.sheet();
         double[] share = new double[sheet.vertexCount()];
         List<Structure> spine = thorax.structures().stream()
-                .filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() <= LAST_LEVEL
-                        || s.kind() == StructureKind.DISC && s.level() < LAST_LEVEL)
                 .filter(s -> s.level() >= StructureName.FIRST_LUMBAR)
+                .filter(s -> (s.kind() == StructureKind.VERTEBRA && s.level() <= LAST_LEVEL)
+                        || (s.kind() == StructureKind.DISC && s.level() < LAST_LEVEL))
                 .toList();
         TriangleTree.Hit hit = new TriangleTree.Hit();
         for (Structure part : spine) {

@@ -13,6 +13,9 @@ final class Meridians {
     private static final int SAMPLES = 45;
 
     private final double[][][] line = new double[AZIMUTHS][SAMPLES + 1][];
+    private final double meanLength;
+    /** Those last asked for: the search for an edge length asks for the same again and again. */
+    private double[] perimeters = {};
 
     /**
      * @param surface the region, pivot inside
@@ -48,6 +51,13 @@ final class Meridians {
                 line[i][k] = k == SAMPLES ? end : course.at(course.length() * k / SAMPLES);
             }
         }
+        double sum = 0;
+        for (double[][] points : line) {
+            for (int k = 1; k <= SAMPLES; k++) {
+                sum += Vectors.distance(points[k], points[k - 1]);
+            }
+        }
+        meanLength = sum / AZIMUTHS;
     }
 
     static double azimuth(int i) {
@@ -71,20 +81,21 @@ final class Meridians {
 
     /** Mean length of the meridians, mm. */
     double meanLength() {
-        double sum = 0;
-        for (double[][] points : line) {
-            for (int k = 1; k <= SAMPLES; k++) {
-                sum += Vectors.distance(points[k], points[k - 1]);
-            }
-        }
-        return sum / AZIMUTHS;
+        return meanLength;
     }
 
-    static double perimeter(double[][] ring) {
-        double sum = 0;
-        for (int i = 0; i < ring.length; i++) {
-            sum += Vectors.distance(ring[i], ring[(i + 1) % ring.length]);
+    /** Lengths of so many rings, evenly from the pole to the border, which is the last, mm; read only. */
+    double[] perimeters(int rings) {
+        if (perimeters.length != rings) {
+            double[] lengths = new double[rings];
+            for (int k = 0; k < rings; k++) {
+                double[][] ring = ring((k + 1.0) / rings);
+                for (int i = 0; i < AZIMUTHS; i++) {
+                    lengths[k] += Vectors.distance(ring[i], ring[(i + 1) % AZIMUTHS]);
+                }
+            }
+            perimeters = lengths;
         }
-        return sum;
+        return perimeters;
     }
 }

@@ -15,9 +15,9 @@ final class RingMesh {
     static int[] counts(Meridians meridians, double edge, int border) {
         int rings = Math.max(3, (int) Math.round(meridians.meanLength() / (edge * 0.88)));
         int[] counts = new int[rings];
+        double[] perimeters = meridians.perimeters(rings);
         for (int k = 0; k < rings; k++) {
-            double perimeter = Meridians.perimeter(meridians.ring((k + 1.0) / rings));
-            counts[k] = Math.max(6, (int) Math.round(perimeter / edge));
+            counts[k] = Math.max(6, (int) Math.round(perimeters[k] / edge));
         }
         counts[rings - 1] = border > 0 ? border : counts[rings - 1];
         return counts;
@@ -40,6 +40,9 @@ final class RingMesh {
         for (int i = 0; i < 40; i++) {
             double middle = Math.sqrt(low * high);
             int n = count.applyAsInt(middle);
+            if (n == target) {
+                return middle;
+            }
             if (Math.abs(n - target) < bestMiss) {
                 bestMiss = Math.abs(n - target);
                 best = middle;
