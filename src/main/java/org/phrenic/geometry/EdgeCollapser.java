@@ -16,12 +16,23 @@ final class EdgeCollapser {
     /** By how much one end's triangles must spread more than the other's for it to stay where it is. */
     private static final double SHARPER = 0.1;
 
+    /** All bits of {@link #placesTooLong}. */
+    private static final int ALL_PLACES = 7;
+
     /** Edges shorter than this part of the longest go even across creases. */
     private static final double TINY = 0.3;
 
     private final HalfEdgeMesh mesh;
     private long[] queue = new long[1024];
+    /** The neighbours of an edge's two ends, gathered once a try. */
     private int[] ringA = new int[64];
+
+    private int[] ringB = new int[64];
+    private int sizeA;
+    private int sizeB;
+    /** Normals of the triangles about one end. */
+    private double[] normals = new double[3 * 64];
+
     private double leastCosine;
     private double shapeBefore;
     private double shapeAfter;
@@ -60,26 +71,94 @@ final class EdgeCollapser {
         return done;
     }
 
-    private boolean tryCollapse(int half, double longest) {
-        int h = half;
-        if (!mesh.canCollapse(h)) {
+    private boolean tryCollapse(int h, double longest) {
+        if (!mesh.sidesMayClose(h)) {
             return false;
         }
         int a = mesh.start[h];
         int b = mesh.end(h);
+        gatherRings(a, b);
+        // Most edges stay because others would become too long wherever the vertex left over went.
+        int tooLong = placesTooLong(a, b, longest * longest);
+        if (tooLong == ALL_PLACES || !mesh.linksAlone(h, ringA, sizeA)) {
+            return false;
+        }
         double share = placeOnEdge(h, a, b, longest);
-        if (Double.isNaN(share)) {
+        if (Double.isNaN(share) || (tooLong & 1 << (int) (2 * share)) != 0) {
             return false;
         }
         double[] p = mesh.position;
         double x = p[3 * a] + share * (p[3 * b] - p[3 * a]);
         double y = p[3 * a + 1] + share * (p[3 * b + 1] - p[3 * a + 1]);
         double z = p[3 * a + 2] + share * (p[3 * b + 2] - p[3 * a + 2]);
-        if (!bothFit(a, b, x, y, z, longest)) {
-            return false;
+        // One call for both ends, and so below: compilers copy what is called to each place.
+        for (int end = 0; end < 2; end++) {
+            int[] ring = end == 0 ? ringA : ringB;
+            int size = end == 0 ? sizeA : sizeB;
+            if (!fits(end == 0 ? a : b, end == 0 ? b : a, ring, size, x, y, z)) {
+                return false;
+            }
         }
         mesh.collapse(h, x, y, z);
         return true;
+    }
+
+    private void gatherRings(int a, int b) {
+        for (int end = 0; end < 2; end++) {
+            mesh.gatherRing(end == 0 ? a : b);
+            int[] free = ringA;
+            ringA = ringB;
+            sizeA = sizeB;
+            ringB = mesh.ring;
+            sizeB = mesh.ringSize;
+            mesh.ring = free;
+        }
+    }
+
+    /** At which places of the vertex left over a new edge would be too long: bit 0 at a, bit 1 in the middle, bit 2 at b. */
+    private int placesTooLong(int a, int b, double longestSquare) {
+        double[] p = mesh.position;
+        double ax = p[3 * a];
+        double ay = p[3 * a + 1];
+        double az = p[3 * a + 2];
+        double dx = p[3 * b] - ax;
+        double dy = p[3 * b + 1] - ay;
+        double dz = p[3 * b + 2] - az;
+        double mx = ax + 0.5 * dx;
+        double my = ay + 0.5 * dy;
+        double mz = az + 0.5 * dz;
+        double bx = ax + dx;
+        double by = ay + dy;
+        double bz = az + dz;
+        int places = 0;
+        for (int end = 0; end < 2; end++) {
+            int[] ring = end == 0 ? ringA : ringB;
+            int size = end == 0 ? sizeA : sizeB;
+            int gone = end == 0 ? b : a;
+            int count = mesh.isBoundaryVertex(end == 0 ? a : b) ? size - 1 : size;
+            for (int i = 0; i < count; i++) {
+                int r = ring[i];
+                if (r == gone || ring[i + 1 == size ? 0 : i + 1] == gone) {
+                    continue;
+                }
+                double x = p[3 * r];
+                double y = p[3 * r + 1];
+                double z = p[3 * r + 2];
+                if ((x - ax) * (x - ax) + (y - ay) * (y - ay) + (z - az) * (z - az) > longestSquare) {
+                    places |= 1;
+                }
+                if ((x - mx) * (x - mx) + (y - my) * (y - my) + (z - mz) * (z - mz) > longestSquare) {
+                    places |= 2;
+                }
+                if ((x - bx) * (x - bx) + (y - by) * (y - by) + (z - bz) * (z - bz) > longestSquare) {
+                    places |= 4;
+                }
+            }
+            if (places == ALL_PLACES) {
+                break;
+            }
+        }
+        return places;
     }
 
     /** Where on its edge the vertex left over goes, 0 at a to 1 at b; NaN if the edge must stay. */
@@ -96,7 +175,7 @@ final class EdgeCollapser {
             double spreadB = 0;
             for (int end = 0; end < 2; end++) {
                 spreadA = spreadB;
-                spreadB = spread(end == 0 ? a : b);
+                spreadB = spread(end == 0 ? a : b, end == 0 ? ringA : ringB, end == 0 ? sizeA : sizeB);
             }
             return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
         }
@@ -110,73 +189,57 @@ final class EdgeCollapser {
     }
 
     /** The least cosine between the normal of a triangle at {@code v} and their common normal: 1 on a plane, less on a rim. */
-    private double spread(int v) {
-        mesh.gatherRing(v);
-        int count = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
+    private double spread(int v, int[] ring, int size) {
+        int count = mesh.isBoundaryVertex(v) ? size - 1 : size;
+        if (normals.length < 3 * count) {
+            normals = new double[6 * count];
+        }
+        double[] n = normals;
         double[] p = mesh.position;
+        double vx = p[3 * v];
+        double vy = p[3 * v + 1];
+        double vz = p[3 * v + 2];
         double sx = 0;
         double sy = 0;
         double sz = 0;
+        for (int i = 0; i < count; i++) {
+            int b = 3 * ring[i];
+            int c = 3 * ring[i + 1 == size ? 0 : i + 1];
+            double ux = p[b] - vx;
+            double uy = p[b + 1] - vy;
+            double uz = p[b + 2] - vz;
+            double wx = p[c] - vx;
+            double wy = p[c + 1] - vy;
+            double wz = p[c + 2] - vz;
+            double nx = uy * wz - uz * wy;
+            double ny = uz * wx - ux * wz;
+            double nz = ux * wy - uy * wx;
+            sx += nx;
+            sy += ny;
+            sz += nz;
+            n[3 * i] = nx;
+            n[3 * i + 1] = ny;
+            n[3 * i + 2] = nz;
+        }
+        double total = Math.sqrt(sx * sx + sy * sy + sz * sz);
         double least = 1;
-        for (int pass = 0; pass < 2; pass++) {
-            double total = Math.sqrt(sx * sx + sy * sy + sz * sz);
-            for (int i = 0; i < count; i++) {
-                int b = 3 * mesh.ring[i];
-                int c = 3 * mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1];
-                double ux = p[b] - p[3 * v];
-                double uy = p[b + 1] - p[3 * v + 1];
-                double uz = p[b + 2] - p[3 * v + 2];
-                double wx = p[c] - p[3 * v];
-                double wy = p[c + 1] - p[3 * v + 1];
-                double wz = p[c + 2] - p[3 * v + 2];
-                double nx = uy * wz - uz * wy;
-                double ny = uz * wx - ux * wz;
-                double nz = ux * wy - uy * wx;
-                if (pass == 0) {
-                    sx += nx;
-                    sy += ny;
-                    sz += nz;
-                } else {
-                    double size = Math.sqrt(nx * nx + ny * ny + nz * nz) * total;
-                    if (size > 0) {
-                        least = Math.min(least, (nx * sx + ny * sy + nz * sz) / size);
-                    }
-                }
+        for (int i = 0; i < 3 * count; i += 3) {
+            double scale = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]) * total;
+            if (scale > 0) {
+                least = Math.min(least, (n[i] * sx + n[i + 1] * sy + n[i + 2] * sz) / scale);
             }
         }
         return least;
     }
 
-    /** {@link #fits} of both ends, at one place of the code: it is long, and compilers copy it to where it is called. */
-    private boolean bothFit(int a, int b, double x, double y, double z, double longest) {
-        boolean fit = true;
-        for (int end = 0; end < 2 && fit; end++) {
-            fit = fits(end == 0 ? a : b, end == 0 ? b : a, x, y, z, longest);
-        }
-        return fit;
-    }
-
-    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side, shape and size when v moves to (x, y, z). */
-    private boolean fits(int v, int gone, double x, double y, double z, double longest) {
-        mesh.gatherRing(v);
-        int size = mesh.ringSize;
-        if (ringA.length < size) {
-            ringA = new int[2 * size];
-        }
-        System.arraycopy(mesh.ring, 0, ringA, 0, size);
+    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side and shape when v moves to (x, y, z). */
+    private boolean fits(int v, int gone, int[] ring, int size, double x, double y, double z) {
         int count = mesh.isBoundaryVertex(v) ? size - 1 : size;
-        double[] p = mesh.position;
         for (int i = 0; i < count; i++) {
-            int b = ringA[i];
-            int c = ringA[i + 1 == size ? 0 : i + 1];
+            int b = ring[i];
+            int c = ring[i + 1 == size ? 0 : i + 1];
             if (b == gone || c == gone) {
                 continue;
-            }
-            double ex = p[3 * b] - x;
-            double ey = p[3 * b + 1] - y;
-            double ez = p[3 * b + 2] - z;
-            if (ex * ex + ey * ey + ez * ez > longest * longest) {
-                return false;
             }
             double cosine = cosineOfTurn(v, b, c, x, y, z);
             if (cosine < leastCosine

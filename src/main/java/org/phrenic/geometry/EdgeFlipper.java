@@ -26,8 +26,8 @@ final class EdgeFlipper {
         for (int pass = 0; pass < MOST_PASSES; pass++) {
             int flipped = 0;
             for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
-                if (mesh.twin[h] != HalfEdgeMesh.NONE && mesh.standsForEdge(h) && tryFlip(h)) {
-                    flipped++;
+                if (!mesh.settled[h]) {
+                    flipped += settle(h);
                 }
             }
             total += flipped;
@@ -39,10 +39,22 @@ final class EdgeFlipper {
         return total;
     }
 
-    private boolean tryFlip(int h) {
-        if (mesh.isCrease(h)) {
-            return false;
+    /** Turns the edge or marks it as settled; returns how many were turned. */
+    private int settle(int h) {
+        if (mesh.twin[h] == HalfEdgeMesh.NONE || !mesh.standsForEdge(h) || mesh.isCrease(h) || !wouldGain(h)) {
+            mesh.settled[h] = true;
+            return 0;
         }
+        if (!mayFlip(h)) {
+            // Neighbours farther off decide: it is looked at again.
+            return 0;
+        }
+        mesh.flip(h);
+        return 1;
+    }
+
+    /** Whether the other diagonal is the better one, by the four corners of the two triangles alone. */
+    private boolean wouldGain(int h) {
         int o = mesh.twin[h];
         int a = mesh.start[h];
         int b = mesh.start[o];
@@ -76,17 +88,20 @@ final class EdgeFlipper {
         double sx = first[0] + second[0];
         double sy = first[1] + second[1];
         double sz = first[2] + second[2];
-        if (third[0] * sx + third[1] * sy + third[2] * sz <= 0
-                || fourth[0] * sx + fourth[1] * sy + fourth[2] * sz <= 0) {
-            return false;
-        }
+        return third[0] * sx + third[1] * sy + third[2] * sz > 0
+                && fourth[0] * sx + fourth[1] * sy + fourth[2] * sz > 0;
+    }
+
+    /** Whether both ends can spare a neighbour and the other diagonal is no edge yet. */
+    private boolean mayFlip(int h) {
+        int o = mesh.twin[h];
+        int a = mesh.start[h];
+        int b = mesh.start[o];
         int leastA = mesh.isBoundaryVertex(a) ? 2 : 3;
         int leastB = mesh.isBoundaryVertex(b) ? 2 : 3;
-        if (mesh.valence(a) <= leastA || mesh.valence(b) <= leastB || mesh.areNeighbours(c, d)) {
-            return false;
-        }
-        mesh.flip(h);
-        return true;
+        return mesh.valence(a) > leastA
+                && mesh.valence(b) > leastB
+                && !mesh.areNeighbours(mesh.start[HalfEdgeMesh.previous(h)], mesh.start[HalfEdgeMesh.previous(o)]);
     }
 
     private double dotAt(int at, int a, int b) {

@@ -124,6 +124,17 @@ final class EdgeTable {
         return edgeTriangles[2 * edge] == triangle ? edgeTriangles[2 * edge + 1] : edgeTriangles[2 * edge];
     }
 
+    /** Each edge of the triangle has exactly two triangles. */
+    boolean hasPairs(int triangle) {
+        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
+            int edge = triangleEdges[side];
+            if (edge == NONE || edgeTriangleCount[edge] != 2) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Every edge has exactly two triangles, and there is one. */
     boolean isClosed() {
         for (int triangles : edgeTriangleCount) {

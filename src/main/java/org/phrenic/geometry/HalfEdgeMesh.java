@@ -41,7 +41,11 @@ final class HalfEdgeMesh extends HalfEdges {
             }
             link(h, u);
             link(o, t);
+            unsettle(u);
+            unsettle(o);
         }
+        unsettle(t);
+        unsettle(h);
         return m;
     }
 
@@ -88,32 +92,52 @@ final class HalfEdgeMesh extends HalfEdges {
         crease[hp] = crease[on];
         crease[on] = crease[op];
         crease[op] = creaseBc;
+        unsettle(h);
+        unsettle(o);
     }
 
     /** Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link condition). */
     boolean canCollapse(int h) {
-        int a = start[h];
-        int b = end(h);
+        if (!sidesMayClose(h)) {
+            return false;
+        }
+        gatherRing(start[h]);
+        return linksAlone(h, ring, ringSize);
+    }
+
+    /** The part of {@link #canCollapse} that asks for no ring: no bridge between boundaries, and neighbours to spare beside the edge. */
+    boolean sidesMayClose(int h) {
         int o = twin[h];
-        if (o != NONE && isBoundaryVertex(a) && isBoundaryVertex(b)) {
+        if (o != NONE && isBoundaryVertex(start[h]) && isBoundaryVertex(end(h))) {
             return false;
         }
-        if (!sideMayClose(h) || (o != NONE && !sideMayClose(o))) {
-            return false;
-        }
-        gatherRing(a);
+        return sideMayClose(h) && (o == NONE || sideMayClose(o));
+    }
+
+    /** The rest of {@link #canCollapse}: of the ring about the start, only what stands beside the edge is a neighbour of its end. */
+    boolean linksAlone(int h, int[] ringOfStart, int size) {
         int common = 0;
+        int b = end(h);
         int g = out[b];
         do {
             int back = previous(g);
-            common += inRing(end(g)) ? 1 : 0;
+            common += isAmong(ringOfStart, size, end(g)) ? 1 : 0;
             int following = twin[back];
             if (following == NONE) {
-                common += inRing(start[back]) ? 1 : 0;
+                common += isAmong(ringOfStart, size, start[back]) ? 1 : 0;
             }
             g = following;
         } while (g != NONE && g != out[b]);
-        return common == (o == NONE ? 1 : 2);
+        return common == (twin[h] == NONE ? 1 : 2);
+    }
+
+    private static boolean isAmong(int[] vertices, int size, int v) {
+        for (int i = 0; i < size; i++) {
+            if (vertices[i] == v) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private boolean sideMayClose(int h) {
@@ -134,9 +158,10 @@ final class HalfEdgeMesh extends HalfEdges {
             start[g] = b;
             g = twin[previous(g)];
         } while (g != NONE && g != out[a]);
-        int fromB = closeSide(h);
-        if (o != NONE) {
-            fromB = closeSide(o);
+        int fromB = NONE;
+        // One call for both sides: compilers copy what is called to each place.
+        for (int side = h; side != NONE; side = side == h ? o : NONE) {
+            fromB = closeSide(side);
         }
         // Only now: a turn about b must not enter a triangle that is going.
         out[b] = fanStart(fromB);
@@ -144,6 +169,11 @@ final class HalfEdgeMesh extends HalfEdges {
         position[3 * b] = x;
         position[3 * b + 1] = y;
         position[3 * b + 2] = z;
+        int k = out[b];
+        do {
+            unsettle(k);
+            k = twin[previous(k)];
+        } while (k != NONE && k != out[b]);
     }
 
     /**

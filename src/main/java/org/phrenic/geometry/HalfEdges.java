@@ -28,6 +28,12 @@ abstract class HalfEdges {
     /** Edges that keep their place and direction, marked on both half-edges. */
     boolean[] crease;
 
+    /** Half-edges that {@link EdgeFlipper} need not look at: it left them as they are, and nothing near has changed since. */
+    boolean[] settled;
+
+    /** Whether each edge of the mesh given had two triangles. */
+    final boolean wasClosed;
+
     private boolean hasCreases;
     int lineBefore;
     int lineAfter;
@@ -49,6 +55,7 @@ abstract class HalfEdges {
     HalfEdges(TriangleMesh mesh) {
         int[] t = withoutRepeatedCorners(mesh.triangles());
         EdgeTable edges = new EdgeTable(new TriangleMesh(mesh.positions(), t));
+        wasClosed = edges.isClosed();
         start = t;
         triangleEnd = t.length / 3;
         position = mesh.positions().clone();
@@ -56,6 +63,7 @@ abstract class HalfEdges {
         out = new int[vertexEnd];
         twin = new int[t.length];
         crease = new boolean[t.length];
+        settled = new boolean[t.length];
         Arrays.fill(out, NONE);
         Arrays.fill(twin, NONE);
         pair(edges);
@@ -295,15 +303,6 @@ abstract class HalfEdges {
         return false;
     }
 
-    final boolean inRing(int v) {
-        for (int i = 0; i < ringSize; i++) {
-            if (ring[i] == v) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     final int newTriangle(int a, int b, int c) {
         int t;
         if (freeTriangleCount > 0) {
@@ -314,6 +313,7 @@ abstract class HalfEdges {
                 start = Arrays.copyOf(start, start.length + start.length / 2 + 48);
                 twin = Arrays.copyOf(twin, start.length);
                 crease = Arrays.copyOf(crease, start.length);
+                settled = Arrays.copyOf(settled, start.length);
             }
         }
         Arrays.fill(crease, t, t + 3, false);
@@ -321,6 +321,22 @@ abstract class HalfEdges {
         start[t + 1] = b;
         start[t + 2] = c;
         return t;
+    }
+
+    /** Notes that the triangle of {@code h} has changed: its three edges, seen from either side, are no longer settled. */
+    final void unsettle(int h) {
+        int t = h - h % 3;
+        for (int side = t; side < t + 3; side++) {
+            settled[side] = false;
+            if (twin[side] != NONE) {
+                settled[twin[side]] = false;
+            }
+        }
+    }
+
+    /** As {@link #unsettle} for all triangles: after vertices have moved everywhere. */
+    final void unsettleAll() {
+        Arrays.fill(settled, 0, 3 * triangleEnd, false);
     }
 
     final int newVertex(double x, double y, double z) {
@@ -345,6 +361,7 @@ abstract class HalfEdges {
     /** Takes the triangle out whose first half-edge is t. */
     final void removeTriangle(int t) {
         Arrays.fill(start, t, t + 3, NONE);
+        Arrays.fill(settled, t, t + 3, true);
         if (freeTriangleCount == freeTriangles.length) {
             freeTriangles = Arrays.copyOf(freeTriangles, 2 * freeTriangleCount);
         }

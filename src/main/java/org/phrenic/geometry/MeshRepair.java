@@ -173,19 +173,8 @@ public final class MeshRepair {
             while (head < tail) {
                 int triangle = queue[head++];
                 turned += flip[triangle] ? 1 : 0;
-                for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-                    int edge = edges.triangleEdges[side];
-                    if (edge == EdgeTable.NONE || edges.edgeTriangleCount[edge] != 2) {
-                        closed = false;
-                        continue;
-                    }
-                    int other = edges.otherTriangle(edge, triangle);
-                    if (!done[other]) {
-                        done[other] = true;
-                        flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[EdgeTable.next(side)]);
-                        queue[tail++] = other;
-                    }
-                }
+                closed &= edges.hasPairs(triangle);
+                tail = turnNeighbours(edges, t, triangle, done, flip, queue, tail);
             }
             boolean inverted = closed ? volume(mesh, queue, tail, flip) < 0 : 2 * turned > tail;
             for (int k = 0; k < tail; k++) {
@@ -202,6 +191,25 @@ public final class MeshRepair {
         }
         TriangleMesh oriented = flipped == 0 ? mesh : new TriangleMesh(mesh.positions(), t);
         return new Result(oriented, new Report(0, 0, 0, 0, flipped, 0));
+    }
+
+    /** Enters the neighbours of a triangle that are not done yet, turned to its side, into the queue; returns the queue's new end. */
+    private static int turnNeighbours(
+            EdgeTable edges, int[] t, int triangle, boolean[] done, boolean[] flip, int[] queue, int queueEnd) {
+        int end = queueEnd;
+        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
+            int edge = edges.triangleEdges[side];
+            if (edge == EdgeTable.NONE || edges.edgeTriangleCount[edge] != 2) {
+                continue;
+            }
+            int other = edges.otherTriangle(edge, triangle);
+            if (!done[other]) {
+                done[other] = true;
+                flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[EdgeTable.next(side)]);
+                queue[end++] = other;
+            }
+        }
+        return end;
     }
 
     private static boolean runsAlong(int[] t, int triangle, int from, int to) {

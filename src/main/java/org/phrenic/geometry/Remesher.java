@@ -244,7 +244,7 @@ public final class Remesher {
     }
 
     private TriangleMesh restoreVolume(TriangleMesh remeshed) {
-        if (!new EdgeTable(original).isClosed()) {
+        if (!mesh.wasClosed) {
             return remeshed;
         }
         double volume = MeshMeasure.signedVolume(original);

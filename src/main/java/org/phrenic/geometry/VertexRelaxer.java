@@ -38,6 +38,7 @@ final class VertexRelaxer {
                 }
             }
         }
+        mesh.unsettleAll();
     }
 
     /** Moves v halfway between its two neighbours on a line of the surface. */
