@@ -32,7 +32,7 @@ public final class Simulation implements AutoCloseable {
     /** Of 2.5 to 20 1/s the one that leaves least to creep in later breaths: the softest folds are then about critically damped. */
     private static final double SETTLE_DAMPING = 6;
     /** Nothing in a trunk goes so far. A soft sheet under the greatest pressure without a wall to lean on would, for nothing in its law ends that. The paper's action lines have no end by their law. */
-    private static final double REACH_MM = 250;
+    private static final double REACH_MM = 200;
 
     private final Scene scene;
     private final Stepper stepper;

@@ -20,6 +20,8 @@ final class DivergenceGuard {
     private static final long STEPS_BETWEEN_MEASURES = 16;
     /** A state farther out than this share of the reach may be on its way beyond: it is none to go back to unless it is asked for. */
     private static final double CALM_REACH = 0.8;
+    /** What was on its way out when a state was put back has so many steps to turn round. */
+    private static final long STEPS_TO_TURN_ROUND = 256;
 
     private final ParticleSystem system;
     private final double[] goodX;
@@ -32,6 +34,7 @@ final class DivergenceGuard {
     private double[] home = {};
 
     private double reach = Double.POSITIVE_INFINITY;
+    private long measuredFrom;
     private double within;
     private final Workers.Task measure = this::measure;
 
@@ -44,8 +47,15 @@ final class DivergenceGuard {
 
     /** From now on no node may go farther than this, mm, from where it is. */
     void keepWithin(double mm) {
+        measuredFrom = 0;
         home = system.positions().clone();
         reach = mm;
+    }
+
+    /** At step 0 again, the system being where it starts. */
+    void restart() {
+        measuredFrom = 0;
+        keep(0);
     }
 
     /** Keeps the state at hand, unless it is itself out of bounds. */
@@ -66,7 +76,8 @@ final class DivergenceGuard {
         if (unmet != null) {
             return unmet;
         }
-        if (step % STEPS_BETWEEN_MEASURES == 0 && !isNear(reach)) {
+        if (step >= measuredFrom && step % STEPS_BETWEEN_MEASURES == 0 && !isNear(reach)) {
+            measuredFrom = goodStep + STEPS_TO_TURN_ROUND;
             return describeFarthest();
         }
         if (step - goodStep >= STEPS_BETWEEN_SNAPSHOTS && isWithin(CALM_SPEED) && isNear(CALM_REACH * reach)) {

@@ -128,7 +128,7 @@ public final class Stepper {
         segmentTime = 0;
         integrator = first;
         apply(measured);
-        guard.keep(0);
+        guard.restart();
     }
 
     private void apply(StabilityLimit measured) {
