@@ -90,7 +90,7 @@ class RegressionTest {
         assertThat(comparison.worstMm()).isGreaterThan(10 * scene.toleranceMm());
         assertThat(comparison.sentence())
                 .contains("node " + comparison.worstNode())
-                .contains("the tolerance is 0.005 mm");
+                .contains("the tolerance is " + scene.toleranceMm() + " mm");
     }
 
     @Test
