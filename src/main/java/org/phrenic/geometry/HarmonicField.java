@@ -144,50 +144,30 @@ public final class HarmonicField {
         }
         precondition(residual, diagonal, z);
         System.arraycopy(z, 0, direction, 0, count);
-        double rho = dot(residual, z);
+        double rho = LongVectors.dot(residual, z);
         double enough = rho * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
         int iteration = 0;
         while (rho > enough && iteration < 10 * count + 100) {
             multiply(edges, weights, isFixed, direction, product);
-            double curvature = dot(direction, product);
+            double curvature = LongVectors.dot(direction, product);
             if (!(curvature > 0)) {
                 break;
             }
             double step = rho / curvature;
-            add(u, step, direction);
-            add(residual, -step, product);
+            LongVectors.add(u, step, direction);
+            LongVectors.add(residual, -step, product);
             precondition(residual, diagonal, z);
-            double next = dot(residual, z);
-            turn(direction, next / rho, z);
+            double next = LongVectors.dot(residual, z);
+            LongVectors.turn(direction, next / rho, z);
             rho = next;
             iteration++;
         }
         return iteration;
     }
 
-    private static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int v = 0; v < a.length; v++) {
-            sum += a[v] * b[v];
-        }
-        return sum;
-    }
-
-    private static void add(double[] to, double share, double[] what) {
-        for (int v = 0; v < to.length; v++) {
-            to[v] += share * what[v];
-        }
-    }
-
     private static void precondition(double[] residual, double[] diagonal, double[] z) {
         for (int v = 0; v < z.length; v++) {
             z[v] = diagonal[v] > 0 ? residual[v] / diagonal[v] : 0;
-        }
-    }
-
-    private static void turn(double[] direction, double keep, double[] z) {
-        for (int v = 0; v < z.length; v++) {
-            direction[v] = z[v] + keep * direction[v];
         }
     }
 

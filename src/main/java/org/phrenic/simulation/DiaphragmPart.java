@@ -43,6 +43,11 @@ final class DiaphragmPart {
     final List<AcrossSheet.Pair> links;
     /** How much of each vertex is the tendinous origin of the crura, 0 to 1: so much less does muscle shorten there. */
     private final double[] origin;
+
+    /** Nodes of the scene at that origin, but for those that bone holds exactly. */
+    final int[] cruralNodes;
+    /** Stiffness of what holds each of these to the vertebrae, N/m: in proportion to its area, so that finer meshes are held alike. */
+    final double[] cruralStiffnesses;
     /** Muscle's pairs across the sheet, each vertex in one at most. */
     private final List<Ordered> ordered;
     /** Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across the midline and from back (0) to front (1). */
@@ -70,6 +75,14 @@ final class DiaphragmPart {
             muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
         }
         first = parts.addNodes(sheet, muscle);
+        int[] crural = IntStream.range(0, origin.length)
+                .filter(i -> origin[i] > 0 && !diaphragm.isInserted(i))
+                .toArray();
+        double[] areas = MeshMeasure.vertexAreas(sheet);
+        cruralNodes = SceneParts.shifted(crural, first);
+        cruralStiffnesses = IntStream.of(crural)
+                .mapToDouble(i -> CRURAL_KPA_PER_MM * origin[i] * areas[i])
+                .toArray();
         addEdges(parts.diaphragm, law, tendonRatio, leftOverRight, frontOverBack);
         AcrossSheet across = AcrossSheet.of(diaphragm, REACH_MM);
         if (struts) {
@@ -188,25 +201,6 @@ final class DiaphragmPart {
     int[] inserted() {
         return IntStream.range(0, diaphragm.sheet().vertexCount())
                 .filter(diaphragm::isInserted)
-                .toArray();
-    }
-
-    /** Nodes of the scene at the origin of the crura, but for those that bone holds exactly. */
-    int[] cruralNodes() {
-        return SceneParts.shifted(crural(), first);
-    }
-
-    /** Stiffness of what holds each of these to the vertebrae, N/m: in proportion to its area, so that finer meshes are held alike. */
-    double[] cruralStiffnesses() {
-        double[] areas = MeshMeasure.vertexAreas(diaphragm.sheet());
-        return IntStream.of(crural())
-                .mapToDouble(i -> CRURAL_KPA_PER_MM * origin[i] * areas[i])
-                .toArray();
-    }
-
-    private int[] crural() {
-        return IntStream.range(0, origin.length)
-                .filter(i -> origin[i] > 0 && !diaphragm.isInserted(i))
                 .toArray();
     }
 

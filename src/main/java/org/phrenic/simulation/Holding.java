@@ -59,11 +59,11 @@ final class Holding {
                 }
             }
         }
-        int[] crural = diaphragm.cruralNodes();
+        int[] crural = diaphragm.cruralNodes;
         if (crural.length > 0) {
             // The spine stands still.
             PrescribedMotion onVertebrae = PrescribedMotion.still(SceneParts.points(positions, 0, crural));
-            system.add(new Attachments(system.layout(), crural, diaphragm.cruralStiffnesses(), 0, onVertebrae));
+            system.add(new Attachments(system.layout(), crural, diaphragm.cruralStiffnesses, 0, onVertebrae));
         }
         Optional<Attachments> toBone = Optional.empty();
         Optional<Attachments> toPlace = Optional.empty();

@@ -1,5 +1,7 @@
 package org.phrenic.simulation;
 
+import org.phrenic.geometry.LongVectors;
+
 /**
  * Spring tensions that hold a given shape against a given load: the least change of a first guess t0 that solves, in the sense of least squares, Σ_e t_e d_e + load = 0 at every
  * node, by conjugate gradients on the normal equations. Rest lengths then follow as l - t / k, and the scan's shape is the equilibrium at rest.
@@ -49,26 +51,26 @@ final class Prestress {
     double solve(double[] load, double[] tension, int iterations) {
         double[] residual = load.clone();
         release(residual);
-        double norm = Math.sqrt(dot(residual, residual));
+        double norm = Math.sqrt(LongVectors.dot(residual, residual));
         residual = unbalanced(load, tension);
         double[] gradient = new double[tension.length];
         transpose(residual, gradient);
         double[] step = gradient.clone();
         double[] image = new double[3 * nodes];
-        double rho = dot(gradient, gradient);
+        double rho = LongVectors.dot(gradient, gradient);
         for (int i = 0; i < iterations && rho > 0; i++) {
             java.util.Arrays.fill(image, 0);
             apply(step, image);
             release(image);
-            double alpha = rho / dot(image, image);
-            subtract(tension, alpha, step);
-            subtract(residual, alpha, image);
+            double alpha = rho / LongVectors.dot(image, image);
+            LongVectors.add(tension, -alpha, step);
+            LongVectors.add(residual, -alpha, image);
             transpose(residual, gradient);
-            double next = dot(gradient, gradient);
-            turn(step, next / rho, gradient);
+            double next = LongVectors.dot(gradient, gradient);
+            LongVectors.turn(step, next / rho, gradient);
             rho = next;
         }
-        return norm > 0 ? Math.sqrt(dot(residual, residual)) / norm : 0;
+        return norm > 0 ? Math.sqrt(LongVectors.dot(residual, residual)) / norm : 0;
     }
 
     /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */
@@ -114,25 +116,5 @@ final class Prestress {
                 force[i + axis] -= across * wallNormal[i + axis];
             }
         }
-    }
-
-    private static void subtract(double[] from, double share, double[] what) {
-        for (int i = 0; i < from.length; i++) {
-            from[i] -= share * what[i];
-        }
-    }
-
-    private static void turn(double[] step, double beta, double[] gradient) {
-        for (int e = 0; e < step.length; e++) {
-            step[e] = gradient[e] + beta * step[e];
-        }
-    }
-
-    private static double dot(double[] p, double[] q) {
-        double sum = 0;
-        for (int i = 0; i < p.length; i++) {
-            sum += p[i] * q[i];
-        }
-        return sum;
     }
 }

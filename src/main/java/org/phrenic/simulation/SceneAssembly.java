@@ -188,7 +188,7 @@ final class SceneAssembly {
         scaling.springs(parts.diaphragm);
         scaling.springs(parts.passive);
         scaling.attachments(parts.attachedNodes(), parts.attachedStiffnesses(), value(Parameter.STERNUM_COUPLING));
-        scaling.attachments(diaphragm.cruralNodes(), diaphragm.cruralStiffnesses(), 1);
+        scaling.attachments(diaphragm.cruralNodes, diaphragm.cruralStiffnesses, 1);
         lungs.ifPresent(l -> scaling.attachments(l.base.node(), l.base.stiffnesses(), 1));
         scaling.scaleFor(scenario.massScalingS() / Stepper.SAFETY);
         return scaling.addedPercent();

@@ -18,8 +18,8 @@ class CruraTest {
     void whatLiesOnTheVertebraeHardlyMovesWhileTheDomeGoesDown() {
         try (Simulation simulation = Simulation.of(Runs.scenario(Runs.SHEET_ALONE), Runs.male())) {
             DiaphragmPart part = simulation.scene().diaphragm();
-            int[] crural = part.cruralNodes();
-            double[] stiffness = part.cruralStiffnesses();
+            int[] crural = part.cruralNodes;
+            double[] stiffness = part.cruralStiffnesses;
             double most = Arrays.stream(stiffness).max().orElseThrow();
             while (simulation.time() < 2 * HALFWAY_S) {
                 simulation.step();
@@ -50,7 +50,7 @@ class CruraTest {
 
     private static double held(Thorax body, String resolution) {
         try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone(resolution)), body)) {
-            return Arrays.stream(simulation.scene().diaphragm().cruralStiffnesses())
+            return Arrays.stream(simulation.scene().diaphragm().cruralStiffnesses)
                     .sum();
         }
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.geometry.LongVectors;
 
 /**
  * Where a system comes to rest: P f(x) = 0 at a time that stands still, P the projection onto what the constraints that bind allow, by Newton's method without a matrix (Knoll and Keyes 2004, doi
@@ -213,7 +214,7 @@ public final class NewtonEquilibrium {
         lambda = rows.multipliers(force).clone();
         System.arraycopy(force, 0, residual, 0, force.length);
         rows.project(residual);
-        return Math.sqrt(dot(residual, residual) / freeCount);
+        return Math.sqrt(LongVectors.dot(residual, residual) / freeCount);
     }
 
     /** Tries the whole step, then half of it and so on; the residual where it falls, else NaN. */
@@ -245,12 +246,12 @@ public final class NewtonEquilibrium {
         double[] left = residual.clone();
         precondition(left, mass);
         System.arraycopy(scaled, 0, direction, 0, direction.length);
-        double rho = dot(left, scaled);
-        double goal = tolerance * tolerance * dot(left, left);
-        for (int i = 0; i < MOST_KRYLOV && dot(left, left) > goal; i++) {
+        double rho = LongVectors.dot(left, scaled);
+        double goal = tolerance * tolerance * LongVectors.dot(left, left);
+        for (int i = 0; i < MOST_KRYLOV && LongVectors.dot(left, left) > goal; i++) {
             multiply(mass);
             krylov++;
-            double curvature = dot(direction, image);
+            double curvature = LongVectors.dot(direction, image);
             if (!(curvature > 0)) {
                 return false;
             }
@@ -260,7 +261,7 @@ public final class NewtonEquilibrium {
                 left[k] -= alpha * image[k];
             }
             precondition(left, mass);
-            double next = dot(left, scaled);
+            double next = LongVectors.dot(left, scaled);
             double beta = next / rho;
             rho = next;
             for (int k = 0; k < direction.length; k++) {
@@ -305,13 +306,5 @@ public final class NewtonEquilibrium {
         rows.take();
         rows.addForces(lambda, -1, out);
         System.arraycopy(here, 0, x, 0, x.length);
-    }
-
-    private static double dot(double[] p, double[] q) {
-        double sum = 0;
-        for (int k = 0; k < p.length; k++) {
-            sum += p[k] * q[k];
-        }
-        return sum;
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.engine.integrator;
 import java.util.Arrays;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
+import org.phrenic.geometry.LongVectors;
 
 /**
  * The square of the highest angular frequency of a system: the largest eigenvalue of A = M^(-1/2) K M^(-1/2), by Lanczos' method (1950, doi 10.6028/jres.045.026) from a fixed rough start.
@@ -56,7 +57,7 @@ final class HighestFrequency {
     }
 
     private double find() {
-        double norm = Math.sqrt(dot(q, q));
+        double norm = Math.sqrt(LongVectors.dot(q, q));
         if (norm == 0) {
             return 0;
         }
@@ -65,9 +66,9 @@ final class HighestFrequency {
         boolean more = true;
         while (more && found < PRODUCTS) {
             multiply(beside[found]);
-            diagonal[found] = dot(q, image);
-            subtract(image, diagonal[found], q);
-            beside[++found] = Math.sqrt(dot(image, image));
+            diagonal[found] = LongVectors.dot(q, image);
+            LongVectors.add(image, -diagonal[found], q);
+            beside[++found] = Math.sqrt(LongVectors.dot(image, image));
             more = beside[found] > EXHAUSTED * diagonal[0];
             double[] old = before;
             before = q;
@@ -84,7 +85,7 @@ final class HighestFrequency {
         Arrays.fill(image, 0);
         system.workers().run(system.layout().blockCount(), stiffness);
         byRoot(image, image);
-        subtract(image, less, before);
+        LongVectors.add(image, -less, before);
     }
 
     private void byRoot(double[] from, double[] to) {
@@ -92,20 +93,6 @@ final class HighestFrequency {
             for (int i = 3 * n; i < 3 * n + 3; i++) {
                 to[i] = root[n] * from[i];
             }
-        }
-    }
-
-    private static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int i = 0; i < a.length; i++) {
-            sum += a[i] * b[i];
-        }
-        return sum;
-    }
-
-    private static void subtract(double[] from, double share, double[] what) {
-        for (int i = 0; i < from.length; i++) {
-            from[i] -= share * what[i];
         }
     }
 
