@@ -30,6 +30,8 @@ public final class ThoraxFolder {
     private static final String INDEX = "thorax.yaml";
     /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
     private static final double WELD_MM = 1e-3;
+    /** The patches of one surface are rounded each for itself: of 2,200 vertices on the seams of five scanned lobes all had their partner within 0.009 mm, on those of a liver within 0.02. */
+    private static final double SEAM_MM = 0.05;
 
     private record Found(String name, StructureName known, Path file) {}
 
@@ -147,7 +149,7 @@ public final class ThoraxFolder {
     }
 
     private static Repaired repaired(String name, TriangleMesh mesh) {
-        MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM);
+        MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM, SEAM_MM);
         if (result.mesh().triangleCount() == 0) {
             throw new BadInputException(
                     name + ": found no triangle with an area, expected a surface of " + mesh.triangleCount());

@@ -59,10 +59,31 @@ public final class MeshRepair {
 
     /** {@link #weld}, {@link #clean}, {@link #orient} in turn. */
     public static Result repair(TriangleMesh mesh, double tolerance) {
+        return repair(mesh, tolerance, 0);
+    }
+
+    /**
+     * {@link #weld}, {@link #clean}, {@link #orient} in turn, and before the last of them the seams between the patches of the surface closed ({@link SeamStitcher}): a file's patches may differ along their common rim by more than
+     * two vertices may inside one of them.
+     *
+     * @param tolerance of all vertices, mm
+     * @param seam of those on open edges, mm; not above the tolerance nothing more is done
+     */
+    public static Result repair(TriangleMesh mesh, double tolerance, double seam) {
         Result welded = weld(mesh, tolerance);
         Result cleaned = clean(welded.mesh());
-        Result oriented = orient(cleaned.mesh());
-        return new Result(oriented.mesh(), welded.report().and(cleaned.report()).and(oriented.report()));
+        Report report = welded.report().and(cleaned.report());
+        EdgeTable edges = new EdgeTable(cleaned.mesh());
+        if (seam > tolerance && !edges.isClosed()) {
+            Result stitched = SeamStitcher.stitch(cleaned.mesh(), edges, seam);
+            if (stitched.report().verticesWelded() > 0) {
+                cleaned = clean(stitched.mesh());
+                report = report.and(stitched.report()).and(cleaned.report());
+                edges = new EdgeTable(cleaned.mesh());
+            }
+        }
+        Result oriented = orient(cleaned.mesh(), edges);
+        return new Result(oriented.mesh(), report.and(oriented.report()));
     }
 
     /** {@link #repair}, then {@link #cap}, then {@link #orient} again: what the caps closed now faces outward. */
@@ -84,7 +105,11 @@ public final class MeshRepair {
         if (!(tolerance >= 0) || Double.isInfinite(tolerance)) {
             throw new IllegalArgumentException("weld tolerance: " + tolerance + " mm, expected a finite number from 0");
         }
-        int[] keeper = new VertexWelder(mesh.positions(), tolerance).keepers();
+        return merge(mesh, new VertexWelder(mesh.positions(), tolerance).keepers());
+    }
+
+    /** Lets each vertex's keeper stand for it. */
+    static Result merge(TriangleMesh mesh, int[] keeper) {
         int welded = 0;
         for (int v = 0; v < keeper.length; v++) {
             welded += keeper[v] == v ? 0 : 1;
@@ -153,7 +178,10 @@ public final class MeshRepair {
      * agree everywhere and keeps a seam.
      */
     public static Result orient(TriangleMesh mesh) {
-        EdgeTable edges = new EdgeTable(mesh);
+        return orient(mesh, new EdgeTable(mesh));
+    }
+
+    private static Result orient(TriangleMesh mesh, EdgeTable edges) {
         int[] t = mesh.triangles().clone();
         int count = mesh.triangleCount();
         boolean[] done = new boolean[count];

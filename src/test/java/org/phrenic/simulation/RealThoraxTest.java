@@ -7,6 +7,8 @@ import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.geometry.MeshRepair;
+import org.phrenic.geometry.MeshTopology;
 
 /** The real male thorax, where it lies beside the project. */
 class RealThoraxTest {
@@ -34,6 +36,19 @@ class RealThoraxTest {
                 .orElseThrow();
         // Its rib cage was measured to be 283 mm wide.
         assertThat(left).isBetween(138.0, 146.0);
+    }
+
+    /** Their files hold them in two to four patches whose common rims are rounded each for itself; on an open rim a lung crumples. */
+    @Test
+    void aLobeIsOnePieceWithNoHoleButForItsAirways() {
+        Thorax thorax = SharedThorax.male();
+        for (Structure lobe : thorax.all(StructureKind.LUNG)) {
+            assertThat(MeshRepair.components(lobe.mesh())).as(lobe.name()).hasSize(1);
+            assertThat(new MeshTopology(lobe.mesh()).boundaryLoops())
+                    .as(lobe.name())
+                    .hasSizeLessThanOrEqualTo(4)
+                    .allMatch(loop -> loop.length <= 20);
+        }
     }
 
     @Test
