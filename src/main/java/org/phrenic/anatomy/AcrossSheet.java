@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import org.phrenic.geometry.MeshMeasure;
+import org.phrenic.geometry.RadixSort;
 import org.phrenic.geometry.TriangleMesh;
 
 /**
@@ -152,7 +153,7 @@ public final class AcrossSheet {
                 keys[count++] = (long) Math.min(i, others[k]) << 32 | Math.max(i, others[k]);
             }
         }
-        Arrays.sort(keys, 0, count);
+        RadixSort.sort(keys, count);
         List<Pair> pairs = new ArrayList<>();
         for (int k = 0; k < count; k++) {
             if (k == 0 || keys[k] != keys[k - 1]) {
@@ -218,7 +219,7 @@ public final class AcrossSheet {
         }
 
         void takeShortestFirst() {
-            Arrays.sort(order, 0, count);
+            RadixSort.sort(order, count);
             for (int k = 0; k < count; k++) {
                 int i = first[(int) order[k]];
                 int j = second[(int) order[k]];

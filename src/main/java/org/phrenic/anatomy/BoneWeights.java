@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiConsumer;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.geometry.RadixSort;
 import org.phrenic.geometry.SortedOrder;
 
 /**
@@ -132,7 +133,7 @@ public final class BoneWeights {
             // Two points far apart may share a cube's number: their search is slower then, and as right.
             order[i] = key(where, 3 * i, RUN_MM) << 32 | i;
         }
-        Arrays.sort(order);
+        RadixSort.sort(order);
         List<int[]> runs = new ArrayList<>();
         int from = 0;
         for (int k = 1; k <= n; k++) {

@@ -62,7 +62,8 @@ public final class ThoraxFolder {
         Map<String, Path> files = yaml.has("structures") ? listed(folder, yaml) : named(folder);
         List<String> notes = new ArrayList<>();
         List<Found> found = new ArrayList<>();
-        Map<StructureName, Path> seen = new HashMap<>();
+        // Keys are lists: to hash a record the machine makes forty classes when it first does.
+        Map<List<Object>, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
             if (known.isEmpty()) {
@@ -74,7 +75,8 @@ public final class ThoraxFolder {
                 continue;
             }
             StructureName name = known.get();
-            Path twin = SINGLE.contains(name.kind()) ? seen.putIfAbsent(name, entry.getValue()) : null;
+            List<Object> place = List.of(name.kind(), name.level(), name.side());
+            Path twin = SINGLE.contains(name.kind()) ? seen.putIfAbsent(place, entry.getValue()) : null;
             if (twin != null) {
                 throw twins(folder, twin, entry.getValue());
             }

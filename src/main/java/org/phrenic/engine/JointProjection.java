@@ -3,6 +3,7 @@ package org.phrenic.engine;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.geometry.RadixSort;
 
 /**
  * Separable constraints put right together. Items that share nodes, directly or through others, form a group; groups are independent, so a piece of them goes through all its sweeps at once, while its nodes are
@@ -133,8 +134,8 @@ final class JointProjection {
                 start[pieceOfNode[node] + 1]++;
                 groupStart[root + 1]++;
             }
-            Arrays.sort(byPiece);
-            Arrays.sort(together);
+            RadixSort.sort(byPiece);
+            RadixSort.sort(together);
             for (int i = 0; i < count; i++) {
                 items[i] = (int) byPiece[i];
                 byGroup[i] = (int) together[i];

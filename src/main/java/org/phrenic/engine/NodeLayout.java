@@ -1,6 +1,7 @@
 package org.phrenic.engine;
 
 import java.util.Arrays;
+import org.phrenic.geometry.RadixSort;
 import org.phrenic.geometry.SortedOrder;
 
 /**
@@ -128,7 +129,7 @@ public final class NodeLayout {
         for (int i = 0; i < key.length; i++) {
             key[i] = (long) internal(callerNodes[i]) << 32 | i;
         }
-        Arrays.sort(key);
+        RadixSort.sort(key);
         return Arrays.stream(key).mapToInt(k -> (int) k).toArray();
     }
 

@@ -60,7 +60,7 @@ final class EdgeCollapser {
                 }
             }
         }
-        Arrays.sort(queue, 0, length);
+        RadixSort.sort(queue, length);
         int done = 0;
         for (int k = 0; k < length && mesh.vertexCount() > leastVertices; k++) {
             int h = (int) queue[k];

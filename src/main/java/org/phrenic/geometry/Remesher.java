@@ -199,7 +199,7 @@ public final class Remesher {
                 }
             }
         }
-        Arrays.sort(queue, 0, length);
+        RadixSort.sort(queue, length);
         int done = 0;
         for (int k = 0; k < length && mesh.vertexCount() < mostVertices; k++) {
             int h = (int) queue[k];

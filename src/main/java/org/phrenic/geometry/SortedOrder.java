@@ -1,7 +1,5 @@
 package org.phrenic.geometry;
 
-import java.util.Arrays;
-
 /** The order of keys by size, of equal ones the earlier first; without boxed numbers. */
 public final class SortedOrder {
     private SortedOrder() {}
@@ -9,7 +7,7 @@ public final class SortedOrder {
     /** Which key comes first, which second, and so on. */
     public static int[] of(long[] keys) {
         long[] sorted = keys.clone();
-        Arrays.sort(sorted);
+        RadixSort.sort(sorted);
         int[] order = new int[keys.length];
         int[] taken = new int[keys.length];
         for (int i = 0; i < keys.length; i++) {

@@ -3,7 +3,8 @@ package org.phrenic.anatomy.virtual;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Supplier;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ForkJoinTask;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -52,29 +53,40 @@ public final class VirtualThorax {
 
     /** Grows the parts side by side, and puts them together in the order bones, spine, organs. */
     private Thorax build() {
-        List<Supplier<List<Structure>>> parts = new ArrayList<>();
-        parts.add(this::bones);
-        for (int level = 1; level <= vertebrae.length; level++) {
-            int at = level;
-            parts.add(() -> List.of(vertebra(at)));
-        }
-        parts.add(this::discs);
         int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
         int left = resolution.lungVertices() - right;
-        parts.add(() -> single(
+        // What is forked first another thread takes first, and this one begins at the other end: the long ones go
+        // ahead.
+        var diaphragm = fork(() -> single(
                 "diaphragm",
                 StructureKind.DIAPHRAGM,
                 Side.MIDLINE,
                 new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())));
-        parts.add(() -> single("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
-        parts.add(() -> single("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
-        parts.add(() ->
+        var lungR = fork(() -> single("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
+        var lungL = fork(() -> single("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
+        var liver = fork(() ->
                 single("liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()));
-        parts.add(
+        var skin = fork(
                 () -> single("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
-        List<Structure> structures =
-                parts.parallelStream().map(Supplier::get).flatMap(List::stream).toList();
+        var discs = fork(this::discs);
+        List<ForkJoinTask<List<Structure>>> spineParts = new ArrayList<>();
+        for (int level = vertebrae.length; level >= 1; level--) {
+            int at = level;
+            spineParts.add(0, fork(() -> List.of(vertebra(at))));
+        }
+        List<Structure> structures = new ArrayList<>(bones());
+        spineParts.forEach(part -> structures.addAll(part.join()));
+        for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
+            part.join();
+        }
+        for (var part : List.of(discs, diaphragm, lungR, lungL, liver, skin)) {
+            structures.addAll(part.join());
+        }
         return new Thorax(parameters.name(), structures, List.of());
+    }
+
+    private static ForkJoinTask<List<Structure>> fork(Callable<List<Structure>> part) {
+        return ForkJoinTask.adapt(part).fork();
     }
 
     private List<Structure> bones() {

@@ -2,6 +2,7 @@ package org.phrenic.engine.force;
 
 import java.util.Arrays;
 import org.phrenic.engine.NodeLayout;
+import org.phrenic.geometry.RadixSort;
 
 /**
  * Edges between nodes sorted for block-wise work: an edge with both ends in one block is listed once there ("inner"), an edge between two blocks once in each of them
@@ -83,7 +84,7 @@ final class BlockedEdges {
             key[e] = (long) first << 32 | e;
             waiting[first] += isInner(layout, e) ? 1 : 0;
         }
-        Arrays.sort(key);
+        RadixSort.sort(key);
         int[] nextStar = Arrays.copyOf(innerStart, outerStart.length);
         int[] nextLoose = outerStart.clone();
         int[] nextOuter = outerStart.clone();

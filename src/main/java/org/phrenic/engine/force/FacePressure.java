@@ -3,6 +3,7 @@ package org.phrenic.engine.force;
 import java.util.Arrays;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.NodeLayout;
+import org.phrenic.geometry.RadixSort;
 
 /**
  * Pressure on chosen triangles: each corner carries a third of p w A n, where n is the triangle's current outward normal turned
@@ -61,7 +62,7 @@ public final class FacePressure implements ForceField {
             }
         }
         key = Arrays.copyOf(key, entries);
-        Arrays.sort(key);
+        RadixSort.sort(key);
         start = new int[layout.blockCount() + 1];
         corner = new int[3 * entries];
         owned = new int[entries];
