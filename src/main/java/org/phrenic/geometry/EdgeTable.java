@@ -29,19 +29,22 @@ final class EdgeTable {
         int[] triangles = mesh.triangles();
         int[] row = rowStarts(triangles, mesh.vertexCount());
         long[] keys = keys(triangles, row);
-        triangleEdges = new int[triangles.length];
-        Arrays.fill(triangleEdges, NONE);
-        int[] pairs = new int[2 * keys.length];
-        int[] pairTriangles = new int[2 * keys.length];
-        int[] pairCount = new int[keys.length];
         int count = 0;
         for (int v = 0; v + 1 < row.length; v++) {
             sort(keys, row[v], row[v + 1]);
-            count = number(v, keys, row[v], row[v + 1], count, pairs, pairTriangles, pairCount);
+            count += distinct(keys, row[v], row[v + 1]);
         }
-        edges = Arrays.copyOf(pairs, 2 * count);
-        edgeTriangles = Arrays.copyOf(pairTriangles, 2 * count);
-        edgeTriangleCount = Arrays.copyOf(pairCount, count);
+        triangleEdges = new int[triangles.length];
+        if (keys.length < triangles.length) {
+            Arrays.fill(triangleEdges, NONE);
+        }
+        edges = new int[2 * count];
+        edgeTriangles = new int[2 * count];
+        edgeTriangleCount = new int[count];
+        int next = 0;
+        for (int v = 0; v + 1 < row.length; v++) {
+            next = number(v, keys, row[v], row[v + 1], next);
+        }
     }
 
     /** Where the row of each smaller vertex begins; one more at the end. */
@@ -90,27 +93,35 @@ final class EdgeTable {
         }
     }
 
+    /** How many vertices the sides of one sorted row lead to. */
+    private static int distinct(long[] keys, int from, int to) {
+        int count = 0;
+        for (int k = from; k < to; k++) {
+            count += k == from || keys[k] >>> 32 != keys[k - 1] >>> 32 ? 1 : 0;
+        }
+        return count;
+    }
+
     /** Numbers the edges of one sorted row from {@code first} on; returns the next number. */
-    private int number(
-            int v, long[] keys, int from, int to, int first, int[] pairs, int[] pairTriangles, int[] pairCount) {
+    private int number(int v, long[] keys, int from, int to, int first) {
         int count = first;
         int previous = NONE;
         for (int k = from; k < to; k++) {
             int other = (int) (keys[k] >>> 32);
             int side = (int) keys[k];
             if (other != previous) {
-                pairs[2 * count] = v;
-                pairs[2 * count + 1] = other;
-                pairTriangles[2 * count + 1] = NONE;
+                edges[2 * count] = v;
+                edges[2 * count + 1] = other;
+                edgeTriangles[2 * count + 1] = NONE;
                 previous = other;
                 count++;
             }
             int edge = count - 1;
             triangleEdges[side] = edge;
-            if (pairCount[edge] < 2) {
-                pairTriangles[2 * edge + pairCount[edge]] = side / 3;
+            if (edgeTriangleCount[edge] < 2) {
+                edgeTriangles[2 * edge + edgeTriangleCount[edge]] = side / 3;
             }
-            pairCount[edge]++;
+            edgeTriangleCount[edge]++;
         }
         return count;
     }

@@ -70,20 +70,21 @@ public final class MeshRepair {
      * @param seam of those on open edges, mm; not above the tolerance nothing more is done
      */
     public static Result repair(TriangleMesh mesh, double tolerance, double seam) {
-        Result welded = weld(mesh, tolerance);
-        Result cleaned = clean(welded.mesh());
-        Report report = welded.report().and(cleaned.report());
-        EdgeTable edges = new EdgeTable(cleaned.mesh());
+        Result joined = weld(mesh, tolerance);
+        Report report = joined.report();
+        TriangleMesh welded = joined.mesh();
+        EdgeTable edges = new EdgeTable(welded);
         if (seam > tolerance && !edges.isClosed()) {
-            Result stitched = SeamStitcher.stitch(cleaned.mesh(), edges, seam);
-            if (stitched.report().verticesWelded() > 0) {
-                cleaned = clean(stitched.mesh());
-                report = report.and(stitched.report()).and(cleaned.report());
-                edges = new EdgeTable(cleaned.mesh());
-            }
+            joined = SeamStitcher.stitch(welded, edges, seam);
+            report = report.and(joined.report());
+        }
+        Result cleaned = clean(joined.mesh());
+        // Most meshes need nothing: what changes nothing hands its mesh on.
+        if (cleaned.mesh() != welded) {
+            edges = new EdgeTable(cleaned.mesh());
         }
         Result oriented = orient(cleaned.mesh(), edges);
-        return new Result(oriented.mesh(), report.and(oriented.report()));
+        return new Result(oriented.mesh(), report.and(cleaned.report()).and(oriented.report()));
     }
 
     /** {@link #repair}, then {@link #cap}, then {@link #orient} again: what the caps closed now faces outward. */
@@ -114,6 +115,9 @@ public final class MeshRepair {
         for (int v = 0; v < keeper.length; v++) {
             welded += keeper[v] == v ? 0 : 1;
         }
+        if (welded == 0) {
+            return new Result(mesh, Report.NOTHING);
+        }
         int[] triangles = mesh.triangles().clone();
         for (int i = 0; i < triangles.length; i++) {
             triangles[i] = keeper[triangles[i]];
@@ -131,7 +135,7 @@ public final class MeshRepair {
      */
     public static Result clean(TriangleMesh mesh) {
         int[] t = mesh.triangles();
-        int[] kept = new int[t.length];
+        int[] kept = t;
         int length = 0;
         int degenerate = 0;
         int duplicates = 0;
@@ -141,23 +145,31 @@ public final class MeshRepair {
             int a = t[3 * i];
             int b = t[3 * i + 1];
             int c = t[3 * i + 2];
-            if (a == b || b == c || c == a || isFlat(mesh, i, normal)) {
-                degenerate++;
-            } else if (!seen.add(a, b, c)) {
-                duplicates++;
-            } else {
-                kept[length++] = a;
-                kept[length++] = b;
-                kept[length++] = c;
+            boolean noArea = a == b || b == c || c == a || isFlat(mesh, i, normal);
+            if (noArea || !seen.add(a, b, c)) {
+                degenerate += noArea ? 1 : 0;
+                duplicates += noArea ? 0 : 1;
+                kept = kept == t ? t.clone() : kept;
+                continue;
             }
+            if (kept != t) {
+                kept[length] = a;
+                kept[length + 1] = b;
+                kept[length + 2] = c;
+            }
+            length += 3;
         }
-        int[] triangles = Arrays.copyOf(kept, length);
         boolean[] used = new boolean[mesh.vertexCount()];
-        for (int v : triangles) {
-            used[v] = true;
+        int count = 0;
+        for (int k = 0; k < length; k++) {
+            count += used[kept[k]] ? 0 : 1;
+            used[kept[k]] = true;
         }
-        TriangleMesh cleaned = compact(mesh.positions(), triangles, used);
-        int unused = mesh.vertexCount() - cleaned.vertexCount();
+        int unused = mesh.vertexCount() - count;
+        if (length == t.length && unused == 0) {
+            return new Result(mesh, Report.NOTHING);
+        }
+        TriangleMesh cleaned = compact(mesh.positions(), Arrays.copyOf(kept, length), used);
         return new Result(cleaned, new Report(0, degenerate, duplicates, unused, 0, 0));
     }
 
@@ -182,7 +194,7 @@ public final class MeshRepair {
     }
 
     private static Result orient(TriangleMesh mesh, EdgeTable edges) {
-        int[] t = mesh.triangles().clone();
+        int[] given = mesh.triangles();
         int count = mesh.triangleCount();
         boolean[] done = new boolean[count];
         boolean[] flip = new boolean[count];
@@ -202,7 +214,7 @@ public final class MeshRepair {
                 int triangle = queue[head++];
                 turned += flip[triangle] ? 1 : 0;
                 closed &= edges.hasPairs(triangle);
-                tail = turnNeighbours(edges, t, triangle, done, flip, queue, tail);
+                tail = turnNeighbours(edges, given, triangle, done, flip, queue, tail);
             }
             boolean inverted = closed ? volume(mesh, queue, tail, flip) < 0 : 2 * turned > tail;
             for (int k = 0; k < tail; k++) {
@@ -210,15 +222,17 @@ public final class MeshRepair {
             }
             flipped += inverted ? tail - turned : turned;
         }
+        if (flipped == 0) {
+            return new Result(mesh, Report.NOTHING);
+        }
+        int[] t = given.clone();
         for (int i = 0; i < count; i++) {
             if (flip[i]) {
-                int b = t[3 * i + 1];
-                t[3 * i + 1] = t[3 * i + 2];
-                t[3 * i + 2] = b;
+                t[3 * i + 1] = given[3 * i + 2];
+                t[3 * i + 2] = given[3 * i + 1];
             }
         }
-        TriangleMesh oriented = flipped == 0 ? mesh : new TriangleMesh(mesh.positions(), t);
-        return new Result(oriented, new Report(0, 0, 0, 0, flipped, 0));
+        return new Result(new TriangleMesh(mesh.positions(), t), new Report(0, 0, 0, 0, flipped, 0));
     }
 
     /** Enters the neighbours of a triangle that are not done yet, turned to its side, into the queue; returns the queue's new end. */
