@@ -128,11 +128,7 @@ final class JointProjection {
             for (int i = 0; i < count; i++) {
                 int node = first[i] / 3;
                 int root = groups.of(node);
-                group[i] = groups.itemCount(node) > 1 ? root : -1;
-                byPiece[i] = (long) pieceOfNode[node] << 32 | i;
-                together[i] = (long) root << 32 | i;
-                start[pieceOfNode[node] + 1]++;
-                groupStart[root + 1]++;
+                enter(i, root, groups.itemCount(node) > 1, pieceOfNode[node], byPiece, together);
             }
             RadixSort.sort(byPiece);
             RadixSort.sort(together);
@@ -146,6 +142,14 @@ final class JointProjection {
             moved = new int[pieces];
             again = new int[count];
             againEnd = new int[pieces];
+        }
+
+        private void enter(int i, int root, boolean hasCompany, int piece, long[] byPiece, long[] together) {
+            group[i] = hasCompany ? root : -1;
+            byPiece[i] = (long) piece << 32 | i;
+            together[i] = (long) root << 32 | i;
+            start[piece + 1]++;
+            groupStart[root + 1]++;
         }
 
         void repeat(int which, int piece) {

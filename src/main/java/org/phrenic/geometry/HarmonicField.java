@@ -73,56 +73,66 @@ public final class HarmonicField {
 
     /** Gradient in each triangle, x y z in turn, in units of the value per mm; zero in a triangle without area. */
     public double[] gradients() {
-        double[] p = mesh.positions();
-        int[] t = mesh.triangles();
-        double[] gradients = new double[t.length];
+        double[] gradients = new double[mesh.triangles().length];
         double[] n = new double[3];
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            double twiceArea = MeshMeasure.crossOfTriangle(mesh, i, n);
-            if (twiceArea == 0) {
-                continue;
-            }
-            for (int corner = 0; corner < 3; corner++) {
-                // grad u = sum of u_c (n x e_c) / (2 A), with e_c the side opposite corner c and n the unit normal.
-                int b = 3 * t[3 * i + (corner + 1) % 3];
-                int c = 3 * t[3 * i + (corner + 2) % 3];
-                double scale = values[t[3 * i + corner]] / (twiceArea * twiceArea);
-                double ex = p[c] - p[b];
-                double ey = p[c + 1] - p[b + 1];
-                double ez = p[c + 2] - p[b + 2];
-                gradients[3 * i] += scale * (n[1] * ez - n[2] * ey);
-                gradients[3 * i + 1] += scale * (n[2] * ex - n[0] * ez);
-                gradients[3 * i + 2] += scale * (n[0] * ey - n[1] * ex);
-            }
+            addGradient(i, n, gradients);
         }
         return gradients;
+    }
+
+    private void addGradient(int triangle, double[] n, double[] gradients) {
+        double twiceArea = MeshMeasure.crossOfTriangle(mesh, triangle, n);
+        if (twiceArea == 0) {
+            return;
+        }
+        double[] p = mesh.positions();
+        int[] t = mesh.triangles();
+        int at = 3 * triangle;
+        for (int corner = 0; corner < 3; corner++) {
+            // grad u = sum of u_c (n x e_c) / (2 A), with e_c the side opposite corner c and n the unit normal.
+            int b = 3 * t[at + (corner + 1) % 3];
+            int c = 3 * t[at + (corner + 2) % 3];
+            double scale = values[t[at + corner]] / (twiceArea * twiceArea);
+            double ex = p[c] - p[b];
+            double ey = p[c + 1] - p[b + 1];
+            double ez = p[c + 2] - p[b + 2];
+            gradients[at] += scale * (n[1] * ez - n[2] * ey);
+            gradients[at + 1] += scale * (n[2] * ex - n[0] * ez);
+            gradients[at + 2] += scale * (n[0] * ey - n[1] * ex);
+        }
     }
 
     private static double[] cotangentWeights(TriangleMesh mesh, MeshTopology topology) {
         double[] weights = new double[topology.edgeCount()];
         double[] n = new double[3];
-        double[] p = mesh.positions();
-        int[] t = mesh.triangles();
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            double twiceArea = MeshMeasure.crossOfTriangle(mesh, i, n);
-            for (int corner = 0; corner < 3; corner++) {
-                int edge = topology.triangleEdges()[3 * i + (corner + 1) % 3];
-                if (edge < 0 || twiceArea == 0) {
-                    continue;
-                }
-                int a = 3 * t[3 * i + corner];
-                int b = 3 * t[3 * i + (corner + 1) % 3];
-                int c = 3 * t[3 * i + (corner + 2) % 3];
-                double dot = (p[b] - p[a]) * (p[c] - p[a])
-                        + (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1])
-                        + (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
-                weights[edge] += 0.5 * dot / twiceArea;
-            }
+            addCotangents(mesh, i, topology.triangleEdges(), n, weights);
         }
         for (int e = 0; e < weights.length; e++) {
             weights[e] = Math.max(LEAST_WEIGHT, Math.min(MOST_WEIGHT, weights[e]));
         }
         return weights;
+    }
+
+    private static void addCotangents(TriangleMesh mesh, int triangle, int[] edges, double[] n, double[] weights) {
+        double twiceArea = MeshMeasure.crossOfTriangle(mesh, triangle, n);
+        double[] p = mesh.positions();
+        int[] t = mesh.triangles();
+        int at = 3 * triangle;
+        for (int corner = 0; corner < 3; corner++) {
+            int edge = edges[at + (corner + 1) % 3];
+            if (edge < 0 || twiceArea == 0) {
+                continue;
+            }
+            int a = 3 * t[at + corner];
+            int b = 3 * t[at + (corner + 1) % 3];
+            int c = 3 * t[at + (corner + 2) % 3];
+            double dot = (p[b] - p[a]) * (p[c] - p[a])
+                    + (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1])
+                    + (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
+            weights[edge] += 0.5 * dot / twiceArea;
+        }
     }
 
     /** Improves the free entries of u in place; returns the iterations used. */

@@ -118,15 +118,11 @@ final class DiaphragmPart {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
             boolean stiff = diaphragm.isTendon(a) && diaphragm.isTendon(b);
-            double share = 0;
-            int sides = 0;
-            for (int s = 2 * e; s < 2 * e + 2; s++) {
-                int t = topology.edgeTriangles()[s];
-                if (t >= 0) {
-                    sides++;
-                    share += alongFibre(p, a, b, fibre, t);
-                }
-            }
+            int one = topology.edgeTriangles()[2 * e];
+            int other = topology.edgeTriangles()[2 * e + 1];
+            int sides = (one >= 0 ? 1 : 0) + (other >= 0 ? 1 : 0);
+            double share = (one >= 0 ? alongFibre(p, a, b, fibre, one) : 0)
+                    + (other >= 0 ? alongFibre(p, a, b, fibre, other) : 0);
             fibreShare[e] = stiff ? 0 : share / sides * (1 - 0.5 * (origin[a] + origin[b]));
             leftness[e] = share(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
             frontness[e] = share(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);

@@ -109,16 +109,7 @@ final class LungBase implements PrescribedMotion {
         }
         normal = new double[weight.length];
         for (int p = 0; p < normal.length / 3; p++) {
-            double squared = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                for (int c = 3 * p; c < 3 * p + 3; c++) {
-                    normal[3 * p + axis] += weight[c] * normals[3 * vertices[corner[c]] + axis];
-                }
-                squared += normal[3 * p + axis] * normal[3 * p + axis];
-            }
-            for (int axis = 0; axis < 3; axis++) {
-                normal[3 * p + axis] /= Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
-            }
+            takeNormal(p, vertices, normals);
         }
         wall.prepare(0);
         open();
@@ -148,6 +139,19 @@ final class LungBase implements PrescribedMotion {
             for (int axis = 0; axis < 3; axis++) {
                 aside[3 * i + axis] -= height[i] * normal[3 * first + axis];
             }
+        }
+    }
+
+    private void takeNormal(int point, int[] vertices, double[] normals) {
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            for (int c = 3 * point; c < 3 * point + 3; c++) {
+                normal[3 * point + axis] += weight[c] * normals[3 * vertices[corner[c]] + axis];
+            }
+            squared += normal[3 * point + axis] * normal[3 * point + axis];
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            normal[3 * point + axis] /= Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
         }
     }
 

@@ -33,13 +33,17 @@ final class MassScaling {
         int[] b = springs.nodeB();
         double[] k = springs.stiffness();
         for (int e = 0; e < a.length; e++) {
-            double x = positions[3 * b[e]] - positions[3 * a[e]];
-            double y = positions[3 * b[e] + 1] - positions[3 * a[e] + 1];
-            double z = positions[3 * b[e] + 2] - positions[3 * a[e] + 2];
-            double s = k[e] / (x * x + y * y + z * z);
-            add(a[e], s, x, y, z);
-            add(b[e], s, x, y, z);
+            spring(a[e], b[e], k[e]);
         }
+    }
+
+    private void spring(int a, int b, double k) {
+        double x = positions[3 * b] - positions[3 * a];
+        double y = positions[3 * b + 1] - positions[3 * a + 1];
+        double z = positions[3 * b + 2] - positions[3 * a + 2];
+        double s = k / (x * x + y * y + z * z);
+        add(a, s, x, y, z);
+        add(b, s, x, y, z);
     }
 
     private void add(int node, double s, double x, double y, double z) {

@@ -83,22 +83,30 @@ final class Prestress {
 
     private void apply(double[] tension, double[] force) {
         for (int e = 0; e < tension.length; e++) {
-            for (int axis = 0; axis < 3; axis++) {
-                double f = tension[e] * direction[3 * e + axis];
-                force[3 * nodeA[e] + axis] += f;
-                force[3 * nodeB[e] + axis] -= f;
-            }
+            pull(tension[e], 3 * e, 3 * nodeA[e], 3 * nodeB[e], force);
+        }
+    }
+
+    private void pull(double tension, int at, int a, int b, double[] force) {
+        for (int axis = 0; axis < 3; axis++) {
+            double f = tension * direction[at + axis];
+            force[a + axis] += f;
+            force[b + axis] -= f;
         }
     }
 
     private void transpose(double[] force, double[] out) {
         for (int e = 0; e < out.length; e++) {
-            double sum = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                sum += direction[3 * e + axis] * (force[3 * nodeA[e] + axis] - force[3 * nodeB[e] + axis]);
-            }
-            out[e] = sum;
+            out[e] = along(3 * e, 3 * nodeA[e], 3 * nodeB[e], force);
         }
+    }
+
+    private double along(int at, int a, int b, double[] force) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            sum += direction[at + axis] * (force[a + axis] - force[b + axis]);
+        }
+        return sum;
     }
 
     private void release(double[] force) {

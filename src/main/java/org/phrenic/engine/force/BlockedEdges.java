@@ -45,20 +45,7 @@ final class BlockedEdges {
         int[] inner = new int[blocks];
         int[] outer = new int[blocks];
         for (int e = 0; e < n; e++) {
-            nodeA[e] = layout.internal(callerA[e]);
-            nodeB[e] = layout.internal(callerB[e]);
-            if (nodeA[e] == nodeB[e]) {
-                throw new IllegalArgumentException(
-                        "edge " + e + ": found node " + callerA[e] + " at both ends, expected two nodes");
-            }
-            int a = layout.blockOf(nodeA[e]);
-            int b = layout.blockOf(nodeB[e]);
-            if (a == b) {
-                inner[a]++;
-            } else {
-                outer[a]++;
-                outer[b]++;
-            }
+            take(e, layout, callerA[e], callerB[e], inner, outer);
         }
         innerStart = new int[blocks + 1];
         outerStart = new int[blocks];
@@ -72,6 +59,23 @@ final class BlockedEdges {
         other = new int[entries];
         edge = new int[entries];
         fill(layout, n);
+    }
+
+    private void take(int e, NodeLayout layout, int callerA, int callerB, int[] inner, int[] outer) {
+        nodeA[e] = layout.internal(callerA);
+        nodeB[e] = layout.internal(callerB);
+        if (nodeA[e] == nodeB[e]) {
+            throw new IllegalArgumentException(
+                    "edge " + e + ": found node " + callerA + " at both ends, expected two nodes");
+        }
+        int a = layout.blockOf(nodeA[e]);
+        int b = layout.blockOf(nodeB[e]);
+        if (a == b) {
+            inner[a]++;
+        } else {
+            outer[a]++;
+            outer[b]++;
+        }
     }
 
     private void fill(NodeLayout layout, int n) {
@@ -134,20 +138,25 @@ final class BlockedEdges {
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             for (int e = 0; e < n; e++) {
                 if (isInner(layout, e)) {
-                    int mine = first(e, highOwns[e]);
-                    int theirs = first(e, !highOwns[e]);
-                    int before = owned[mine] % 3 + owned[theirs] % 3;
-                    int after = (owned[mine] + 2) % 3 + (owned[theirs] + 1) % 3;
-                    // An edge that neither gains nor loses is handed on as well: it may complete a star further along.
-                    if (after < before || (after == before && owned[mine] % 3 == 1)) {
-                        highOwns[e] = !highOwns[e];
-                        owned[mine]--;
-                        owned[theirs]++;
-                    }
+                    handOn(e, highOwns, owned);
                 }
             }
         }
         return highOwns;
+    }
+
+    /** Gives the edge to its other end where that leaves fewer over. */
+    private void handOn(int e, boolean[] highOwns, int[] owned) {
+        int mine = first(e, highOwns[e]);
+        int theirs = first(e, !highOwns[e]);
+        int before = owned[mine] % 3 + owned[theirs] % 3;
+        int after = (owned[mine] + 2) % 3 + (owned[theirs] + 1) % 3;
+        // An edge that neither gains nor loses is handed on as well: it may complete a star further along.
+        if (after < before || (after == before && owned[mine] % 3 == 1)) {
+            highOwns[e] = !highOwns[e];
+            owned[mine]--;
+            owned[theirs]++;
+        }
     }
 
     private void put(int at, int ownNode, int otherNode, int e) {

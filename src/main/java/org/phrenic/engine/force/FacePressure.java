@@ -47,19 +47,7 @@ public final class FacePressure implements ForceField {
         long[] key = new long[3 * count];
         int entries = 0;
         for (int t = 0; t < count; t++) {
-            for (int c = 0; c < 3; c++) {
-                internal[3 * t + c] = layout.internal(triangles[3 * t + c]);
-            }
-            int a = layout.blockOf(internal[3 * t]);
-            int b = layout.blockOf(internal[3 * t + 1]);
-            int c = layout.blockOf(internal[3 * t + 2]);
-            key[entries++] = (long) a << 32 | t;
-            if (b != a) {
-                key[entries++] = (long) b << 32 | t;
-            }
-            if (c != a && c != b) {
-                key[entries++] = (long) c << 32 | t;
-            }
+            entries = enter(t, triangles, layout, internal, key, entries);
         }
         key = Arrays.copyOf(key, entries);
         RadixSort.sort(key);
@@ -69,21 +57,43 @@ public final class FacePressure implements ForceField {
         entryWeight = new double[entries];
         entryMore = new double[entries];
         for (int i = 0; i < entries; i++) {
-            int block = (int) (key[i] >>> 32);
             int triangle = (int) key[i];
             entryWeight[i] = weight[triangle];
             entryMore[i] = moreWeight[triangle];
-            start[block + 1]++;
-            for (int c = 0; c < 3; c++) {
-                int node = internal[3 * triangle + c];
-                corner[3 * i + c] = 3 * node;
-                if (layout.blockOf(node) == block) {
-                    owned[i] |= 1 << c;
-                }
-            }
+            take(i, (int) (key[i] >>> 32), 3 * triangle, layout, internal);
         }
         for (int b = 0; b < layout.blockCount(); b++) {
             start[b + 1] += start[b];
+        }
+    }
+
+    /** Enters a triangle once for each block that has a corner of it; returns the number of entries then. */
+    private static int enter(int t, int[] triangles, NodeLayout layout, int[] internal, long[] key, int entries) {
+        for (int c = 0; c < 3; c++) {
+            internal[3 * t + c] = layout.internal(triangles[3 * t + c]);
+        }
+        int a = layout.blockOf(internal[3 * t]);
+        int b = layout.blockOf(internal[3 * t + 1]);
+        int c = layout.blockOf(internal[3 * t + 2]);
+        int end = entries;
+        key[end++] = (long) a << 32 | t;
+        if (b != a) {
+            key[end++] = (long) b << 32 | t;
+        }
+        if (c != a && c != b) {
+            key[end++] = (long) c << 32 | t;
+        }
+        return end;
+    }
+
+    private void take(int entry, int block, int corners, NodeLayout layout, int[] internal) {
+        start[block + 1]++;
+        for (int c = 0; c < 3; c++) {
+            int node = internal[corners + c];
+            corner[3 * entry + c] = 3 * node;
+            if (layout.blockOf(node) == block) {
+                owned[entry] |= 1 << c;
+            }
         }
     }
 
