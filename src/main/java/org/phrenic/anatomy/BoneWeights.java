@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiConsumer;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.geometry.Boxes;
 import org.phrenic.geometry.RadixSort;
 import org.phrenic.geometry.SortedOrder;
 
@@ -165,13 +166,9 @@ public final class BoneWeights {
 
         Search(double[] where, int[] points) {
             double[] box = new double[6];
-            Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
-            Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+            Boxes.clear(box, 0);
             for (int i : points) {
-                for (int axis = 0; axis < 3; axis++) {
-                    box[axis] = Math.min(box[axis], where[3 * i + axis]);
-                    box[3 + axis] = Math.max(box[3 + axis], where[3 * i + axis]);
-                }
+                Boxes.include(box, 0, where, 3 * i);
             }
             int all = cellStart.length - 1;
             double farthest = Double.POSITIVE_INFINITY;
@@ -246,17 +243,14 @@ public final class BoneWeights {
 
     /** Squared distance from the box of a cell's samples. */
     private double toBox(int cell, double x, double y, double z) {
-        int b = 6 * cell;
-        double dx = Math.max(0, Math.max(cellBox[b] - x, x - cellBox[b + 3]));
-        double dy = Math.max(0, Math.max(cellBox[b + 1] - y, y - cellBox[b + 4]));
-        double dz = Math.max(0, Math.max(cellBox[b + 2] - z, z - cellBox[b + 5]));
-        return dx * dx + dy * dy + dz * dz;
+        return Boxes.squaredDistance(cellBox, 6 * cell, x, y, z);
     }
 
     private double nearestIn(int cell, double x, double y, double z, double known) {
         double nearest = known;
         for (int j = cellStart[cell]; j < cellStart[cell + 1]; j++) {
-            nearest = Math.min(nearest, squared(j, x, y, z));
+            double square = squared(j, x, y, z);
+            nearest = square < nearest ? square : nearest;
         }
         return nearest;
     }

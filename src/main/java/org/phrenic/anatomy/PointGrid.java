@@ -1,6 +1,6 @@
 package org.phrenic.anatomy;
 
-import java.util.Arrays;
+import org.phrenic.geometry.Boxes;
 
 /**
  * Points in cubic cells, for finding neighbours within one cell's size. Cells are numbered along z fastest, so the 27 cells round a point are nine rows of three whose points are consecutive.
@@ -16,18 +16,15 @@ final class PointGrid {
      * @param size of a cell, mm
      */
     PointGrid(double[] positions, double size) {
-        double[] low = new double[3];
-        double[] high = new double[3];
-        Arrays.fill(low, Double.POSITIVE_INFINITY);
-        Arrays.fill(high, Double.NEGATIVE_INFINITY);
-        for (int i = 0; i < positions.length; i++) {
-            low[i % 3] = Math.min(low[i % 3], positions[i]);
-            high[i % 3] = Math.max(high[i % 3], positions[i]);
+        double[] box = new double[6];
+        Boxes.clear(box, 0);
+        for (int i = 0; i < positions.length; i += 3) {
+            Boxes.include(box, 0, positions, i);
         }
         // A layer of empty cells all round, so that every point has all its neighbours.
         int[] cells = new int[3];
         for (int axis = 0; axis < 3; axis++) {
-            cells[axis] = positions.length == 0 ? 1 : (int) ((high[axis] - low[axis]) / size) + 3;
+            cells[axis] = positions.length == 0 ? 1 : (int) ((box[3 + axis] - box[axis]) / size) + 3;
         }
         row = new int[9];
         for (int i = 0; i < 9; i++) {
@@ -39,7 +36,7 @@ final class PointGrid {
         for (int i = 0; i < n; i++) {
             int cell = 0;
             for (int axis = 0; axis < 3; axis++) {
-                cell = cell * cells[axis] + 1 + (int) ((positions[3 * i + axis] - low[axis]) / size);
+                cell = cell * cells[axis] + 1 + (int) ((positions[3 * i + axis] - box[axis]) / size);
             }
             cellOf[i] = cell;
             start[cell + 1]++;

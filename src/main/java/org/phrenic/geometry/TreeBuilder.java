@@ -74,8 +74,8 @@ final class TreeBuilder {
             double high = Double.NEGATIVE_INFINITY;
             for (int i = from; i < to; i++) {
                 double value = centroids[3 * order[i] + axis];
-                low = Math.min(low, value);
-                high = Math.max(high, value);
+                low = value < low ? value : low;
+                high = value > high ? value : high;
             }
             if (high - low > extent) {
                 extent = high - low;

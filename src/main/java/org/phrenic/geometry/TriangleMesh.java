@@ -1,7 +1,5 @@
 package org.phrenic.geometry;
 
-import java.util.Arrays;
-
 /**
  * An indexed triangle surface: vertex {@code i} at {@code positions()[3i..3i+2]} (mm), triangle {@code t} with corners {@code
  * triangles()[3t..3t+2]}, anticlockwise seen from outside.
@@ -87,12 +85,9 @@ public final class TriangleMesh {
     /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinities (min above max) for a mesh without vertices. */
     public double[] bounds() {
         double[] box = new double[6];
-        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
-        for (int i = 0; i < positions.length; i++) {
-            int axis = i % 3;
-            box[axis] = Math.min(box[axis], positions[i]);
-            box[3 + axis] = Math.max(box[3 + axis], positions[i]);
+        Boxes.clear(box, 0);
+        for (int i = 0; i < positions.length; i += 3) {
+            Boxes.include(box, 0, positions, i);
         }
         return box;
     }

@@ -1,7 +1,5 @@
 package org.phrenic.geometry;
 
-import java.util.Arrays;
-
 /**
  * A tree of axis-aligned boxes over the triangles of a mesh: nearest point, rays, inside or outside. Boxes are halved at the
  * median triangle along their longest axis, down to four triangles; nodes lie in flat arrays, the left child after its
@@ -104,27 +102,19 @@ public final class TriangleTree {
             if (child[node] < 0) {
                 boxOfLeaf(node);
             } else {
-                int left = 6 * (node + 1);
                 int right = 6 * child[node];
-                int o = 6 * node;
-                for (int k = 0; k < 3; k++) {
-                    boxes[o + k] = Math.min(boxes[left + k], boxes[right + k]);
-                    boxes[o + 3 + k] = Math.max(boxes[left + 3 + k], boxes[right + 3 + k]);
-                }
+                System.arraycopy(boxes, 6 * (node + 1), boxes, 6 * node, 6);
+                Boxes.include(boxes, 6 * node, boxes, right);
+                Boxes.include(boxes, 6 * node, boxes, right + 3);
             }
         }
     }
 
     private void boxOfLeaf(int node) {
-        int o = 6 * node;
-        Arrays.fill(boxes, o, o + 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(boxes, o + 3, o + 6, Double.NEGATIVE_INFINITY);
+        Boxes.clear(boxes, 6 * node);
         int from = 9 * (-1 - child[node]);
         for (int i = from; i < from + 9 * count[node]; i += 3) {
-            for (int k = 0; k < 3; k++) {
-                boxes[o + k] = Math.min(boxes[o + k], corners[i + k]);
-                boxes[o + 3 + k] = Math.max(boxes[o + 3 + k], corners[i + k]);
-            }
+            Boxes.include(boxes, 6 * node, corners, i);
         }
     }
 
@@ -298,11 +288,7 @@ public final class TriangleTree {
     }
 
     private double boxDistance(int node, double x, double y, double z) {
-        int o = 6 * node;
-        double dx = Math.max(Math.max(boxes[o] - x, x - boxes[o + 3]), 0);
-        double dy = Math.max(Math.max(boxes[o + 1] - y, y - boxes[o + 4]), 0);
-        double dz = Math.max(Math.max(boxes[o + 2] - z, z - boxes[o + 5]), 0);
-        return dx * dx + dy * dy + dz * dz;
+        return Boxes.squaredDistance(boxes, 6 * node, x, y, z);
     }
 
     /**

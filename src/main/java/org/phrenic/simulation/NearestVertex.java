@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import org.phrenic.geometry.Boxes;
 import org.phrenic.geometry.TriangleMesh;
 
 /** Finds the nearest of some vertices of a mesh: cells of a grid, searched shell by shell. One thread at a time. */
@@ -112,14 +113,12 @@ final class NearestVertex {
     }
 
     private static double toSlab(int cell, double from) {
-        return Math.max(0, Math.max(cell * CELL_MM - from, from - (cell + 1) * CELL_MM) - SLACK_MM);
+        double away = Boxes.beyond(cell * CELL_MM, (cell + 1) * CELL_MM, from) - SLACK_MM;
+        return away > 0 ? away : 0;
     }
 
     private double outside(double x, double y, double z) {
-        double dx = Math.max(0, Math.max(box[0] - x, x - box[3]));
-        double dy = Math.max(0, Math.max(box[1] - y, y - box[4]));
-        double dz = Math.max(0, Math.max(box[2] - z, z - box[5]));
-        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return Math.sqrt(Boxes.squaredDistance(box, 0, x, y, z));
     }
 
     /** Distance of the last one found, mm; infinite if none was. */
