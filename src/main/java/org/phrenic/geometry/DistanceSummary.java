@@ -1,6 +1,7 @@
 package org.phrenic.geometry;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Figures of a set of distances, mm, each with a weight. A quantile is the smallest distance that with all smaller ones makes up its share of the weight.
@@ -69,18 +70,16 @@ public record DistanceSummary(
 
     /** Sizes of the distances that have a weight, rising, and their weights. */
     private static double[][] sorted(double[] distances, double[] weights) {
-        Integer[] order = new Integer[distances.length];
-        int count = 0;
-        for (int i = 0; i < order.length; i++) {
-            if (weights[i] > 0) {
-                order[count++] = i;
-            }
-        }
-        Arrays.sort(order, 0, count, (i, j) -> Double.compare(Math.abs(distances[i]), Math.abs(distances[j])));
-        double[][] sorted = new double[2][count];
-        for (int k = 0; k < count; k++) {
-            sorted[0][k] = Math.abs(distances[order[k]]);
-            sorted[1][k] = weights[order[k]];
+        int[] kept =
+                IntStream.range(0, distances.length).filter(i -> weights[i] > 0).toArray();
+        // The bits of a non-negative number sort as the number does.
+        int[] order = SortedOrder.of(IntStream.of(kept)
+                .mapToLong(i -> Double.doubleToRawLongBits(Math.abs(distances[i])))
+                .toArray());
+        double[][] sorted = new double[2][kept.length];
+        for (int k = 0; k < kept.length; k++) {
+            sorted[0][k] = Math.abs(distances[kept[order[k]]]);
+            sorted[1][k] = weights[kept[order[k]]];
         }
         return sorted;
     }

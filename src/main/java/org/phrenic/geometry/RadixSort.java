@@ -1,5 +1,7 @@
 package org.phrenic.geometry;
 
+import java.util.Arrays;
+
 /**
  * Sorts whole numbers digit by digit, the lowest first (Knuth, The Art of Computer Programming 3, 5.2.5): keys made of a few packed numbers leave most digits alike, which costs nothing. In a program that has just
  * started its two short loops are fast sooner than a general sort is.
@@ -64,7 +66,7 @@ public final class RadixSort {
 
     /** Leaves in {@code start} the place of the first key with each digit. */
     private static void count(long[] keys, int length, int shift, int[] start) {
-        java.util.Arrays.fill(start, 0);
+        Arrays.fill(start, 0);
         for (int i = 0; i < length; i++) {
             start[digit(keys[i], shift)]++;
         }

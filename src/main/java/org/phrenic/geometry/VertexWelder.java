@@ -59,9 +59,12 @@ final class VertexWelder {
 
     /** With no tolerance a cell is one number, whose bits name it; -0 is 0. */
     private long cellOf(double coordinate) {
-        return tolerance > 0
-                ? (long) Math.floor(coordinate / (CELL * tolerance))
-                : Double.doubleToLongBits(coordinate + 0.0);
+        if (!(tolerance > 0)) {
+            return Double.doubleToLongBits(coordinate + 0.0);
+        }
+        double cell = coordinate / (CELL * tolerance);
+        long cut = (long) cell;
+        return cut > cell ? cut - 1 : cut;
     }
 
     private int slot(long x, long y, long z) {
