@@ -18,6 +18,7 @@ import org.phrenic.format.BadInputException;
 import org.phrenic.format.MeshFiles;
 import org.phrenic.format.YamlDocument;
 import org.phrenic.format.YamlMap;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -163,7 +164,7 @@ public final class ThoraxFolder {
 
     /** Only a closed sheet can breathe; of loose crura and the like the reader is told that they are left out. */
     private static void noteShells(TriangleMesh diaphragm, List<String> notes) {
-        List<TriangleMesh> shells = MeshRepair.components(diaphragm);
+        List<TriangleMesh> shells = MeshComponents.of(diaphragm);
         if (shells.size() > 1) {
             String sizes =
                     shells.stream().map(m -> String.valueOf(m.vertexCount())).collect(Collectors.joining(", "));

@@ -6,7 +6,7 @@ import java.util.List;
 
 /**
  * Makes a usable surface of what a file or a segmentation holds: welds vertices, drops what has no area or stands twice,
- * turns triangles to one side, closes holes, splits into components. Every step keeps the order of what it keeps, so that
+ * turns triangles to one side, closes seams and holes. Every step keeps the order of what it keeps, so that
  * the same input gives the same output.
  */
 public final class MeshRepair {
@@ -83,7 +83,7 @@ public final class MeshRepair {
         if (cleaned.mesh() != welded) {
             edges = new EdgeTable(cleaned.mesh());
         }
-        Result oriented = orient(cleaned.mesh(), edges);
+        Result oriented = MeshOrienter.orient(cleaned.mesh(), edges);
         return new Result(oriented.mesh(), report.and(cleaned.report()).and(oriented.report()));
     }
 
@@ -190,101 +190,7 @@ public final class MeshRepair {
      * agree everywhere and keeps a seam.
      */
     public static Result orient(TriangleMesh mesh) {
-        return orient(mesh, new EdgeTable(mesh));
-    }
-
-    private static Result orient(TriangleMesh mesh, EdgeTable edges) {
-        int[] given = mesh.triangles();
-        int count = mesh.triangleCount();
-        boolean[] done = new boolean[count];
-        boolean[] flip = new boolean[count];
-        int[] queue = new int[count];
-        int flipped = 0;
-        for (int seed = 0; seed < count; seed++) {
-            if (done[seed]) {
-                continue;
-            }
-            int head = 0;
-            int tail = 0;
-            queue[tail++] = seed;
-            done[seed] = true;
-            boolean closed = true;
-            int turned = 0;
-            while (head < tail) {
-                int triangle = queue[head++];
-                turned += flip[triangle] ? 1 : 0;
-                closed &= edges.hasPairs(triangle);
-                tail = turnNeighbours(edges, given, triangle, done, flip, queue, tail);
-            }
-            boolean inverted = closed ? volume(mesh, queue, tail, flip) < 0 : 2 * turned > tail;
-            for (int k = 0; k < tail; k++) {
-                flip[queue[k]] ^= inverted;
-            }
-            flipped += inverted ? tail - turned : turned;
-        }
-        if (flipped == 0) {
-            return new Result(mesh, Report.NOTHING);
-        }
-        int[] t = given.clone();
-        for (int i = 0; i < count; i++) {
-            if (flip[i]) {
-                t[3 * i + 1] = given[3 * i + 2];
-                t[3 * i + 2] = given[3 * i + 1];
-            }
-        }
-        return new Result(new TriangleMesh(mesh.positions(), t), new Report(0, 0, 0, 0, flipped, 0));
-    }
-
-    /** Enters the neighbours of a triangle that are not done yet, turned to its side, into the queue; returns the queue's new end. */
-    private static int turnNeighbours(
-            EdgeTable edges, int[] t, int triangle, boolean[] done, boolean[] flip, int[] queue, int queueEnd) {
-        int end = queueEnd;
-        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-            int edge = edges.triangleEdges[side];
-            if (edge == EdgeTable.NONE || edges.edgeTriangleCount[edge] != 2) {
-                continue;
-            }
-            int other = edges.otherTriangle(edge, triangle);
-            if (!done[other]) {
-                done[other] = true;
-                flip[other] = flip[triangle] ^ runsAlong(t, other, t[side], t[EdgeTable.next(side)]);
-                queue[end++] = other;
-            }
-        }
-        return end;
-    }
-
-    private static boolean runsAlong(int[] t, int triangle, int from, int to) {
-        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-            if (t[side] == from && t[EdgeTable.next(side)] == to) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Signed volume of one closed piece about its first corner, which loses no digits far from the origin. */
-    private static double volume(TriangleMesh mesh, int[] piece, int length, boolean[] flip) {
-        int[] t = mesh.triangles();
-        double[] p = mesh.positions();
-        int o = 3 * t[3 * piece[0]];
-        double sum = 0;
-        for (int k = 0; k < length; k++) {
-            int a = 3 * t[3 * piece[k]];
-            int b = 3 * t[3 * piece[k] + 1];
-            int c = 3 * t[3 * piece[k] + 2];
-            double bx = p[b] - p[o];
-            double by = p[b + 1] - p[o + 1];
-            double bz = p[b + 2] - p[o + 2];
-            double cx = p[c] - p[o];
-            double cy = p[c + 1] - p[o + 1];
-            double cz = p[c + 2] - p[o + 2];
-            double six = (p[a] - p[o]) * (by * cz - bz * cy)
-                    + (p[a + 1] - p[o + 1]) * (bz * cx - bx * cz)
-                    + (p[a + 2] - p[o + 2]) * (bx * cy - by * cx);
-            sum += flip[piece[k]] ? -six : six;
-        }
-        return sum;
+        return MeshOrienter.orient(mesh, new EdgeTable(mesh));
     }
 
     /** Closes each boundary loop: three edges by a triangle, more by a fan about the loop's centroid. */
@@ -320,66 +226,8 @@ public final class MeshRepair {
         return new Result(new TriangleMesh(p, t), new Report(0, 0, 0, 0, 0, loops.size()));
     }
 
-    /** The connected components that have triangles, in the order of their lowest vertex. */
-    public static List<TriangleMesh> components(TriangleMesh mesh) {
-        int[] label = lowestOfComponent(mesh);
-        int[] t = mesh.triangles();
-        int[] corners = new int[mesh.vertexCount()];
-        for (int i = 0; i < t.length; i += 3) {
-            corners[label[t[i]]] += 3;
-        }
-        int[][] pieces = new int[corners.length][];
-        for (int c = 0; c < corners.length; c++) {
-            pieces[c] = corners[c] == 0 ? null : new int[corners[c]];
-        }
-        int[] fill = new int[corners.length];
-        for (int i = 0; i < t.length; i++) {
-            int c = label[t[i - i % 3]];
-            pieces[c][fill[c]++] = t[i];
-        }
-        List<TriangleMesh> meshes = new ArrayList<>();
-        for (int[] piece : pieces) {
-            if (piece != null) {
-                boolean[] used = new boolean[mesh.vertexCount()];
-                for (int v : piece) {
-                    used[v] = true;
-                }
-                meshes.add(compact(mesh.positions(), piece, used));
-            }
-        }
-        return meshes;
-    }
-
-    /** For each vertex the lowest vertex that hangs together with it by triangles. */
-    private static int[] lowestOfComponent(TriangleMesh mesh) {
-        int[] lower = new int[mesh.vertexCount()];
-        for (int v = 0; v < lower.length; v++) {
-            lower[v] = v;
-        }
-        int[] t = mesh.triangles();
-        for (int i = 0; i < t.length; i++) {
-            int one = lowest(lower, t[i]);
-            int other = lowest(lower, t[i - i % 3]);
-            lower[Math.max(one, other)] = Math.min(one, other);
-        }
-        for (int v = 0; v < lower.length; v++) {
-            lower[v] = lower[lower[v]];
-        }
-        return lower;
-    }
-
-    /** Follows the way down, and shortens it for those who come after. */
-    private static int lowest(int[] lower, int vertex) {
-        int v = vertex;
-        while (lower[v] != v) {
-            lower[v] = lower[lower[v]];
-            v = lower[v];
-        }
-        return v;
-    }
-
     /** Keeps the named vertices in their order and renames the corners (in place). */
-    private static TriangleMesh compact(double[] positions, int[] triangles, boolean[] keep) {
+    static TriangleMesh compact(double[] positions, int[] triangles, boolean[] keep) {
         int[] rename = new int[keep.length];
         int count = 0;
         for (int v = 0; v < keep.length; v++) {

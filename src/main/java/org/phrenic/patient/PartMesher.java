@@ -4,9 +4,9 @@ import java.util.List;
 import org.phrenic.geometry.Decimator;
 import org.phrenic.geometry.LabelGrid;
 import org.phrenic.geometry.LabelNet;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.MeshQuality;
-import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.Remesher;
 import org.phrenic.geometry.SurfaceComparison;
 import org.phrenic.geometry.TriangleMesh;
@@ -42,7 +42,7 @@ public final class PartMesher {
      */
     public MeshedPart mesh(int part, double edgeMm) {
         TriangleMesh label = largest(voxels.surface(part));
-        List<TriangleMesh> shells = MeshRepair.components(smooth.surface(part));
+        List<TriangleMesh> shells = MeshComponents.of(smooth.surface(part));
         TriangleMesh whole = shells.get(indexOfLargest(shells));
         double leftOut = 0;
         for (TriangleMesh shell : shells) {
@@ -76,7 +76,7 @@ public final class PartMesher {
     }
 
     private static TriangleMesh largest(TriangleMesh surface) {
-        List<TriangleMesh> shells = MeshRepair.components(surface);
+        List<TriangleMesh> shells = MeshComponents.of(surface);
         if (shells.isEmpty()) {
             throw new IllegalArgumentException("found no voxel of the part, expected some");
         }

@@ -29,8 +29,8 @@ import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.format.BadInputException;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshMeasure;
-import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.Remesher;
 import org.phrenic.geometry.TriangleMesh;
@@ -208,7 +208,7 @@ final class SceneAssembly {
     /** The closed sheet among the diaphragm's shells, at the resolution asked for. */
     private Diaphragm diaphragm() {
         TriangleMesh given = thorax.all(StructureKind.DIAPHRAGM).get(0).mesh();
-        TriangleMesh sheet = MeshRepair.components(given).stream()
+        TriangleMesh sheet = MeshComponents.of(given).stream()
                 .filter(m -> MeshTopology.isClosed(m) && MeshMeasure.signedVolume(m) > 0)
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow(() -> new BadInputException(thorax.name()

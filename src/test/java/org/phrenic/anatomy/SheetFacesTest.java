@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Comparator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.virtual.Bodies;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshMeasure;
-import org.phrenic.geometry.MeshRepair;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
 
@@ -84,7 +84,7 @@ class SheetFacesTest {
     @Test
     void bothFacesOfARealSheetHaveAboutEqualArea() {
         TriangleMesh given = SharedThorax.male().find("diaphragm").orElseThrow().mesh();
-        TriangleMesh sheet = MeshRepair.components(given).stream()
+        TriangleMesh sheet = MeshComponents.of(given).stream()
                 .filter(m -> new MeshTopology(m).isClosed())
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow();

@@ -108,7 +108,7 @@ class LabelNetTest {
         edge[1 + 3] = 1;
         TriangleMesh two =
                 LabelNet.of(LabelGrid.of(3, 3, 3, edge, affine(1, 1, 1)), SAME).surface(1);
-        assertThat(MeshRepair.components(two)).hasSize(2);
+        assertThat(MeshComponents.of(two)).hasSize(2);
         assertIsClosedManifold(two);
     }
 

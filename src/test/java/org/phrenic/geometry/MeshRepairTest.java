@@ -136,7 +136,7 @@ class MeshRepairTest {
     @Test
     void componentsComeApartInOrder() {
         TriangleMesh both = Shapes.join(Shapes.box(1, 1, 1), Shapes.moved(Shapes.sphere(1, 1), 5, 0, 0));
-        List<TriangleMesh> parts = MeshRepair.components(both);
+        List<TriangleMesh> parts = MeshComponents.of(both);
         assertThat(parts).extracting(TriangleMesh::vertexCount).containsExactly(8, 42);
         assertThat(MeshMeasure.signedVolume(parts.get(0))).isCloseTo(1, within(ROUNDING));
     }

@@ -106,7 +106,7 @@ class RemesherTest {
     @CsvSource({"6500, 0.02", "8700, 0.02", "11359, 0.02"})
     void aRealDiaphragmKeepsItsOpeningsAndVolume(int vertices, double volume) {
         TriangleMesh both = MeshRepair.repair(TestPly.thorax("diaphragm"), 1e-3).mesh();
-        TriangleMesh sheet = MeshRepair.components(both).stream()
+        TriangleMesh sheet = MeshComponents.of(both).stream()
                 .filter(m -> new MeshTopology(m).isClosed())
                 .findFirst()
                 .orElseThrow();

@@ -7,7 +7,7 @@ import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.geometry.MeshRepair;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshTopology;
 
 /** The real male thorax, where it lies beside the project. */
@@ -43,7 +43,7 @@ class RealThoraxTest {
     void aLobeIsOnePieceWithNoHoleButForItsAirways() {
         Thorax thorax = SharedThorax.male();
         for (Structure lobe : thorax.all(StructureKind.LUNG)) {
-            assertThat(MeshRepair.components(lobe.mesh())).as(lobe.name()).hasSize(1);
+            assertThat(MeshComponents.of(lobe.mesh())).as(lobe.name()).hasSize(1);
             assertThat(new MeshTopology(lobe.mesh()).boundaryLoops())
                     .as(lobe.name())
                     .hasSizeLessThanOrEqualTo(4)

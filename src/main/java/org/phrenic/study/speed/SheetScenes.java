@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.geometry.MeshRepair;
+import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.Remesher;
 import org.phrenic.geometry.TriangleMesh;
@@ -24,7 +24,7 @@ final class SheetScenes {
     private final TriangleMesh sheet;
 
     SheetScenes() {
-        sheet = MeshRepair.components(SimulationRun.thorax(Scenario.defaults().with("resolution=low"))
+        sheet = MeshComponents.of(SimulationRun.thorax(Scenario.defaults().with("resolution=low"))
                         .all(StructureKind.DIAPHRAGM)
                         .get(0)
                         .mesh())

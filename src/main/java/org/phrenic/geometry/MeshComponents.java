@@ -1,0 +1,67 @@
+package org.phrenic.geometry;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Takes a mesh apart into the pieces that hang together by triangles. */
+public final class MeshComponents {
+    private MeshComponents() {}
+
+    /** The connected components that have triangles, in the order of their lowest vertex. */
+    public static List<TriangleMesh> of(TriangleMesh mesh) {
+        int[] label = lowestOfComponent(mesh);
+        int[] t = mesh.triangles();
+        int[] corners = new int[mesh.vertexCount()];
+        for (int i = 0; i < t.length; i += 3) {
+            corners[label[t[i]]] += 3;
+        }
+        int[][] pieces = new int[corners.length][];
+        for (int c = 0; c < corners.length; c++) {
+            pieces[c] = corners[c] == 0 ? null : new int[corners[c]];
+        }
+        int[] fill = new int[corners.length];
+        for (int i = 0; i < t.length; i++) {
+            int c = label[t[i - i % 3]];
+            pieces[c][fill[c]++] = t[i];
+        }
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (int[] piece : pieces) {
+            if (piece != null) {
+                boolean[] used = new boolean[mesh.vertexCount()];
+                for (int v : piece) {
+                    used[v] = true;
+                }
+                meshes.add(MeshRepair.compact(mesh.positions(), piece, used));
+            }
+        }
+        return meshes;
+    }
+
+    /** For each vertex the lowest vertex that hangs together with it by triangles. */
+    private static int[] lowestOfComponent(TriangleMesh mesh) {
+        int[] lower = new int[mesh.vertexCount()];
+        for (int v = 0; v < lower.length; v++) {
+            lower[v] = v;
+        }
+        int[] t = mesh.triangles();
+        for (int i = 0; i < t.length; i++) {
+            int one = lowest(lower, t[i]);
+            int other = lowest(lower, t[i - i % 3]);
+            lower[Math.max(one, other)] = Math.min(one, other);
+        }
+        for (int v = 0; v < lower.length; v++) {
+            lower[v] = lower[lower[v]];
+        }
+        return lower;
+    }
+
+    /** Follows the way down, and shortens it for those who come after. */
+    private static int lowest(int[] lower, int vertex) {
+        int v = vertex;
+        while (lower[v] != v) {
+            lower[v] = lower[lower[v]];
+            v = lower[v];
+        }
+        return v;
+    }
+}
