@@ -75,18 +75,13 @@ public final class BoneWeights {
             double[] point = points.get(j);
             if (at == 0 || key[j] != key[order[at - 1]]) {
                 start[cells] = at;
-                System.arraycopy(point, 0, box, 6 * cells, 3);
-                System.arraycopy(point, 0, box, 6 * cells + 3, 3);
+                Boxes.clear(box, 6 * cells);
                 cells++;
             }
             sampleWeights[at] = weights.get(j);
             sampleBody[at] = only(weights.get(j));
-            for (int axis = 0; axis < 3; axis++) {
-                int low = 6 * (cells - 1) + axis;
-                sample[3 * at + axis] = point[axis];
-                box[low] = Math.min(box[low], point[axis]);
-                box[low + 3] = Math.max(box[low + 3], point[axis]);
-            }
+            System.arraycopy(point, 0, sample, 3 * at, 3);
+            Boxes.include(box, 6 * (cells - 1), point, 0);
         }
         start[cells] = count;
         cellStart = Arrays.copyOf(start, cells + 1);

@@ -2,6 +2,7 @@ package org.phrenic.engine;
 
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.geometry.DisjointSets;
 
 /** Nodes that items of constraints hold together: a forest in which each node points to an earlier one of its group, and the first to itself. */
 final class ConstraintGroups {
@@ -11,15 +12,14 @@ final class ConstraintGroups {
     private int pieceCount;
 
     ConstraintGroups(List<SeparableConstraint> constraints, int nodeCount) {
-        parent = new int[nodeCount];
-        Arrays.setAll(parent, i -> i);
+        parent = DisjointSets.alone(nodeCount);
         itemCount = new int[nodeCount];
         size = new int[nodeCount];
         for (SeparableConstraint each : constraints) {
             int[][] ends = each.ends();
             for (int i = 0; i < ends[0].length; i++) {
                 for (int[] end : ends) {
-                    join(ends[0][i] / 3, end[i] / 3);
+                    DisjointSets.joinUnderLower(parent, ends[0][i] / 3, end[i] / 3);
                 }
             }
         }
@@ -33,20 +33,9 @@ final class ConstraintGroups {
         }
     }
 
-    private void join(int a, int b) {
-        int first = of(a);
-        int other = of(b);
-        parent[Math.max(first, other)] = Math.min(first, other);
-    }
-
     /** The group of a node: its first node. */
     int of(int node) {
-        int at = node;
-        while (parent[at] != at) {
-            parent[at] = parent[parent[at]];
-            at = parent[at];
-        }
-        return at;
+        return DisjointSets.root(parent, node);
     }
 
     /** Nodes of the largest group. */

@@ -11,8 +11,6 @@ import java.util.Arrays;
  */
 final class EdgeTable {
     static final int NONE = -1;
-    /** Most rows hold the six sides at a vertex or fewer: insertion beats a call to a general sort. */
-    private static final int SHORT_ROW = 32;
 
     /** Vertex pairs (a, b), a &lt; b, two numbers an edge. */
     final int[] edges;
@@ -31,7 +29,7 @@ final class EdgeTable {
         long[] keys = keys(triangles, row);
         int count = 0;
         for (int v = 0; v + 1 < row.length; v++) {
-            sort(keys, row[v], row[v + 1]);
+            RadixSort.sort(keys, row[v], row[v + 1]);
             count += distinct(keys, row[v], row[v + 1]);
         }
         triangleEdges = new int[triangles.length];
@@ -75,22 +73,6 @@ final class EdgeTable {
             }
         }
         return keys;
-    }
-
-    private static void sort(long[] keys, int from, int to) {
-        if (to - from > SHORT_ROW) {
-            Arrays.sort(keys, from, to);
-            return;
-        }
-        for (int i = from + 1; i < to; i++) {
-            long key = keys[i];
-            int k = i - 1;
-            while (k >= from && keys[k] > key) {
-                keys[k + 1] = keys[k];
-                k--;
-            }
-            keys[k + 1] = key;
-        }
     }
 
     /** How many vertices the sides of one sorted row lead to. */

@@ -39,29 +39,14 @@ public final class MeshComponents {
 
     /** For each vertex the lowest vertex that hangs together with it by triangles. */
     private static int[] lowestOfComponent(TriangleMesh mesh) {
-        int[] lower = new int[mesh.vertexCount()];
-        for (int v = 0; v < lower.length; v++) {
-            lower[v] = v;
-        }
+        int[] lower = DisjointSets.alone(mesh.vertexCount());
         int[] t = mesh.triangles();
         for (int i = 0; i < t.length; i++) {
-            int one = lowest(lower, t[i]);
-            int other = lowest(lower, t[i - i % 3]);
-            lower[Math.max(one, other)] = Math.min(one, other);
+            DisjointSets.joinUnderLower(lower, t[i], t[i - i % 3]);
         }
         for (int v = 0; v < lower.length; v++) {
             lower[v] = lower[lower[v]];
         }
         return lower;
-    }
-
-    /** Follows the way down, and shortens it for those who come after. */
-    private static int lowest(int[] lower, int vertex) {
-        int v = vertex;
-        while (lower[v] != v) {
-            lower[v] = lower[lower[v]];
-            v = lower[v];
-        }
-        return v;
     }
 }

@@ -38,7 +38,7 @@ final class QuadStitcher {
         this.voxels = voxels;
         edges = new QuadEdges(given.length / 3, quads);
         mate = new int[quads.length];
-        fan = new int[quads.length];
+        fan = DisjointSets.alone(quads.length);
         vertexOfFan = new int[quads.length];
         middle = new int[quads.length];
         Arrays.fill(vertexOfFan, NONE);
@@ -48,14 +48,11 @@ final class QuadStitcher {
     }
 
     TriangleMesh mesh() {
-        for (int i = 0; i < fan.length; i++) {
-            fan[i] = i;
-        }
         for (int place = 0; place < mate.length; place = edges.end(place)) {
             join(place, edges.end(place));
         }
         for (int corner = 0; corner < quads.length; corner++) {
-            int root = root(corner);
+            int root = DisjointSets.root(fan, corner);
             if (vertexOfFan[root] == NONE) {
                 int v = 3 * quads[corner];
                 vertexOfFan[root] = addVertex(given[v], given[v + 1], given[v + 2]);
@@ -93,26 +90,11 @@ final class QuadStitcher {
 
     /** Where two joined sides name one vertex, their corners are one. */
     private void unite(int corner, int side) {
-        link(corner, quads[corner] == quads[side] ? side : next(side));
-    }
-
-    private void link(int one, int other) {
-        int a = root(one);
-        int b = root(other);
-        fan[Math.max(a, b)] = Math.min(a, b);
-    }
-
-    private int root(int corner) {
-        int r = corner;
-        while (fan[r] != r) {
-            fan[r] = fan[fan[r]];
-            r = fan[r];
-        }
-        return r;
+        DisjointSets.joinUnderLower(fan, corner, quads[corner] == quads[side] ? side : next(side));
     }
 
     private int vertex(int corner) {
-        return vertexOfFan[root(corner)];
+        return vertexOfFan[DisjointSets.root(fan, corner)];
     }
 
     private int addVertex(double x, double y, double z) {

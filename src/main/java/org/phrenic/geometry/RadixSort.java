@@ -21,7 +21,7 @@ public final class RadixSort {
     /** Sorts the first {@code length} keys in place. */
     public static void sort(long[] keys, int length) {
         if (length <= FEW) {
-            insert(keys, length);
+            insert(keys, 0, length);
             return;
         }
         long differing = differing(keys, length);
@@ -43,11 +43,22 @@ public final class RadixSort {
         }
     }
 
-    private static void insert(long[] keys, int length) {
-        for (int i = 1; i < length; i++) {
+    /** Sorts the keys from one place to before another; made for many short stretches. */
+    public static void sort(long[] keys, int from, int to) {
+        if (to - from <= FEW) {
+            insert(keys, from, to);
+            return;
+        }
+        long[] stretch = Arrays.copyOfRange(keys, from, to);
+        sort(stretch);
+        System.arraycopy(stretch, 0, keys, from, stretch.length);
+    }
+
+    private static void insert(long[] keys, int from, int to) {
+        for (int i = from + 1; i < to; i++) {
             long key = keys[i];
             int k = i - 1;
-            while (k >= 0 && keys[k] > key) {
+            while (k >= from && keys[k] > key) {
                 keys[k + 1] = keys[k];
                 k--;
             }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.geometry.DisjointSets;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.RigidMotion;
 import org.phrenic.geometry.TriangleMesh;
@@ -47,20 +48,17 @@ final class TissueMeasure implements SceneMeasure {
 
     /** Vertices of each connected piece of tendon. */
     private List<int[]> pieces(boolean[] tendon) {
-        int[] head = new int[tendon.length];
-        for (int i = 0; i < head.length; i++) {
-            head[i] = i;
-        }
+        int[] head = DisjointSets.alone(tendon.length);
         for (int e = 0; e < edges.length; e += 2) {
             if (tendon[edges[e]] && tendon[edges[e + 1]]) {
-                head[headOf(head, edges[e])] = headOf(head, edges[e + 1]);
+                head[DisjointSets.root(head, edges[e])] = DisjointSets.root(head, edges[e + 1]);
             }
         }
         List<List<Integer>> found = new ArrayList<>();
         int[] pieceOf = new int[tendon.length];
         for (int i = 0; i < tendon.length; i++) {
             if (tendon[i]) {
-                int h = headOf(head, i);
+                int h = DisjointSets.root(head, i);
                 if (pieceOf[h] == 0) {
                     found.add(new ArrayList<>());
                     pieceOf[h] = found.size();
@@ -72,15 +70,6 @@ final class TissueMeasure implements SceneMeasure {
                 .filter(piece -> piece.size() >= LEAST_PIECE)
                 .map(piece -> piece.stream().mapToInt(Integer::intValue).toArray())
                 .toList();
-    }
-
-    private static int headOf(int[] head, int i) {
-        int h = i;
-        while (head[h] != h) {
-            head[h] = head[head[h]];
-            h = head[h];
-        }
-        return h;
     }
 
     @Override

@@ -32,4 +32,14 @@ class RadixSortTest {
         Arrays.sort(given, 0, length);
         assertThat(keys).isEqualTo(given);
     }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 100})
+    void aStretchIsSortedAndNothingElse(int length) {
+        long[] keys = new Random(2).longs(length + 4).toArray();
+        long[] expected = keys.clone();
+        Arrays.sort(expected, 2, 2 + length);
+        RadixSort.sort(keys, 2, 2 + length);
+        assertThat(keys).isEqualTo(expected);
+    }
 }

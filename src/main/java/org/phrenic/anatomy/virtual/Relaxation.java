@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.function.IntFunction;
+import org.phrenic.geometry.RadixSort;
 import org.phrenic.geometry.TriangleMesh;
 import org.phrenic.geometry.Triangles;
 import org.phrenic.geometry.Vectors;
@@ -194,7 +195,7 @@ final class Relaxation {
         }
         // Each row's start has moved to its end.
         for (int v = 0, from = 0; v < start.length - 1; from = start[v++]) {
-            Arrays.sort(edges, from, start[v]);
+            RadixSort.sort(edges, from, start[v]);
         }
         return edges;
     }

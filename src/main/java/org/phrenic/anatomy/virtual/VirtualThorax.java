@@ -76,6 +76,7 @@ public final class VirtualThorax {
         }
         List<Structure> structures = new ArrayList<>(bones());
         spineParts.forEach(part -> structures.addAll(part.join()));
+        // Waited for in the reverse order of forking: what nobody has begun yet this thread then does itself.
         for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
             part.join();
         }

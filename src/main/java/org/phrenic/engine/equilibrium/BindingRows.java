@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.geometry.DisjointSets;
 
 /**
  * The rows C of a system's constraints that bind, and the projection along them: P = 1 - Cᵀ (C Cᵀ)⁻¹ C. Rows that share a free node are solved together by Cholesky's factors, and there are few in each such group; a
@@ -125,29 +126,19 @@ final class BindingRows implements Constraint.Rows {
 
     /** A group for each row, by free nodes in common; -1 where both ends are given. */
     private int[] groups() {
-        int[] parent = new int[isFree.length];
-        Arrays.setAll(parent, i -> i);
+        int[] parent = DisjointSets.alone(isFree.length);
         for (int i = 0; i < count; i++) {
             if (binds[i] && nodeB[i] >= 0 && isFree[nodeA[i]] && isFree[nodeB[i]]) {
-                parent[root(parent, nodeA[i])] = root(parent, nodeB[i]);
+                parent[DisjointSets.root(parent, nodeA[i])] = DisjointSets.root(parent, nodeB[i]);
             }
         }
         int[] group = new int[count];
         for (int i = 0; i < count; i++) {
             boolean byB = !isFree[nodeA[i]];
             boolean none = byB && (nodeB[i] < 0 || !isFree[nodeB[i]]);
-            group[i] = none ? -1 : root(parent, byB ? nodeB[i] : nodeA[i]);
+            group[i] = none ? -1 : DisjointSets.root(parent, byB ? nodeB[i] : nodeA[i]);
         }
         return group;
-    }
-
-    private static int root(int[] parent, int of) {
-        int at = of;
-        while (parent[at] != at) {
-            parent[at] = parent[parent[at]];
-            at = parent[at];
-        }
-        return at;
     }
 
     /** Cholesky's lower factor of C Cᵀ of the rows that say something new, which are added to the members. */
