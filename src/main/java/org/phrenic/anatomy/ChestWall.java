@@ -13,6 +13,9 @@ public final class ChestWall {
     private static final int SECTORS = 96;
     private static final int QUARTER = SECTORS / 4;
     private static final double LAYER_MM = 5;
+    /** Points of what lies against the wall must not be farther apart than this, or a cell that holds none of the outer surface would take a point behind it for the wall. */
+    public static final double MOST_SPACING_MM = LAYER_MM / 2;
+
     private static final int SMOOTHINGS = 2;
 
     private final double centreX;
@@ -27,7 +30,7 @@ public final class ChestWall {
     private double time = Double.NaN;
 
     /**
-     * @param contents points at rest (three numbers each, mm) whose envelope is the wall: lungs and thoracic face of the diaphragm
+     * @param contents points at rest (three numbers each, mm) whose envelope is the wall: all over lungs and thoracic face of the diaphragm, no farther apart than {@link #MOST_SPACING_MM}
      * @param centreX of the vertical line, mm
      * @param centreY of the vertical line, mm
      * @param bones what carries the wall
@@ -243,26 +246,36 @@ public final class ChestWall {
     private void plane(double allowance, double px, double py, double pz, double[] plane, int at) {
         double x = px - centreX;
         double y = py - centreY;
-        int cell = nearestCell(sectorOf(x, y), (pz - bottom) / LAYER_MM);
-        // The wall near the point has come from here; what the ribs do within a cell or two is the same.
-        double ux = displaced[3 * cell];
-        double uy = displaced[3 * cell + 1];
-        double uz = displaced[3 * cell + 2];
-        x -= ux;
-        y -= uy;
+        // How the wall near the point has come from its place at rest. Between cells it is interpolated: taken from the
+        // nearest
+        // one, neighbouring points of a lung lay at unlike depths, and a point jumped where it changed cells.
+        double here = sectorOf(x, y);
+        double height = withinLayers((pz - bottom) / LAYER_MM);
+        int cell = ((int) height) * SECTORS + (int) here;
+        int next = here < SECTORS - 1 ? cell + 1 : cell + 1 - SECTORS;
+        double above = height - (int) height;
+        double past = here - (int) here;
+        double w00 = (1 - above) * (1 - past);
+        double w01 = (1 - above) * past;
+        double w10 = above * (1 - past);
+        double w11 = above * past;
+        double[] u = displaced;
+        x -= mean(u, 3 * cell, 3 * next, w00, w01, w10, w11);
+        y -= mean(u, 3 * cell + 1, 3 * next + 1, w00, w01, w10, w11);
+        double z = pz - mean(u, 3 * cell + 2, 3 * next + 2, w00, w01, w10, w11);
         double r = Math.max(1, Math.sqrt(x * x + y * y));
         double sector = sectorOf(x, y);
-        double layer = (pz - uz - bottom) / LAYER_MM;
+        double layer = (z - bottom) / LAYER_MM;
         int whole = (int) sector;
-        double past = sector - whole;
+        double beyond = sector - whole;
         double level = withinLayers(layer);
         int below = (int) level;
-        double wall = between(below, level - below, whole, past);
+        double wall = between(below, level - below, whole, beyond);
         double slopeSector = ahead(below, level - below, sector + 0.5) - ahead(below, level - below, sector - 0.5);
         double higher = withinLayers(layer + 0.5);
         double lower = withinLayers(layer - 0.5);
-        double slopeHeight = (between((int) higher, higher - (int) higher, whole, past)
-                        - between((int) lower, lower - (int) lower, whole, past))
+        double slopeHeight = (between((int) higher, higher - (int) higher, whole, beyond)
+                        - between((int) lower, lower - (int) lower, whole, beyond))
                 / LAYER_MM;
         // Gradient of G = r_wall - r: the sector grows along (-y, x) / (|x| + |y|)².
         double size = Math.max(1, Math.abs(x) + Math.abs(y));
@@ -279,13 +292,14 @@ public final class ChestWall {
         plane[at + 1] = gy;
         plane[at + 2] = gz;
         plane[at + 3] = gx * px + gy * py + gz * pz - gap;
-        plane[at + 4] = gx * velocity[3 * cell] + gy * velocity[3 * cell + 1] + gz * velocity[3 * cell + 2];
+        double[] v = velocity;
+        plane[at + 4] = gx * mean(v, 3 * cell, 3 * next, w00, w01, w10, w11)
+                + gy * mean(v, 3 * cell + 1, 3 * next + 1, w00, w01, w10, w11)
+                + gz * mean(v, 3 * cell + 2, 3 * next + 2, w00, w01, w10, w11);
     }
 
-    private int nearestCell(double sector, double layer) {
-        // Both are positive: cut off after a half was added they are rounded, in a third of the time.
-        int l = (int) (Math.max(0, Math.min(layers - 1, layer)) + 0.5);
-        int s = (int) (sector + 0.5);
-        return l * SECTORS + (s < SECTORS ? s : s - SECTORS);
+    /** A coordinate of a vector that each cell has, between two cells of a layer and the two above them. */
+    private static double mean(double[] of, int cell, int next, double w00, double w01, double w10, double w11) {
+        return w00 * of[cell] + w01 * of[next] + w10 * of[cell + 3 * SECTORS] + w11 * of[next + 3 * SECTORS];
     }
 }

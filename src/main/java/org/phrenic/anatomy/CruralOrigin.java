@@ -12,7 +12,7 @@ public final class CruralOrigin {
     /** The right crus comes from L1 to L3, the left from L1 and L2 (physiology C1). */
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
     /** The sheet's middle is 3 to 8 mm off the bone: its half thickness, ligament and what smoothing does to both surfaces. With 14 mm it creased at the border of what is held. */
-    private static final double REACH_MM = 20;
+    private static final double REACH_MM = 15;
 
     private CruralOrigin() {}
 
@@ -25,7 +25,7 @@ public final class CruralOrigin {
         TriangleMesh sheet = diaphragm.sheet();
         double[] share = new double[sheet.vertexCount()];
         List<Structure> spine = thorax.structures().stream()
-                .filter(s -> s.level() >= StructureName.FIRST_LUMBAR)
+                .filter(s -> s.level() >= StructureName.FIRST_LUMBAR - 1)
                 .filter(s -> (s.kind() == StructureKind.VERTEBRA && s.level() <= LAST_LEVEL)
                         || (s.kind() == StructureKind.DISC && s.level() < LAST_LEVEL))
                 .toList();

@@ -36,7 +36,7 @@ final class DiaphragmPart {
     /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
     private static final double STRUT_STIFFNESS = 0.3;
     /** Of the bed that the crura's origin lies in: against muscle's pull of some kPa over a sheet of some mm it gives by a millimetre or two. */
-    private static final double CRURAL_KPA_PER_MM = 2;
+    private static final double CRURAL_KPA_PER_MM = 1;
 
     final Diaphragm diaphragm;
     final int first;

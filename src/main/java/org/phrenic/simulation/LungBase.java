@@ -2,7 +2,6 @@ package org.phrenic.simulation;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.NodeLayout;
@@ -11,24 +10,17 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.geometry.MeshMeasure;
-import org.phrenic.geometry.TriangleMesh;
-import org.phrenic.geometry.TriangleTree;
 
 /**
  * Where the base of the lungs is held on the thoracic face of the diaphragm, and how it slides there: as the sheet leaves the chest wall, the costodiaphragmatic recess opens and the border of the lung comes down to where the two
  * still touch.
  *
- * <p>From the point of the face nearest to a vertex of the base a track of points runs down the sheet to its insertion, {@value #SPACING_MM} mm apart at rest. As a point leaves the wall it counts as open, from not at all where it is as
+ * <p>From the point of the face nearest to a vertex of the base a track of points runs down the sheet along its fibres to its insertion, {@value RecessTracks#SPACING_MM} mm apart at rest ({@link RecessTracks}). As a point leaves the wall it counts as open, from not at all where it is as
  * near as at rest to wholly at {@value #OPEN_MM} mm more; {@code S} is how much of the part of the track that lay against the wall at rest has opened. The vertex goes down its track by {@code S f(a)}, {@code a} the way from the vertex
  * to the upper end of that part and {@code f} falling evenly from 1 to 0 over {@value #REACH_MM} mm: the border slides wholly, the middle of the base not at all. Anchors are read off the nodes as they stand and follow them without jumps; the lung pulls on the diaphragm with
  * nothing, as it is two orders softer.
  */
 final class LungBase implements PrescribedMotion {
-    private static final double SPACING_MM = 6;
-    /** A step along the face with a little slack for rounding. */
-    private static final double MOST_STEP_MM = 1.01 * SPACING_MM;
-
-    private static final int MOST_POINTS = 48;
     /** The sheet lies against the wall where it is nearer to it than this: the pleura is no gap, but given sheets are smoothed. */
     private static final double APPOSED_MM = 8;
 
@@ -82,7 +74,7 @@ final class LungBase implements PrescribedMotion {
      * @param points the base's vertices at rest, three numbers each, mm
      * @param tracks the lines from these points down the face
      */
-    LungBase(ParticleSystem system, DiaphragmPart part, ChestWall chest, double[] points, Tracks tracks) {
+    LungBase(ParticleSystem system, DiaphragmPart part, ChestWall chest, double[] points, RecessTracks tracks) {
         this.system = system;
         Diaphragm sheet = part.diaphragm;
         NodeLayout layout = system.layout();
@@ -122,7 +114,7 @@ final class LungBase implements PrescribedMotion {
                 p++;
             }
             apposed[i] = p;
-            share[i] = Math.max(0, 1 - SPACING_MM * (p - start[i]) / REACH_MM);
+            share[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
         }
         Arrays.fill(opening, 0);
         height = new double[n];
@@ -235,99 +227,6 @@ final class LungBase implements PrescribedMotion {
         return weight[3 * point] * of[watched[corner[3 * point]] + axis]
                 + weight[3 * point + 1] * of[watched[corner[3 * point + 1]] + axis]
                 + weight[3 * point + 2] * of[watched[corner[3 * point + 2]] + axis];
-    }
-
-    /** Lines of points down the thoracic face at rest. They depend on the body alone, so they can be drawn before there is a system of nodes. */
-    static final class Tracks {
-        private final int[] start;
-        private int[] corner;
-        private double[] weight;
-
-        Tracks(Diaphragm diaphragm, double[] points) {
-            TriangleMesh sheet = diaphragm.sheet();
-            int[] face = IntStream.range(0, sheet.triangleCount())
-                    .filter(diaphragm::isThoracicTriangle)
-                    .toArray();
-            int[] all = sheet.triangles();
-            int[] t = IntStream.of(face)
-                    .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
-                    .map(i -> all[i])
-                    .toArray();
-            TriangleTree tree = new TriangleTree(new TriangleMesh(sheet.positions(), t));
-            TriangleTree.Hit hit = new TriangleTree.Hit();
-            int n = points.length / 3;
-            start = new int[n + 1];
-            corner = new int[3 * n * MOST_POINTS];
-            weight = new double[3 * n * MOST_POINTS];
-            double[] p = sheet.positions();
-            double[] down = new double[3];
-            int count = 0;
-            for (int i = 0; i < n; i++) {
-                start[i] = count;
-                double[] at = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
-                double before = Double.POSITIVE_INFINITY;
-                for (int k = 0; k < MOST_POINTS; k++) {
-                    // From the second point on no farther than the step taken: that cuts the search short.
-                    tree.closest(at[0], at[1], at[2], k == 0 ? Double.POSITIVE_INFINITY : MOST_STEP_MM, hit);
-                    double toInsertion = 0;
-                    double[] weights = {hit.weightA, hit.weightB, hit.weightC};
-                    for (int c = 0; c < 3; c++) {
-                        toInsertion += weights[c] * diaphragm.distanceFromInsertion(t[3 * hit.triangle + c]);
-                    }
-                    if (toInsertion > before - 0.3 * SPACING_MM) {
-                        break;
-                    }
-                    before = toInsertion;
-                    for (int c = 0; c < 3; c++) {
-                        corner[3 * count + c] = t[3 * hit.triangle + c];
-                        weight[3 * count + c] = weights[c];
-                    }
-                    count++;
-                    if (toInsertion < SPACING_MM) {
-                        break;
-                    }
-                    downhill(diaphragm, p, t, hit.triangle, down);
-                    at[0] = hit.x + SPACING_MM * down[0];
-                    at[1] = hit.y + SPACING_MM * down[1];
-                    at[2] = hit.z + SPACING_MM * down[2];
-                }
-            }
-            start[n] = count;
-            corner = Arrays.copyOf(corner, 3 * count);
-            weight = Arrays.copyOf(weight, 3 * count);
-        }
-
-        /** Unit direction in a triangle in which the insertion comes nearer fastest. */
-        private static void downhill(Diaphragm diaphragm, double[] p, int[] t, int triangle, double[] out) {
-            int a = t[3 * triangle];
-            int b = t[3 * triangle + 1];
-            int c = t[3 * triangle + 2];
-            double db = diaphragm.distanceFromInsertion(b) - diaphragm.distanceFromInsertion(a);
-            double dc = diaphragm.distanceFromInsertion(c) - diaphragm.distanceFromInsertion(a);
-            double uu = 0;
-            double uv = 0;
-            double vv = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                double u = p[3 * b + axis] - p[3 * a + axis];
-                double v = p[3 * c + axis] - p[3 * a + axis];
-                uu += u * u;
-                uv += u * v;
-                vv += v * v;
-            }
-            double det = Math.max(uu * vv - uv * uv, Double.MIN_NORMAL);
-            double alongU = (vv * db - uv * dc) / det;
-            double alongV = (uu * dc - uv * db) / det;
-            double squared = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                out[axis] =
-                        -alongU * (p[3 * b + axis] - p[3 * a + axis]) - alongV * (p[3 * c + axis] - p[3 * a + axis]);
-                squared += out[axis] * out[axis];
-            }
-            double length = Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
-            for (int axis = 0; axis < 3; axis++) {
-                out[axis] /= length;
-            }
-        }
     }
 
     /** Nodes of the lungs that lie on the base, the diaphragm's node nearest to each, and the stiffness that holds each to its place there. */

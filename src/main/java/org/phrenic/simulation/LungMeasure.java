@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import java.util.List;
 import org.phrenic.anatomy.BlendedMotion;
 import org.phrenic.anatomy.BoneWeights;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.geometry.TriangleMesh;
@@ -56,7 +57,8 @@ final class LungMeasure {
     }
 
     private void embed(Scene scene, int s, TriangleMesh mesh) {
-        NearestVertex thoracic = LungPart.thoracicFace(scene.diaphragm().diaphragm);
+        Diaphragm sheet = scene.diaphragm().diaphragm;
+        NearestVertex thoracic = new NearestVertex(sheet.sheet(), sheet::isThoracic);
         carrier[s] = new int[mesh.vertexCount()];
         carried[s] = new double[mesh.vertexCount()];
         for (int i = 0; i < mesh.vertexCount(); i++) {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.ChestWall;
-import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.TriangleMesh;
+import org.phrenic.geometry.TriangleTree;
 
 /**
  * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm, on which they slide ({@link LungBase}); where they lie against the ribs they slide on the pleura and cannot leave it, and attachments of low elasticity
@@ -34,7 +34,7 @@ final class LungPart {
     /** What faces upward more than this is the cupola, which the first rib and its fascia hold. */
     private static final double UPWARD = 0.5;
 
-    /** Against wrinkling: the tissue behind the surface tethers every vertex to its place a little, as a share of an edge's stiffness. */
+    /** Against wrinkling: the tissue behind the surface tethers every vertex to its place a little, as a share of an edge's stiffness a node ({@link TissueLaw#bed}). */
     private static final double PARENCHYMA = 0.1;
 
     private static final double WALL = 0.3;
@@ -54,18 +54,20 @@ final class LungPart {
     private final List<List<Double>> outward = List.of(new ArrayList<>(), new ArrayList<>());
 
     /**
+     * @param firstOfDiaphragm the node that is the sheet's first vertex
      * @param stiffness of the lungs as a multiple of relaxed muscle's
      */
     LungPart(
             SceneParts parts,
             List<Structure> lungs,
-            DiaphragmPart diaphragm,
+            ThoracicFace face,
+            int firstOfDiaphragm,
             BoneWeights bones,
             ChestWall wall,
             TissueLaw law,
             double stiffness) {
         structures = lungs;
-        NearestVertex thoracic = thoracicFace(diaphragm.diaphragm);
+        TriangleTree.Hit onFace = new TriangleTree.Hit();
         double edge = law.edgeStiffness(2, stiffness);
         for (Structure s : lungs) {
             TriangleMesh mesh = s.mesh();
@@ -73,10 +75,12 @@ final class LungPart {
             firsts.add(first);
             law.addEdges(parts.passive, mesh, first, stiffness);
             double[] normals = MeshMeasure.vertexNormals(mesh);
+            double[] bed = law.bed(mesh);
             double[] toBone = bones.distances(mesh.positions());
             for (int i = 0; i < mesh.vertexCount(); i++) {
-                int near = thoracic.find(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM);
-                double distance = thoracic.distance();
+                double distance = face.closest(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM, onFace)
+                        ? Math.sqrt(onFace.distanceSquared)
+                        : FADE_MM;
                 boolean costal = wall != null
                         && wall.depth(mesh.x(i), mesh.y(i), mesh.z(i)) < PLEURAL_MM
                         && wall.outward(mesh.x(i), mesh.y(i), normals[3 * i], normals[3 * i + 1]) > LATERAL;
@@ -85,11 +89,11 @@ final class LungPart {
                 }
                 if (distance < BASE_MM) {
                     base.nodes().add(first + i);
-                    base.nearest().add(diaphragm.first + near);
-                    base.stiffness().add((wall == null ? LINK : SLIDING_LINK) * edge);
+                    base.nearest().add(firstOfDiaphragm + face.nearestVertex(onFace));
+                    base.stiffness().add((wall == null ? LINK : SLIDING_LINK) * edge * bed[i]);
                 } else {
                     double costalShare = toBone[i] < COSTAL_MM ? WALL * (1 - FallOff.at(distance, FADE_MM)) : 0;
-                    double held = edge * Math.max(PARENCHYMA, costalShare);
+                    double held = edge * bed[i] * Math.max(PARENCHYMA, costalShare);
                     parts.attach(first + i, held);
                     double facing = Math.max(0, Math.min(1, 1 - normals[3 * i + 2] / UPWARD));
                     if (!costal && costalShare <= PARENCHYMA && facing > 0) {
@@ -119,10 +123,5 @@ final class LungPart {
     /** Nodes that slide on the chest wall and cannot leave it. */
     int[] pleural() {
         return onWall.stream().mapToInt(Integer::intValue).toArray();
-    }
-
-    /** Finds vertices of the diaphragm's thoracic face. */
-    static NearestVertex thoracicFace(Diaphragm diaphragm) {
-        return new NearestVertex(diaphragm.sheet(), diaphragm::isThoracic);
     }
 }

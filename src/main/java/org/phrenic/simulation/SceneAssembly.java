@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.BoneWeights;
 import org.phrenic.anatomy.ChestWall;
@@ -33,6 +32,7 @@ import org.phrenic.geometry.MeshComponents;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.Remesher;
+import org.phrenic.geometry.SurfaceSamples;
 import org.phrenic.geometry.TriangleMesh;
 
 /** Puts a scene together from a scenario and a thorax: only what the scenario asks for is built. */
@@ -73,6 +73,7 @@ final class SceneAssembly {
                 : List.of());
         Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
         Diaphragm tissue = diaphragm();
+        Ahead<ThoracicFace> face = Ahead.of(() -> new ThoracicFace(tissue));
         DiaphragmPart diaphragm = new DiaphragmPart(
                 parts,
                 tissue,
@@ -99,14 +100,15 @@ final class SceneAssembly {
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
         ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
         Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
-                ? Optional.of(new LungPart(parts, lungStructures, diaphragm, bones, wall, law, lungShare))
+                ? Optional.of(
+                        new LungPart(parts, lungStructures, face.get(), diaphragm.first, bones, wall, law, lungShare))
                 : Optional.empty();
 
         double[] positions = parts.positions();
         // The lines down the sheet are drawn while the system of nodes is put together.
-        Optional<Ahead<LungBase.Tracks>> tracks = lungs.filter(l -> wall != null)
+        Optional<Ahead<RecessTracks>> tracks = lungs.filter(l -> wall != null)
                 .map(l -> SceneParts.points(positions, 0, l.base.node()))
-                .map(points -> Ahead.of(() -> new LungBase.Tracks(diaphragm.diaphragm, points)));
+                .map(points -> Ahead.of(() -> new RecessTracks(face.get(), points)));
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
         double massAdded = physical ? scaleMasses(positions, masses, diaphragm, lungs) : 0;
@@ -230,16 +232,15 @@ final class SceneAssembly {
 
     private ChestWall wall(List<Structure> lungs, DiaphragmPart diaphragm, BoneWeights bones, RibCagePose pose) {
         Diaphragm sheet = diaphragm.diaphragm;
-        int[] thoracic = IntStream.range(0, sheet.sheet().vertexCount())
-                .filter(sheet::isThoracic)
-                .toArray();
-        double[] contents = DoubleStream.concat(
-                        Arrays.stream(SceneParts.points(sheet.sheet().positions(), 0, thoracic)),
-                        lungs.stream()
-                                .flatMapToDouble(s -> Arrays.stream(s.mesh().positions())))
-                .toArray();
+        SurfaceSamples contents = new SurfaceSamples(ChestWall.MOST_SPACING_MM);
+        for (int t = 0; t < sheet.sheet().triangleCount(); t++) {
+            if (sheet.isThoracicTriangle(t)) {
+                contents.add(sheet.sheet(), t);
+            }
+        }
+        lungs.forEach(s -> contents.add(s.mesh()));
         double[] box = sheet.sheet().bounds();
-        return new ChestWall(contents, 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose, workers);
+        return new ChestWall(contents.points(), 0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), bones, pose, workers);
     }
 
     private Springs sheetSprings(ParticleSystem system, BreathDrive drive) {
@@ -293,7 +294,7 @@ final class SceneAssembly {
             DiaphragmPart diaphragm,
             ChestWall wall,
             double[] positions,
-            Optional<Ahead<LungBase.Tracks>> tracks) {
+            Optional<Ahead<RecessTracks>> tracks) {
         int[] nodes = lungs.base.node();
         double[] points = SceneParts.points(positions, 0, nodes);
         PrescribedMotion places = tracks.isEmpty()

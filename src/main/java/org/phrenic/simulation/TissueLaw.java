@@ -1,5 +1,6 @@
 package org.phrenic.simulation;
 
+import java.util.Arrays;
 import org.phrenic.geometry.MeshMeasure;
 import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
@@ -22,6 +23,15 @@ interface TissueLaw {
     /** Masses of the vertices of a surface, kg; a tissue of another stiffness is as much heavier, so that all tissue has one wave speed. */
     double[] masses(TriangleMesh mesh, double relative);
 
+    /**
+     * What a bed that holds a surface's vertices to their places is multiplied by at each: in the physical preset its area over {@value #BED_MM2} mm², so that a bed's stiffness a unit of area is the same however fine the mesh is; 1 in the
+     * paper's.
+     */
+    double[] bed(TriangleMesh mesh);
+
+    /** Where a vertex has this area, a bed's stiffness is what it is said to be: mean area of a node of the virtual man's lungs at medium resolution. */
+    double BED_MM2 = 40;
+
     /** The physical preset; a sheet's stiffness is shared by its two faces. */
     static TissueLaw membrane(double sheetStiffness, double areaDensity) {
         return new TissueLaw() {
@@ -32,13 +42,22 @@ interface TissueLaw {
 
             @Override
             public double[] masses(TriangleMesh mesh, double relative) {
+                return areas(mesh, relative * areaDensity * 1e-6);
+            }
+
+            @Override
+            public double[] bed(TriangleMesh mesh) {
+                return areas(mesh, 1 / BED_MM2);
+            }
+
+            /** Areas of the vertices, times a factor. */
+            private double[] areas(TriangleMesh mesh, double factor) {
                 double[] areas = MeshMeasure.vertexAreas(mesh);
                 double least = 0.1 * MeshMeasure.area(mesh) / areas.length;
                 for (int i = 0; i < areas.length; i++) {
                     // A sliver's vertex has next to no area; it gets a tenth of the mean, or it would set the step for
                     // all.
-                    areas[i] = Math.max(areas[i], least);
-                    areas[i] *= relative * areaDensity * 1e-6;
+                    areas[i] = Math.max(areas[i], least) * factor;
                 }
                 return areas;
             }
@@ -55,8 +74,17 @@ interface TissueLaw {
 
             @Override
             public double[] masses(TriangleMesh mesh, double relative) {
+                return all(mesh, mass);
+            }
+
+            @Override
+            public double[] bed(TriangleMesh mesh) {
+                return all(mesh, 1);
+            }
+
+            private double[] all(TriangleMesh mesh, double value) {
                 double[] out = new double[mesh.vertexCount()];
-                java.util.Arrays.fill(out, mass);
+                Arrays.fill(out, value);
                 return out;
             }
         };

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.virtual.Bodies;
 import org.phrenic.engine.Workers;
 import org.phrenic.engine.constraint.ContactSurface;
+import org.phrenic.geometry.SurfaceSamples;
+import org.phrenic.geometry.TriangleMesh;
 
 /** A cylinder of 110 mm radius in the rib cage of the virtual adult male stands for lungs and diaphragm. */
 class ChestWallTest {
@@ -139,5 +141,61 @@ class ChestWallTest {
                 / (2 * h);
         // The gap also changes as the wall slides along the node; on a cylinder that is little.
         assertThat(at[4]).isCloseTo(rate, within(0.15 * Math.abs(rate) + 0.5));
+    }
+
+    /** A lung that slides down a wall that the ribs have carried away must not be shaken as it comes from cell to cell. */
+    @Test
+    void theWallChangesSmoothlyFromPlaceToPlaceWhileItIsCarried() {
+        double step = 0.2;
+        double[] start = {-100, 20, low + 40};
+        ContactSurface felt = wall.keeping(start);
+        double before = Double.NaN;
+        for (int i = 0; i < 300; i++) {
+            double[] x = {start[0] + 0.5 * step * i, start[1] - 0.3 * step * i, start[2] + 0.3 * step * i};
+            double r = Math.hypot(x[0], x[1]);
+            x[0] *= 100 / r;
+            x[1] *= 100 / r;
+            double gap = gap(plane(felt, 1, x[0], x[1], x[2]), x);
+            if (i > 0) {
+                assertThat(Math.abs(gap - before)).as("at place %d", i).isLessThan(0.3 * step);
+            }
+            before = gap;
+        }
+    }
+
+    /** The outer one of two surfaces is the wall wherever both are, however coarse its triangles. */
+    @Test
+    void noCellTakesWhatLiesBehindForTheWall() {
+        SurfaceSamples samples = new SurfaceSamples(ChestWall.MOST_SPACING_MM);
+        samples.add(cylinder(RADIUS_MM, 24));
+        samples.add(cylinder(70, 200));
+        ChestWall coarse =
+                new ChestWall(samples.points(), 0, 0, bones, new RibCagePose(cage, (t, out) -> {}), Workers.of(1));
+        // A chord of a 24th of the circle lies up to 0.94 mm inside it.
+        double inside = RADIUS_MM * (1 - Math.cos(Math.PI / 24));
+        for (int turn = 0; turn < 360; turn++) {
+            double cos = Math.cos(Math.toRadians(turn));
+            double sin = Math.sin(Math.toRadians(turn));
+            for (int up = 10; up < 110; up++) {
+                assertThat(coarse.depth(100 * cos, 100 * sin, low + up)).isBetween(10 - inside - GRID_MM, 10 + GRID_MM);
+            }
+        }
+    }
+
+    private static TriangleMesh cylinder(double radius, int sides) {
+        double[] p = new double[6 * sides];
+        int[] t = new int[6 * sides];
+        for (int i = 0; i < sides; i++) {
+            for (int end = 0; end < 2; end++) {
+                int v = 3 * (2 * i + end);
+                p[v] = radius * Math.cos(2 * Math.PI * i / sides);
+                p[v + 1] = radius * Math.sin(2 * Math.PI * i / sides);
+                p[v + 2] = low + 120 * end;
+            }
+            int a = 2 * i;
+            int b = 2 * ((i + 1) % sides);
+            System.arraycopy(new int[] {a, b, a + 1, b, b + 1, a + 1}, 0, t, 6 * i, 6);
+        }
+        return new TriangleMesh(p, t);
     }
 }

@@ -12,7 +12,8 @@ import org.phrenic.anatomy.virtual.Bodies;
 import org.phrenic.geometry.TriangleMesh;
 
 class CruralOriginTest {
-    private static final double REACH_MM = 20;
+    private static final double REACH_MM = 15;
+    private static final int LAST_THORACIC = StructureName.FIRST_LUMBAR - 1;
     private static final int THIRD_LUMBAR = StructureName.FIRST_LUMBAR + 2;
 
     private static Thorax body;
@@ -30,16 +31,15 @@ class CruralOriginTest {
         return new Thorax("part", body.structures().stream().filter(kept).toList(), List.of());
     }
 
-    private static boolean isLumbar(Structure s) {
-        return (s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC)
-                && s.level() >= StructureName.FIRST_LUMBAR;
+    private static boolean isOfTheOrigin(Structure s) {
+        return (s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC) && s.level() >= LAST_THORACIC;
     }
 
     @Test
     void bothCruraComeFromTheVertebraeAndNothingElseDoes() {
         TriangleMesh sheet = diaphragm.sheet();
         double top = body.structures().stream()
-                .filter(CruralOriginTest::isLumbar)
+                .filter(CruralOriginTest::isOfTheOrigin)
                 .mapToDouble(s -> s.mesh().bounds()[5])
                 .max()
                 .orElseThrow();
@@ -58,6 +58,16 @@ class CruralOriginTest {
         assertThat(left).isGreaterThan(20);
     }
 
+    /** The median arcuate ligament crosses the aorta in front of T12. */
+    @Test
+    void itBeginsAtTheLastThoracicVertebra() {
+        assertThat(CruralOrigin.of(with(s -> s.level() >= LAST_THORACIC), diaphragm))
+                .isEqualTo(share);
+        double[] lumbarAlone = CruralOrigin.of(with(s -> s.level() > LAST_THORACIC), diaphragm);
+        assertThat(Arrays.stream(lumbarAlone).sum())
+                .isLessThan(0.9 * Arrays.stream(share).sum());
+    }
+
     @Test
     void itIsASmallPartOfTheSheet() {
         assertThat(Arrays.stream(share).sum() / share.length).isBetween(0.005, 0.1);
@@ -66,15 +76,15 @@ class CruralOriginTest {
     @Test
     void itEndsAtTheThirdLumbarVertebra() {
         // The disc of a level lies below its vertebra.
-        Predicate<Structure> below = s -> isLumbar(s)
+        Predicate<Structure> below = s -> isOfTheOrigin(s)
                 && (s.level() > THIRD_LUMBAR || (s.level() == THIRD_LUMBAR && s.kind() == StructureKind.DISC));
         assertThat(CruralOrigin.of(with(below.negate()), diaphragm)).isEqualTo(share);
         assertThat(CruralOrigin.of(with(below), diaphragm)).containsOnly(0);
     }
 
     @Test
-    void aBodyWithoutLumbarSpineHasNone() {
-        double[] none = CruralOrigin.of(with(s -> !isLumbar(s)), diaphragm);
+    void aBodyWithoutSpineThereHasNone() {
+        double[] none = CruralOrigin.of(with(s -> !isOfTheOrigin(s)), diaphragm);
         assertThat(none).hasSize(share.length).containsOnly(0);
     }
 

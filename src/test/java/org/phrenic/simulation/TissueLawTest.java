@@ -119,6 +119,15 @@ class TissueLawTest {
     }
 
     @Test
+    void aBedIsAsFirmUnderACoarseMeshAsUnderAFineOne() {
+        for (int rings : new int[] {14, 28}) {
+            TriangleMesh dome = DomeSheet.adult(rings);
+            assertThat(Arrays.stream(LAW.bed(dome)).sum())
+                    .isCloseTo(MeshMeasure.area(dome) / TissueLaw.BED_MM2, Percentage.withPercentage(1));
+        }
+    }
+
+    @Test
     void tendonIsAsMuchHeavierAsItIsStifferSoThatAllTissueHasOneWaveSpeed() {
         TriangleMesh dome = DomeSheet.adult(8);
         assertThat(LAW.masses(dome, 10)[5]).isCloseTo(10 * LAW.masses(dome, 1)[5], within(1e-12));
@@ -130,6 +139,7 @@ class TissueLawTest {
     void thePaperHasOneStiffnessAndOneMassForAll() {
         TissueLaw paper = TissueLaw.uniform(15, 0.1);
         assertThat(paper.masses(DomeSheet.adult(5), 10)).containsOnly(0.1);
+        assertThat(paper.bed(DomeSheet.adult(5))).containsOnly(1);
         assertThat(paper.edgeStiffness(2, 1)).isEqualTo(15).isEqualTo(paper.edgeStiffness(1, 1));
     }
 

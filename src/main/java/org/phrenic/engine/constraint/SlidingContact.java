@@ -10,7 +10,7 @@ import org.phrenic.engine.Workers;
  * Contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its velocity that goes into the wall is replaced by
  * the wall's own. Sliding along the wall, and leaving it, are free.
  *
- * <p>An adhering contact holds from both sides: the node slides along the wall but cannot leave it, as the lung's surface does on the pleura.
+ * <p>An adhering contact holds from both sides and wholly: the node slides along the wall but cannot leave it, as the lung's surface does on the pleura, however hard it is pulled.
  *
  * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps: between the two the node moves a fraction of a
  * millimetre, so the plane is as good as the wall and costs a tenth.
@@ -21,7 +21,7 @@ public final class SlidingContact implements SeparableConstraint {
     /** A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until planes are taken anew, mm. */
     private static final double FAR_MM = 5;
 
-    /** A node is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
+    /** A node that the wall holds back from one side is put back no faster than this, mm/s: a wall that turns sharply, or a node thrown through it, then costs a smooth return and no shock. */
     public static final double RETURN_SPEED = 500;
 
     /** Nodes times 3 in internal order, which is that of memory, and which of the caller's list each is. */
@@ -35,7 +35,7 @@ public final class SlidingContact implements SeparableConstraint {
     /** Nodes that cannot come to the wall before planes are taken anew. */
     private final boolean[] far;
 
-    private double returnSpeed = RETURN_SPEED;
+    private double returnSpeed;
     private ParticleSystem system;
     private final Workers.Task refreshTask = this::takePlanes;
     private final RefreshClock refresh;
@@ -59,6 +59,7 @@ public final class SlidingContact implements SeparableConstraint {
     private SlidingContact(
             NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
         this.adhering = adhering;
+        returnSpeed = adhering ? Double.POSITIVE_INFINITY : RETURN_SPEED;
         listed = layout.inMemoryOrder(callerNodes);
         node = Arrays.stream(listed)
                 .map(i -> 3 * layout.internal(callerNodes[i]))

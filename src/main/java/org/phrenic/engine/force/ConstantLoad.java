@@ -41,6 +41,9 @@ public final class ConstantLoad implements ForceField {
         int[] node = nodes.node;
         double[] f = load;
         double s = factor;
+        if (s == 0) {
+            return;
+        }
         int end = nodes.start[block + 1];
         for (int i = nodes.start[block]; i < end; i++) {
             int n = node[i];

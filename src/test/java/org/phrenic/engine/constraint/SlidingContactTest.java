@@ -84,6 +84,22 @@ class SlidingContactTest {
         assertThat(contact.touchingCount()).isEqualTo(1);
     }
 
+    /** Springs of the lung's base pull nodes off the pleura by more in a step than a wall that gives way would put back; what adheres does not give way. */
+    @Test
+    void anAdheringNodeStaysHoweverHardItIsPulled() {
+        ParticleSystem system = Scenes.oneNode(0.1);
+        // 10 m/s more in every step, 20 times the return speed of a wall that holds from one side.
+        double pull = 20 * SlidingContact.RETURN_SPEED / H * 0.1;
+        system.add(new ConstantLoad(system.layout(), new double[] {0, 0, -pull}));
+        system.add(SlidingContact.adhering(system.layout(), new int[] {0}, new Scenes.Ceiling(1, -20), 0.01));
+        system.positions()[2] = 1;
+        Integrator integrator = IntegratorKind.VERLET.on(system);
+        for (int i = 0; i < 100; i++) {
+            integrator.step(i * H, H);
+            assertThat(system.positions()[2]).isCloseTo(1 - 20 * (i + 1) * H, within(1e-9));
+        }
+    }
+
     /** Inside of a sphere about the origin. */
     private record Bowl(double radius) implements ContactSurface {
         @Override
