@@ -1,5 +1,6 @@
 package org.phrenic.simulation;
 
+import java.util.Arrays;
 import org.phrenic.breathing.BreathState;
 
 /** Looks at a scene and writes down what there is to see. */
@@ -27,6 +28,9 @@ final class Observer {
     private final CageMeasure cage;
     private final LungMeasure lungs;
     private final double[] now;
+    private final double[] liver = new double[3];
+    private double shortening;
+    private double fromRest;
 
     Observer(Scene scene) {
         this.scene = scene;
@@ -50,6 +54,8 @@ final class Observer {
         scene.system().layout().toCaller(scene.system().positions(), now);
         scene.pose().update(time);
         BreathState breath = scene.drive().stateAt(time);
+        // The liver takes as long as all else.
+        scene.system().workers().run(2, this::look);
         double[] row = new double[Observation.COLUMNS.size()];
         int c = 0;
         row[c++] = time;
@@ -61,33 +67,40 @@ final class Observer {
         for (Patch patch : patches) {
             row[c++] = patch.displacement(rest, now, 2);
         }
-        row[c++] = fibres.shorteningPercent(rest, now);
+        row[c++] = shortening;
         row[c++] = lungs.volumeChange(time, rest, now);
         double[] sternum = cage.sternumMotion();
         row[c++] = -sternum[1];
         row[c++] = cage.transverseChange();
         row[c++] = sternum[2];
         row[c++] = -sternum[1];
-        double[] liver = liverMotion(rest);
         row[c++] = liver[2];
         row[c++] = liver[1];
         row[c++] = liver[0];
-        row[c++] = rms(rest);
+        row[c++] = fromRest;
         row[c] = scene.links().map(l -> l.error(scene.system())).orElse(0.0);
         return new Observation(row);
     }
 
+    /** One of two things that are looked at side by side. */
+    private void look(int which) {
+        double[] rest = scene.rest();
+        if (which == 0) {
+            scene.liver().ifPresent(part -> lookAt(part, rest));
+        } else {
+            shortening = fibres.shorteningPercent(rest, now);
+            fromRest = rms(rest);
+        }
+    }
+
     /** Mean displacement of the liver's surface: to the left, posterior, superior, mm. */
-    private double[] liverMotion(double[] rest) {
-        double[] mean = new double[3];
-        scene.liver().ifPresent(liver -> {
-            double[] start = liver.structure.mesh().positions();
-            double[] moved = liver.positions(rest, now);
-            for (int i = 0; i < start.length; i++) {
-                mean[i % 3] += 3 * (moved[i] - start[i]) / start.length;
-            }
-        });
-        return mean;
+    private void lookAt(LiverPart part, double[] rest) {
+        Arrays.fill(liver, 0);
+        double[] start = part.structure.mesh().positions();
+        double[] moved = part.positions(rest, now);
+        for (int i = 0; i < start.length; i++) {
+            liver[i % 3] += 3 * (moved[i] - start[i]) / start.length;
+        }
     }
 
     private double rms(double[] rest) {
