@@ -246,9 +246,9 @@ public final class ChestWall {
     private void plane(double allowance, double px, double py, double pz, double[] plane, int at) {
         double x = px - centreX;
         double y = py - centreY;
-        // How the wall near the point has come from its place at rest. Between cells it is interpolated: taken from the
-        // nearest
-        // one, neighbouring points of a lung lay at unlike depths, and a point jumped where it changed cells.
+        // How the wall near the point has come from its place at rest. Taken from the nearest cell and not
+        // interpolated,
+        // neighbouring points of a lung lay at unlike depths, and a point jumped where it changed cells.
         double here = sectorOf(x, y);
         double height = withinLayers((pz - bottom) / LAYER_MM);
         int cell = ((int) height) * SECTORS + (int) here;

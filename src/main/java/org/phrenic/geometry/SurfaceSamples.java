@@ -30,10 +30,12 @@ public final class SurfaceSamples {
     public void add(TriangleMesh mesh, int triangle) {
         int[] t = mesh.triangles();
         double[] p = mesh.positions();
-        int a = 3 * t[3 * triangle];
-        int b = 3 * t[3 * triangle + 1];
-        int c = 3 * t[3 * triangle + 2];
-        double longest = Math.sqrt(Math.max(squared(p, a, b), Math.max(squared(p, b, c), squared(p, c, a))));
+        int a = t[3 * triangle];
+        int b = t[3 * triangle + 1];
+        int c = t[3 * triangle + 2];
+        double longest = Math.max(
+                MeshMeasure.distance(mesh, a, b),
+                Math.max(MeshMeasure.distance(mesh, b, c), MeshMeasure.distance(mesh, c, a)));
         int parts = Math.max(1, (int) Math.ceil(longest / spacing));
         int more = 3 * (parts + 1) * (parts + 2) / 2;
         if (length + more > points.length) {
@@ -44,17 +46,10 @@ public final class SurfaceSamples {
                 double u = i / (double) parts;
                 double v = j / (double) parts;
                 for (int axis = 0; axis < 3; axis++) {
-                    points[length++] = (1 - u - v) * p[a + axis] + u * p[b + axis] + v * p[c + axis];
+                    points[length++] = (1 - u - v) * p[3 * a + axis] + u * p[3 * b + axis] + v * p[3 * c + axis];
                 }
             }
         }
-    }
-
-    private static double squared(double[] p, int a, int b) {
-        double x = p[a] - p[b];
-        double y = p[a + 1] - p[b + 1];
-        double z = p[a + 2] - p[b + 2];
-        return x * x + y * y + z * z;
     }
 
     /** All points so far, three numbers each, mm; a copy. */

@@ -73,7 +73,9 @@ final class SceneAssembly {
                 : List.of());
         Ahead<BoneWeights> weights = Ahead.of(() -> BoneWeights.of(thorax, cage));
         Diaphragm tissue = diaphragm();
-        Ahead<ThoracicFace> face = Ahead.of(() -> new ThoracicFace(tissue));
+        Optional<Ahead<ThoracicFace>> face = scenario.lungs() == LungModel.SPRINGS
+                ? Optional.of(Ahead.of(() -> new ThoracicFace(tissue)))
+                : Optional.empty();
         DiaphragmPart diaphragm = new DiaphragmPart(
                 parts,
                 tissue,
@@ -99,16 +101,15 @@ final class SceneAssembly {
         BoneWeights bones = weights.get();
         double lungShare = physical ? value(Parameter.LUNG_STIFFNESS) / value(Parameter.MUSCLE_STIFFNESS) : 0.1;
         ChestWall wall = physical ? wall(lungStructures, diaphragm, bones, pose) : null;
-        Optional<LungPart> lungs = scenario.lungs() == LungModel.SPRINGS && !lungStructures.isEmpty()
-                ? Optional.of(
-                        new LungPart(parts, lungStructures, face.get(), diaphragm.first, bones, wall, law, lungShare))
-                : Optional.empty();
+        Optional<LungPart> lungs = face.filter(f -> !lungStructures.isEmpty())
+                .map(f -> new LungPart(parts, lungStructures, f.get(), diaphragm.first, bones, wall, law, lungShare));
 
         double[] positions = parts.positions();
         // The lines down the sheet are drawn while the system of nodes is put together.
         Optional<Ahead<RecessTracks>> tracks = lungs.filter(l -> wall != null)
                 .map(l -> SceneParts.points(positions, 0, l.base.node()))
-                .map(points -> Ahead.of(() -> new RecessTracks(face.get(), points)));
+                .map(points ->
+                        Ahead.of(() -> new RecessTracks(face.orElseThrow().get(), points)));
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = parts.masses();
         double massAdded = physical ? scaleMasses(positions, masses, diaphragm, lungs) : 0;

@@ -1,7 +1,11 @@
 package org.phrenic.anatomy;
 
 import java.nio.file.Path;
+import java.util.Comparator;
 import org.junit.jupiter.api.Assumptions;
+import org.phrenic.geometry.MeshComponents;
+import org.phrenic.geometry.MeshTopology;
+import org.phrenic.geometry.TriangleMesh;
 
 /** The real thorax and recorded breathing that lie beside the project on some machines. */
 public final class SharedThorax {
@@ -24,5 +28,14 @@ public final class SharedThorax {
             loaded = ThoraxFolder.load(folder);
         }
         return loaded;
+    }
+
+    /** The closed shell of the real diaphragm, the larger of two. */
+    public static TriangleMesh diaphragmSheet() {
+        TriangleMesh given = male().find("diaphragm").orElseThrow().mesh();
+        return MeshComponents.of(given).stream()
+                .filter(MeshTopology::isClosed)
+                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
+                .orElseThrow();
     }
 }

@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.SharedThorax;
@@ -29,8 +30,7 @@ class LungsInADeepBreathTest {
             scene.system().layout().toCaller(scene.system().positions(), now);
             DiaphragmPart part = scene.diaphragm();
             TriangleMesh sheet = part.diaphragm.sheet();
-            double[] sheetNow =
-                    java.util.Arrays.copyOfRange(now, 3 * part.first, 3 * (part.first + sheet.vertexCount()));
+            double[] sheetNow = Arrays.copyOfRange(now, 3 * part.first, 3 * (part.first + sheet.vertexCount()));
             int[] face = IntStream.range(0, sheet.triangleCount())
                     .filter(part.diaphragm::isThoracicTriangle)
                     .flatMap(t -> IntStream.range(3 * t, 3 * t + 3))

@@ -7,9 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.DomeSheet;
 import org.phrenic.anatomy.SharedThorax;
-import org.phrenic.anatomy.StructureKind;
-import org.phrenic.geometry.MeshComponents;
-import org.phrenic.geometry.MeshTopology;
 import org.phrenic.geometry.TriangleMesh;
 
 /** The ways down the thoracic face that the border of the lung can go. */
@@ -58,12 +55,7 @@ class RecessTracksTest {
     /** The shortest ways from neighbouring places of the scanned sheet's flank lead to places 150 mm apart; a lung's base was drawn through the dome between them. */
     @Test
     void tracksOfNeighboursOnTheScannedFlankEndSideBySide() {
-        TriangleMesh sheet = MeshComponents.of(
-                        SharedThorax.male().all(StructureKind.DIAPHRAGM).get(0).mesh())
-                .stream()
-                .filter(MeshTopology::isClosed)
-                .max(java.util.Comparator.comparingInt(TriangleMesh::vertexCount))
-                .orElseThrow();
+        TriangleMesh sheet = SharedThorax.diaphragmSheet();
         Diaphragm diaphragm = Diaphragm.trefoil(sheet);
         double[] box = sheet.bounds();
         double height = box[5] - box[2];
