@@ -17,6 +17,8 @@ public final class ChestWall {
     public static final double MOST_SPACING_MM = LAYER_MM / 2;
 
     private static final int SMOOTHINGS = 2;
+    private static final int MOTION = 6;
+    private static final int LAYER = MOTION * SECTORS;
 
     private final double centreX;
     private final double centreY;
@@ -25,8 +27,11 @@ public final class ChestWall {
     private final double[] radius;
     private final BlendedMotion motion;
     private final double[] restPoint;
-    private final double[] displaced;
+    private final double[] moved;
     private final double[] velocity;
+    /** How each cell has come from its place at rest, and its velocity: {@value #MOTION} numbers side by side, for they are read together. */
+    private final double[] carried;
+
     private double time = Double.NaN;
 
     /**
@@ -61,8 +66,9 @@ public final class ChestWall {
             }
         }
         motion = new BlendedMotion(pose, restPoint, bones.at(restPoint), workers);
-        displaced = new double[restPoint.length];
+        moved = new double[restPoint.length];
         velocity = new double[restPoint.length];
+        carried = new double[2 * restPoint.length];
     }
 
     /**
@@ -237,9 +243,12 @@ public final class ChestWall {
             return;
         }
         time = now;
-        motion.at(now, displaced, velocity);
-        for (int i = 0; i < displaced.length; i++) {
-            displaced[i] -= restPoint[i];
+        motion.at(now, moved, velocity);
+        for (int i = 0; i < moved.length; i += 3) {
+            for (int axis = 0; axis < 3; axis++) {
+                carried[2 * i + axis] = moved[i + axis] - restPoint[i + axis];
+                carried[2 * i + 3 + axis] = velocity[i + axis];
+            }
         }
     }
 
@@ -251,18 +260,18 @@ public final class ChestWall {
         // neighbouring points of a lung lay at unlike depths, and a point jumped where it changed cells.
         double here = sectorOf(x, y);
         double height = withinLayers((pz - bottom) / LAYER_MM);
-        int cell = ((int) height) * SECTORS + (int) here;
-        int next = here < SECTORS - 1 ? cell + 1 : cell + 1 - SECTORS;
+        int cell = ((int) height) * LAYER + ((int) here) * MOTION;
+        int next = here < SECTORS - 1 ? cell + MOTION : cell + MOTION - LAYER;
         double above = height - (int) height;
         double past = here - (int) here;
         double w00 = (1 - above) * (1 - past);
         double w01 = (1 - above) * past;
         double w10 = above * (1 - past);
         double w11 = above * past;
-        double[] u = displaced;
-        x -= mean(u, 3 * cell, 3 * next, w00, w01, w10, w11);
-        y -= mean(u, 3 * cell + 1, 3 * next + 1, w00, w01, w10, w11);
-        double z = pz - mean(u, 3 * cell + 2, 3 * next + 2, w00, w01, w10, w11);
+        double[] m = carried;
+        x -= mean(m, cell, next, w00, w01, w10, w11);
+        y -= mean(m, cell + 1, next + 1, w00, w01, w10, w11);
+        double z = pz - mean(m, cell + 2, next + 2, w00, w01, w10, w11);
         double r = Math.max(1, Math.sqrt(x * x + y * y));
         double sector = sectorOf(x, y);
         double layer = (z - bottom) / LAYER_MM;
@@ -292,14 +301,13 @@ public final class ChestWall {
         plane[at + 1] = gy;
         plane[at + 2] = gz;
         plane[at + 3] = gx * px + gy * py + gz * pz - gap;
-        double[] v = velocity;
-        plane[at + 4] = gx * mean(v, 3 * cell, 3 * next, w00, w01, w10, w11)
-                + gy * mean(v, 3 * cell + 1, 3 * next + 1, w00, w01, w10, w11)
-                + gz * mean(v, 3 * cell + 2, 3 * next + 2, w00, w01, w10, w11);
+        plane[at + 4] = gx * mean(m, cell + 3, next + 3, w00, w01, w10, w11)
+                + gy * mean(m, cell + 4, next + 4, w00, w01, w10, w11)
+                + gz * mean(m, cell + 5, next + 5, w00, w01, w10, w11);
     }
 
-    /** A coordinate of a vector that each cell has, between two cells of a layer and the two above them. */
+    /** A number that each cell has, between two cells of a layer and the two above them. */
     private static double mean(double[] of, int cell, int next, double w00, double w01, double w10, double w11) {
-        return w00 * of[cell] + w01 * of[next] + w10 * of[cell + 3 * SECTORS] + w11 * of[next + 3 * SECTORS];
+        return w00 * of[cell] + w01 * of[next] + w10 * of[cell + LAYER] + w11 * of[next + LAYER];
     }
 }

@@ -144,8 +144,12 @@ public final class NodeLayout {
 
     /** Three numbers a node from the internal order into the caller's, written to {@code out}. */
     public void toCaller(double[] internalValues, double[] out) {
-        for (int i = 0; i < nodeCount(); i++) {
-            System.arraycopy(internalValues, 3 * i, out, 3 * callerOfInternal[i], 3);
+        int[] callers = callerOfInternal;
+        for (int i = 0; i < callers.length; i++) {
+            int to = 3 * callers[i];
+            out[to] = internalValues[3 * i];
+            out[to + 1] = internalValues[3 * i + 1];
+            out[to + 2] = internalValues[3 * i + 2];
         }
     }
 }

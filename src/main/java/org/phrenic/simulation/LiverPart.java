@@ -178,8 +178,12 @@ final class LiverPart {
             double x = now[i] - shift[0];
             double y = now[i + 1] - shift[1];
             double z = now[i + 2] - shift[2];
-            for (int turns = 0; turns < INVERSIONS; turns++) {
+            double change = Double.POSITIVE_INFINITY;
+            for (int turns = 0; turns < INVERSIONS && !press.isBeyond(x, y, z, change); turns++) {
                 displace(x, y, z);
+                change = Math.abs(now[i] - step[0] - x)
+                        + Math.abs(now[i + 1] - step[1] - y)
+                        + Math.abs(now[i + 2] - step[2] - z);
                 x = now[i] - step[0];
                 y = now[i + 1] - step[1];
                 z = now[i + 2] - step[2];

@@ -36,8 +36,14 @@ final class LiverPress {
     private double[] given;
     private double[] next;
     private final double[] fraction = new double[3];
+    /** What each of the eight nodes about a place counts there. */
+    private final double[] corners = new double[8];
+
     private double allowed = SLACK_MM;
-    private boolean pushed;
+    /** Nodes that are asked for something, per axis; none where the last is before the first. */
+    private final int[] first = new int[3];
+
+    private final int[] last = new int[3];
 
     LiverPress(TriangleMesh organ) {
         double[] box = organ.bounds();
@@ -55,6 +61,7 @@ final class LiverPress {
         given = new double[3 * all];
         next = new double[3 * all];
         Arrays.fill(distance, Double.NaN);
+        forgetPushes();
         surface = new TriangleTree(organ);
         normals = MeshMeasure.vertexNormals(organ);
     }
@@ -98,12 +105,41 @@ final class LiverPress {
 
     /** Nothing presses. */
     void begin() {
-        if (pushed) {
-            Arrays.fill(asked, 0);
-            Arrays.fill(weight, 0);
-            Arrays.fill(given, 0);
-            pushed = false;
+        if (isPushed()) {
+            for (int k = lowest(2, SWEEPS); k <= highest(2, SWEEPS); k++) {
+                for (int j = lowest(1, SWEEPS); j <= highest(1, SWEEPS); j++) {
+                    int from = row(j, k) + lowest(0, SWEEPS);
+                    int end = row(j, k) + highest(0, SWEEPS) + 1;
+                    Arrays.fill(weight, from, end, 0);
+                    Arrays.fill(asked, 3 * from, 3 * end, 0);
+                    Arrays.fill(given, 3 * from, 3 * end, 0);
+                    Arrays.fill(next, 3 * from, 3 * end, 0);
+                }
+            }
         }
+        forgetPushes();
+    }
+
+    private void forgetPushes() {
+        Arrays.fill(first, Integer.MAX_VALUE);
+        Arrays.fill(last, -1);
+    }
+
+    private boolean isPushed() {
+        return last[0] >= 0;
+    }
+
+    /** First node along an axis that is reached after so many sweeps, each of which goes on by a node. The outermost, which lie beyond the organ, stay. */
+    private int lowest(int axis, int sweeps) {
+        return Math.max(1, first[axis] - sweeps);
+    }
+
+    private int highest(int axis, int sweeps) {
+        return Math.min(count[axis] - 2, last[axis] + sweeps);
+    }
+
+    private int row(int j, int k) {
+        return j * stride[1] + k * stride[2];
     }
 
     /** Something stands there; the surface before it is pushed to it, gently at first. */
@@ -131,9 +167,11 @@ final class LiverPress {
     }
 
     private void ask(int node, double x, double y, double z) {
-        pushed = true;
+        reach(0, node % count[0]);
+        reach(1, node / stride[1] % count[1]);
+        reach(2, node / stride[2]);
         for (int corner = 0; corner < 8; corner++) {
-            double w = cornerWeight(corner);
+            double w = corners[corner];
             int i = corner(node, corner);
             weight[i] += w;
             asked[3 * i] += w * x;
@@ -142,27 +180,26 @@ final class LiverPress {
         }
     }
 
+    /** A node and the next along an axis are asked for something. */
+    private void reach(int axis, int node) {
+        first[axis] = Math.min(first[axis], node);
+        last[axis] = Math.max(last[axis], node + 1);
+    }
+
     /** Lets the organ come to rest under all that presses; whether anything does. */
     boolean settle() {
-        if (!pushed) {
+        if (!isPushed()) {
             return false;
         }
-        for (int i = 0; i < weight.length; i++) {
-            double held = Math.min(weight[i], 1);
-            double mean = weight[i] > 0 ? held / weight[i] : 0;
-            weight[i] = held;
-            for (int axis = 3 * i; axis < 3 * i + 3; axis++) {
-                asked[axis] *= mean;
-                given[axis] = asked[axis];
-                share[axis] = 1 / (held + STIFFNESS * (1 + FADING));
+        for (int k = lowest(2, SWEEPS); k <= highest(2, SWEEPS); k++) {
+            for (int j = lowest(1, SWEEPS); j <= highest(1, SWEEPS); j++) {
+                hold(row(j, k) + lowest(0, SWEEPS), row(j, k) + highest(0, SWEEPS) + 1);
             }
         }
-        for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            for (int k = 1; k < count[2] - 1; k++) {
-                for (int j = 1; j < count[1] - 1; j++) {
-                    sweepRow(
-                            3 * (1 + j * stride[1] + k * stride[2]),
-                            3 * (count[0] - 1 + j * stride[1] + k * stride[2]));
+        for (int sweep = 1; sweep <= SWEEPS; sweep++) {
+            for (int k = lowest(2, sweep); k <= highest(2, sweep); k++) {
+                for (int j = lowest(1, sweep); j <= highest(1, sweep); j++) {
+                    sweepRow(3 * (row(j, k) + lowest(0, sweep)), 3 * (row(j, k) + highest(0, sweep) + 1));
                 }
             }
             double[] swept = next;
@@ -172,7 +209,22 @@ final class LiverPress {
         return true;
     }
 
-    /** One row of nodes, all axes one after the other. The outermost nodes, which lie beyond the organ, stay. */
+    /** Turns what was asked of some nodes into means, where all begins, and what part of it they take. */
+    private void hold(int from, int end) {
+        for (int i = from; i < end; i++) {
+            double held = Math.min(weight[i], 1);
+            double mean = weight[i] > 0 ? held / weight[i] : 0;
+            double part = 1 / (held + STIFFNESS * (1 + FADING));
+            weight[i] = held;
+            for (int axis = 3 * i; axis < 3 * i + 3; axis++) {
+                asked[axis] *= mean;
+                given[axis] = asked[axis];
+                share[axis] = part;
+            }
+        }
+    }
+
+    /** Part of a row of nodes, all axes one after the other. */
     private void sweepRow(int from, int to) {
         int rows = 3 * stride[1];
         int layers = 3 * stride[2];
@@ -186,19 +238,34 @@ final class LiverPress {
         }
     }
 
+    /** Whether a place is farther than so many mm from all that could be pushed. */
+    boolean isBeyond(double x, double y, double z, double mm) {
+        return isBeyond(0, x, mm) || isBeyond(1, y, mm) || isBeyond(2, z, mm);
+    }
+
+    private boolean isBeyond(int axis, double value, double mm) {
+        return value + mm < origin[axis] || value - mm > origin[axis] + SPACING_MM * (count[axis] - 1);
+    }
+
     /** By how much the organ has given way at a place, mm. */
     void at(double x, double y, double z, double[] out) {
         Arrays.fill(out, 0);
-        if (find(x, y, z)) {
+        if (isReached(0, x) && isReached(1, y) && isReached(2, z)) {
             int node = at(x, y, z);
             for (int corner = 0; corner < 8; corner++) {
-                double w = cornerWeight(corner);
+                double w = corners[corner];
                 int i = 3 * corner(node, corner);
                 out[0] += w * given[i];
                 out[1] += w * given[i + 1];
                 out[2] += w * given[i + 2];
             }
         }
+    }
+
+    /** Whether anything that was asked for is felt there. */
+    private boolean isReached(int axis, double value) {
+        double steps = (value - origin[axis]) / SPACING_MM;
+        return steps > lowest(axis, SWEEPS) - 1 && steps < highest(axis, SWEEPS) + 1;
     }
 
     private boolean find(double x, double y, double z) {
@@ -212,7 +279,9 @@ final class LiverPress {
 
     /** The node below a place that is within; where it is between that and the next is kept. */
     private int at(double x, double y, double z) {
-        return below(0, x) + below(1, y) * stride[1] + below(2, z) * stride[2];
+        int node = below(0, x) + below(1, y) * stride[1] + below(2, z) * stride[2];
+        weigh();
+        return node;
     }
 
     private int below(int axis, double value) {
@@ -226,16 +295,24 @@ final class LiverPress {
         return node + (corner & 1) + (corner >> 1 & 1) * stride[1] + (corner >> 2) * stride[2];
     }
 
-    private double cornerWeight(int corner) {
-        return ((corner & 1) == 0 ? 1 - fraction[0] : fraction[0])
-                * ((corner >> 1 & 1) == 0 ? 1 - fraction[1] : fraction[1])
-                * ((corner >> 2) == 0 ? 1 - fraction[2] : fraction[2]);
+    private void weigh() {
+        double x = fraction[0];
+        double y = fraction[1];
+        double z = fraction[2];
+        corners[0] = (1 - x) * (1 - y) * (1 - z);
+        corners[1] = x * (1 - y) * (1 - z);
+        corners[2] = (1 - x) * y * (1 - z);
+        corners[3] = x * y * (1 - z);
+        corners[4] = (1 - x) * (1 - y) * z;
+        corners[5] = x * (1 - y) * z;
+        corners[6] = (1 - x) * y * z;
+        corners[7] = x * y * z;
     }
 
     private double sample(int node) {
         double sum = 0;
         for (int corner = 0; corner < 8; corner++) {
-            sum += cornerWeight(corner) * distance(corner(node, corner));
+            sum += corners[corner] * distance(corner(node, corner));
         }
         return sum;
     }
@@ -244,8 +321,10 @@ final class LiverPress {
     private double slope(int node, int axis) {
         double kept = fraction[axis];
         fraction[axis] = 1;
+        weigh();
         double high = sample(node);
         fraction[axis] = 0;
+        weigh();
         double low = sample(node);
         fraction[axis] = kept;
         return high - low;

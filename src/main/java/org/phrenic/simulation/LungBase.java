@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.ChestWall;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.NodeLayout;
@@ -44,6 +45,9 @@ final class LungBase implements PrescribedMotion {
 
     private final double[] gapAtRest;
     private final double[] opening;
+    /** Which of the watched nodes tell how far a track has opened. */
+    private int[] telling;
+
     private final double[] plane;
     /** Of each track: its first point, the point where it comes to the wall, and the share of the sliding that the vertex takes. */
     private final int[] start;
@@ -104,6 +108,7 @@ final class LungBase implements PrescribedMotion {
             takeNormal(p, vertices, normals);
         }
         wall.prepare(0);
+        telling = IntStream.range(0, watched.length).toArray();
         open();
         System.arraycopy(opening, 0, gapAtRest, 0, opening.length);
         apposed = new int[n];
@@ -117,6 +122,7 @@ final class LungBase implements PrescribedMotion {
             share[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
         }
         Arrays.fill(opening, 0);
+        telling = telling();
         height = new double[n];
         anchor = new double[3 * n];
         speed = new double[3 * n];
@@ -132,6 +138,17 @@ final class LungBase implements PrescribedMotion {
                 aside[3 * i + axis] -= height[i] * normal[3 * first + axis];
             }
         }
+    }
+
+    /** The watched nodes about the apposed part of those tracks that a vertex goes down. */
+    private int[] telling() {
+        boolean[] tells = new boolean[watched.length];
+        for (int i = 0; i < share.length; i++) {
+            for (int c = 3 * apposed[i]; c < 3 * start[i + 1] && share[i] > 0; c++) {
+                tells[corner[c]] = true;
+            }
+        }
+        return IntStream.range(0, tells.length).filter(i -> tells[i]).toArray();
     }
 
     private void takeNormal(int point, int[] vertices, double[] normals) {
@@ -153,15 +170,16 @@ final class LungBase implements PrescribedMotion {
                 + weight[3 * point + 2] * values[corner[3 * point + 2]];
     }
 
-    /** Forms the distance of the watched nodes from the wall less that at rest. */
+    /** Forms the distance of the telling nodes from the wall less that at rest. */
     private void open() {
-        system.workers().run(pieces(watched.length), openTask);
+        system.workers().run(pieces(telling.length), openTask);
     }
 
     private void open(int piece) {
         double[] x = system.positions();
-        int end = Math.min(watched.length, (piece + 1) * POINTS_A_PIECE);
-        for (int i = piece * POINTS_A_PIECE; i < end; i++) {
+        int end = Math.min(telling.length, (piece + 1) * POINTS_A_PIECE);
+        for (int t = piece * POINTS_A_PIECE; t < end; t++) {
+            int i = telling[t];
             int k = watched[i];
             int p = PLANE * i;
             wall.planeNear(i, x[k], x[k + 1], x[k + 2], plane, p);
@@ -195,7 +213,7 @@ final class LungBase implements PrescribedMotion {
         boolean anew = !(since > 0 && since < LONGEST_S);
         int end = Math.min(share.length, (piece + 1) * POINTS_A_PIECE);
         for (int i = piece * POINTS_A_PIECE; i < end; i++) {
-            double along = share[i] * slid(i);
+            double along = share[i] > 0 ? share[i] * slid(i) : 0;
             int last = start[i + 1] - 1;
             int point = Math.min(start[i] + (int) along, Math.max(start[i], last - 1));
             double t = last == start[i] ? 0 : Math.min(1, start[i] + along - point);

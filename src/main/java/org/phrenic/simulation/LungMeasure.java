@@ -22,7 +22,8 @@ final class LungMeasure {
     private final double[][] carried;
     private final double[][] position;
     private final double[][] velocity;
-    private double[][] start;
+    /** Vertices of each lung at rest. */
+    private final double[][] start;
 
     LungMeasure(Scene scene) {
         boolean stepped = scene.lungs().isPresent();
@@ -54,6 +55,10 @@ final class LungMeasure {
                 embed(scene, s, mesh);
             }
         }
+        start = new double[n][];
+        for (int s = 0; s < n; s++) {
+            start[s] = positions(s, 0, scene.rest(), scene.rest()).clone();
+        }
     }
 
     private void embed(Scene scene, int s, TriangleMesh mesh) {
@@ -80,34 +85,31 @@ final class LungMeasure {
             return p;
         }
         walls[s].at(time, p, velocity[s]);
-        double[] start = structures.get(s).mesh().positions();
+        double[] vertices = structures.get(s).mesh().positions();
         for (int i = 0; i < length; i++) {
             int node = 3 * carrier[s][i / 3] + i % 3;
             double w = carried[s][i / 3];
-            p[i] = w * (start[i] + now[node] - rest[node]) + (1 - w) * p[i];
+            p[i] = w * (vertices[i] + now[node] - rest[node]) + (1 - w) * p[i];
         }
         return p;
     }
 
-    /**
-     * Air taken in since rest, ml: the volume that the outer surface of all lobes has swept, ∫ u·n dA. Lobes may be open at their fissures, which lie inside and sweep nothing that the neighbour does not take back.
-     */
-    double volumeChange(double time, double[] rest, double[] now) {
-        double sum = 0;
-        for (int s = 0; s < structures.size(); s++) {
-            int[] t = structures.get(s).mesh().triangles();
-            sum += SweptVolume.of(t, atRest(s, rest), positions(s, time, rest, now)) / 1000;
+    /** Moves all lungs to where they are as the scene stands. */
+    void follow(double time, double[] rest, double[] now) {
+        for (int s = 0; s < position.length; s++) {
+            positions(s, time, rest, now);
         }
-        return sum;
     }
 
-    private double[] atRest(int s, double[] rest) {
-        if (start == null) {
-            start = new double[structures.size()][];
+    /**
+     * Air taken in since rest where the lungs were last moved to, ml: the volume that the outer surface of all lobes has swept, ∫ u·n dA. Lobes may be open at their fissures, which lie inside and sweep nothing that the
+     * neighbour does not take back.
+     */
+    double volumeChange() {
+        double sum = 0;
+        for (int s = 0; s < structures.size(); s++) {
+            sum += SweptVolume.of(structures.get(s).mesh().triangles(), start[s], position[s]) / 1000;
         }
-        if (start[s] == null) {
-            start[s] = positions(s, 0, rest, rest).clone();
-        }
-        return start[s];
+        return sum;
     }
 }

@@ -29,6 +29,9 @@ final class Observer {
     private final LungMeasure lungs;
     private final double[] now;
     private final double[] liver = new double[3];
+    private double[] sternum;
+    private double widening;
+    private double air;
     private double shortening;
     private double fromRest;
 
@@ -37,7 +40,7 @@ final class Observer {
         for (int i = 0; i < PLACES.length; i++) {
             patches[i] = new Patch(scene.diaphragm(), PLACES[i][0], PLACES[i][1]);
         }
-        fibres = new FibreStretch(scene.diaphragm());
+        fibres = new FibreStretch(scene.diaphragm(), scene.rest());
         scene.pose().update(0);
         cage = new CageMeasure(scene.thorax(), scene.pose());
         lungs = new LungMeasure(scene);
@@ -53,6 +56,7 @@ final class Observer {
         double[] rest = scene.rest();
         scene.system().layout().toCaller(scene.system().positions(), now);
         scene.pose().update(time);
+        lungs.follow(time, rest, now);
         BreathState breath = scene.drive().stateAt(time);
         // The liver takes as long as all else.
         scene.system().workers().run(2, this::look);
@@ -68,10 +72,9 @@ final class Observer {
             row[c++] = patch.displacement(rest, now, 2);
         }
         row[c++] = shortening;
-        row[c++] = lungs.volumeChange(time, rest, now);
-        double[] sternum = cage.sternumMotion();
+        row[c++] = air;
         row[c++] = -sternum[1];
-        row[c++] = cage.transverseChange();
+        row[c++] = widening;
         row[c++] = sternum[2];
         row[c++] = -sternum[1];
         row[c++] = liver[2];
@@ -88,8 +91,11 @@ final class Observer {
         if (which == 0) {
             scene.liver().ifPresent(part -> lookAt(part, rest));
         } else {
-            shortening = fibres.shorteningPercent(rest, now);
+            shortening = fibres.shorteningPercent(now);
             fromRest = rms(rest);
+            air = lungs.volumeChange();
+            sternum = cage.sternumMotion();
+            widening = cage.transverseChange();
         }
     }
 

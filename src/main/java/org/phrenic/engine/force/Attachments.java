@@ -162,6 +162,8 @@ public final class Attachments implements ForceField {
         int end = nodes.start[block + 1];
         if (anchors.isStill() && dampingRatio == 0) {
             pull(x, force, from, end);
+        } else if (dampingRatio == 0) {
+            pullAfter(x, force, from, end);
         } else {
             pullAlong(x, v, force, from, end);
         }
@@ -191,6 +193,25 @@ public final class Attachments implements ForceField {
         }
     }
 
+    /** To anchors that move, without dashpots. */
+    private void pullAfter(double[] x, double[] force, int from, int end) {
+        int[] node = nodes.node;
+        double[] each = stiffness;
+        double[] to = anchor;
+        double[] speed = anchorVelocity;
+        double all = factor;
+        double since = elapsed;
+        for (int i = from; i < end; i++) {
+            int n = node[i];
+            int p = 3 * i;
+            double k = all * each[i];
+            force[n] += k * (to[p] + since * speed[p] - x[n]);
+            force[n + 1] += k * (to[p + 1] + since * speed[p + 1] - x[n + 1]);
+            force[n + 2] += k * (to[p + 2] + since * speed[p + 2] - x[n + 2]);
+        }
+    }
+
+    /** To anchors that move, with dashpots. */
     private void pullAlong(double[] x, double[] v, double[] force, int from, int end) {
         int[] node = nodes.node;
         double[] each = stiffness;

@@ -1,8 +1,8 @@
 package org.phrenic.engine.force;
 
 /**
- * One thread's room for a few hundred edges, and the passes that are made over them: differences between the ends are gathered, an {@link EdgeMath} turns them into forces,
- * and forces are given to the ends.
+ * One thread's room for a few hundred edges, and the passes that are made over them: {@link EdgeLoops} in one go, or differences between the ends are gathered, an {@link EdgeMath} turns
+ * them into forces, and forces are given to the ends.
  *
  * <p>A star is three consecutive entries with the same first node, which is then read and written once for the three.
  */
@@ -32,12 +32,8 @@ final class EdgeBatch {
     /** 1/length. */
     final double[] inverse = new double[SIZE];
 
-    final double[] rest = new double[SIZE];
     /** Force along the edge over its length; positive pulls the ends together. */
     final double[] tension = new double[SIZE];
-
-    /** A constant of each edge, as the pass at hand needs it. */
-    final double[] constant = new double[SIZE];
 
     /** Positions, velocities and forces of all nodes. */
     double[] x;
@@ -77,17 +73,6 @@ final class EdgeBatch {
         }
     }
 
-    /** u(other) - u(own) of any entries from {@code from}. */
-    static void differences(int[] own, int[] other, double[] u, double[] out, int from, int count) {
-        for (int i = 0; i < count; i++) {
-            int a = own[from + i];
-            int b = other[from + i];
-            out[i] = u[b] - u[a];
-            out[i + SIZE] = u[b + 1] - u[a + 1];
-            out[i + 2 * SIZE] = u[b + 2] - u[a + 2];
-        }
-    }
-
     /** Gives forces to both ends of the entries from {@code from}, all of them in stars. */
     static void giveInStars(int[] own, int[] other, double[] f, double[] force, int from, int count) {
         for (int i = 0; i < count; i += 3) {
@@ -116,33 +101,6 @@ final class EdgeBatch {
             force[b + 2] -= fb;
             force[c + 2] -= fc;
             force[d + 2] -= fd;
-        }
-    }
-
-    /** Gives forces to both ends. */
-    static void giveToBoth(int[] own, int[] other, double[] f, double[] force, int from, int count) {
-        for (int i = 0; i < count; i++) {
-            int a = own[from + i];
-            int b = other[from + i];
-            double fx = f[i];
-            double fy = f[i + SIZE];
-            double fz = f[i + 2 * SIZE];
-            force[a] += fx;
-            force[a + 1] += fy;
-            force[a + 2] += fz;
-            force[b] -= fx;
-            force[b + 1] -= fy;
-            force[b + 2] -= fz;
-        }
-    }
-
-    /** Gives forces to the first end alone. */
-    static void giveToOwn(int[] own, double[] f, double[] force, int from, int count) {
-        for (int i = 0; i < count; i++) {
-            int a = own[from + i];
-            force[a] += f[i];
-            force[a + 1] += f[i + SIZE];
-            force[a + 2] += f[i + 2 * SIZE];
         }
     }
 }

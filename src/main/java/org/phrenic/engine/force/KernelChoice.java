@@ -16,13 +16,6 @@ final class KernelChoice {
 
     private KernelChoice() {}
 
-    /** Those worth trying: the reference is there to be compared with. */
-    private static List<SpringKernel> candidates() {
-        return SpringKernel.available().stream()
-                .filter(kernel -> kernel != SpringKernel.REFERENCE)
-                .toList();
-    }
-
     /**
      * Tries all in turns and leaves the fastest set; takes no time where there is only one.
      *
@@ -30,7 +23,7 @@ final class KernelChoice {
      * @param evaluate computes all their forces once
      */
     static SpringKernel fastest(Springs springs, Runnable evaluate) {
-        List<SpringKernel> candidates = candidates();
+        List<SpringKernel> candidates = SpringKernel.available();
         SpringKernel best = candidates.get(0);
         if (candidates.size() > 1) {
             Map<SpringKernel, Long> least = new EnumMap<>(SpringKernel.class);

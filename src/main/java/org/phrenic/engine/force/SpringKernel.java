@@ -1,5 +1,6 @@
 package org.phrenic.engine.force;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -8,11 +9,9 @@ import java.util.stream.Collectors;
  * How the forces of springs are computed. All give the same bits, on any number of threads: which is used is a matter of speed alone, and may be decided by measuring.
  */
 public enum SpringKernel {
-    /** One edge at a time, as the formula stands. */
-    REFERENCE("reference"),
-    /** Plain loops over batches of edges, which the just-in-time compiler turns into vector instructions; the default. */
+    /** Plain loops, one edge at a time, as the formula stands; the default. */
     LOOPS("loops"),
-    /** The same batches with vector instructions by name; only where Java was started with {@code --add-modules jdk.incubator.vector}. */
+    /** Batches of edges with vector instructions by name; only where Java was started with {@code --add-modules jdk.incubator.vector}. */
     VECTOR("vector");
 
     private static final String MODULE = "jdk.incubator.vector";
@@ -50,18 +49,26 @@ public enum SpringKernel {
     }
 
     /**
+     * The passes over entries in stars.
+     *
      * @throws IllegalStateException if it cannot run here; one sentence says what is missing
      */
-    EdgeMath math() {
+    List<EdgeBatch.Pass> starPasses(int[] own, int[] other, EdgeConstants c) {
         if (!isAvailable()) {
             throw new IllegalStateException(
                     "kernel: found vector, but Java was started without --add-modules " + MODULE);
         }
-        return switch (this) {
-            case REFERENCE -> new ReferenceMath();
-            case LOOPS -> new LoopMath();
-            case VECTOR -> vectorMath();
-        };
+        if (this == LOOPS) {
+            return EdgeLoops.stars(own, other, c);
+        }
+        List<EdgeBatch.Pass> passes = new ArrayList<>();
+        passes.add((t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n));
+        if (c.damping != 0) {
+            passes.add((t, from, n) -> EdgeBatch.differencesInStars(own, other, t.v, t.rate, from, n));
+        }
+        passes.addAll(vectorMath().passes(c));
+        passes.add((t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
+        return passes;
     }
 
     /** By name: naming the class in code would let the virtual machine load it, and with it a module that need not be there. */

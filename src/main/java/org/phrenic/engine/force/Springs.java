@@ -1,6 +1,5 @@
 package org.phrenic.engine.force;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.ForceField;
@@ -18,9 +17,9 @@ public final class Springs implements ForceField {
     private final double[] share;
     private final EdgeConstants constants;
     private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
+    private final EdgeBatch.Pass[] loosePasses;
+    private final EdgeBatch.Pass[] outerPasses;
     private EdgeBatch.Pass[] starPasses;
-    private EdgeBatch.Pass[] loosePasses;
-    private EdgeBatch.Pass[] outerPasses;
 
     private Springs(Builder b) {
         edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
@@ -37,6 +36,8 @@ public final class Springs implements ForceField {
         }
         constants = new EdgeConstants(edges.spread(stiffness), entryRest, shortening, b.damping);
         constants.oneStiffness = uniform(stiffness);
+        loosePasses = array(EdgeLoops.both(edges.own, edges.other, constants));
+        outerPasses = array(EdgeLoops.first(edges.own, edges.other, constants));
         setKernel(SpringKernel.LOOPS);
     }
 
@@ -46,14 +47,11 @@ public final class Springs implements ForceField {
      * @throws IllegalStateException if the kernel cannot run here
      */
     public void setKernel(SpringKernel kernel) {
-        EdgeMath math = kernel.math();
-        int[] own = edges.own;
-        int[] other = edges.other;
-        starPasses =
-                passes(math, true, (t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
-        loosePasses =
-                passes(math, false, (t, from, n) -> EdgeBatch.giveToBoth(own, other, t.difference, t.force, from, n));
-        outerPasses = passes(math, false, (t, from, n) -> EdgeBatch.giveToOwn(own, t.difference, t.force, from, n));
+        starPasses = array(kernel.starPasses(edges.own, edges.other, constants));
+    }
+
+    private static EdgeBatch.Pass[] array(List<EdgeBatch.Pass> passes) {
+        return passes.toArray(EdgeBatch.Pass[]::new);
     }
 
     /**
@@ -178,25 +176,6 @@ public final class Springs implements ForceField {
         batch.run(starPasses, edges.innerStart[block], edges.looseStart[block]);
         batch.run(loosePasses, edges.looseStart[block], edges.outerStart[block]);
         batch.run(outerPasses, edges.outerStart[block], edges.innerStart[block + 1]);
-    }
-
-    private EdgeBatch.Pass[] passes(EdgeMath math, boolean stars, EdgeBatch.Pass give) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        List<EdgeBatch.Pass> passes = new ArrayList<>();
-        passes.add(
-                stars
-                        ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n)
-                        : (t, from, n) -> EdgeBatch.differences(own, other, t.x, t.difference, from, n));
-        if (dependsOnVelocity()) {
-            passes.add(
-                    stars
-                            ? (t, from, n) -> EdgeBatch.differencesInStars(own, other, t.v, t.rate, from, n)
-                            : (t, from, n) -> EdgeBatch.differences(own, other, t.v, t.rate, from, n));
-        }
-        passes.addAll(math.passes(constants));
-        passes.add(give);
-        return passes.toArray(EdgeBatch.Pass[]::new);
     }
 
     private static boolean uniform(double[] values) {

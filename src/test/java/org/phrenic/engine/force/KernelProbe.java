@@ -25,7 +25,8 @@ final class KernelProbe {
         EACH_ITS_OWN,
         CONTRACTILE,
         DASHPOTS,
-        DASHPOTS_AND_EACH_ITS_OWN
+        DASHPOTS_AND_EACH_ITS_OWN,
+        DASHPOTS_AND_CONTRACTILE
     }
 
     /**
@@ -80,10 +81,10 @@ final class KernelProbe {
         builder = kind == Springiness.PLAIN || kind == Springiness.DASHPOTS
                 ? builder.stiffness(15)
                 : builder.stiffness(perEdge);
-        if (kind == Springiness.CONTRACTILE) {
+        if (kind == Springiness.CONTRACTILE || kind == Springiness.DASHPOTS_AND_CONTRACTILE) {
             builder.contractile(Arrays.stream(perEdge).map(k -> k / 20).toArray());
         }
-        if (kind == Springiness.DASHPOTS || kind == Springiness.DASHPOTS_AND_EACH_ITS_OWN) {
+        if (kind.name().startsWith("DASHPOTS")) {
             builder.damping(0.02);
         }
         try (Workers workers = Workers.of(threads)) {
