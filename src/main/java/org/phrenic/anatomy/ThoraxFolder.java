@@ -36,8 +36,6 @@ public final class ThoraxFolder {
 
     private record Found(String name, StructureName known, Path file) {}
 
-    private record Read(Structure structure, Optional<RuntimeException> failure) {}
-
     private record Repaired(TriangleMesh mesh, Optional<String> note) {}
     /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
     private static final Set<StructureKind> SINGLE = EnumSet.of(
@@ -92,9 +90,8 @@ public final class ThoraxFolder {
         if (yaml.has("axes")) {
             frame.doubt(raw).ifPresent(notes::add);
         }
-        List<Repaired> repaired = raw.parallelStream()
-                .map(s -> repaired(s.name(), frame.toLps(s.mesh())))
-                .toList();
+        List<Repaired> repaired =
+                raw.stream().map(s -> repaired(s.name(), frame.toLps(s.mesh()))).toList();
         List<Structure> structures = new ArrayList<>();
         for (int i = 0; i < raw.size(); i++) {
             structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
@@ -110,23 +107,14 @@ public final class ThoraxFolder {
                 notes);
     }
 
-    /** Reads all files at once; what is said of a bad one is that of the first in the order of names. */
+    /** Reads the files one after the other: side by side, threads that count how often new code runs hinder each other more than they help. */
     private static List<Structure> read(List<Found> found) {
-        List<Read> all = found.parallelStream().map(ThoraxFolder::read).toList();
-        all.forEach(r -> r.failure().ifPresent(failure -> {
-            throw failure;
-        }));
-        return all.stream().map(Read::structure).toList();
+        return found.stream().map(ThoraxFolder::read).toList();
     }
 
-    private static Read read(Found f) {
-        try {
-            StructureName name = f.known();
-            TriangleMesh mesh = MeshFiles.read(f.file());
-            return new Read(new Structure(f.name(), name.kind(), name.level(), name.side(), mesh), Optional.empty());
-        } catch (RuntimeException e) {
-            return new Read(null, Optional.of(e));
-        }
+    private static Structure read(Found f) {
+        StructureName name = f.known();
+        return new Structure(f.name(), name.kind(), name.level(), name.side(), MeshFiles.read(f.file()));
     }
 
     private static BodyFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {

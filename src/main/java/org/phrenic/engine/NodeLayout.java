@@ -22,6 +22,11 @@ public final class NodeLayout {
 
     private static final int MORTON_BITS = 21;
 
+    /**
+     * How much of a block a loop takes in one call: a method is compiled after some hundred calls, a loop only when it has gone round some ten thousand times, and the first steps of a scene are waited for.
+     */
+    public static final int AT_ONCE = 64;
+
     private final int[] internalOfCaller;
     private final int[] callerOfInternal;
     private final int[] blockStart;

@@ -37,7 +37,8 @@ final class Remeshing {
         }
         double area =
                 structures.stream().mapToDouble(s -> MeshMeasure.area(s.mesh())).sum();
-        return structures.parallelStream()
+        // One after the other: the diaphragm is meshed beside them, by the same code.
+        return structures.stream()
                 .map(s -> {
                     int share = (int) Math.round(vertices * MeshMeasure.area(s.mesh()) / area);
                     TriangleMesh meshed = Remesher.toVertexCount(s.mesh(), Math.max(FEWEST, share));

@@ -13,7 +13,6 @@ final class PublishedLinks extends RigidLinks {
     private ParticleSystem system;
     private double step;
     private final Workers.Task disjointTask = this::disjointPiece;
-    private final ThreadLocal<DisjointLinks> batches = ThreadLocal.withInitial(DisjointLinks::new);
 
     PublishedLinks(NodeLayout layout, int[] callerA, int[] callerB, double[] l) {
         this(internal(layout, callerA), internal(layout, callerB), l, layout.nodeCount());
@@ -55,7 +54,7 @@ final class PublishedLinks extends RigidLinks {
     @Override
     public void project(ParticleSystem particles, double h) {
         if (inOrder) {
-            projectInOrder(particles, 1 / h);
+            project(particles, 1 / h, 0, length.length);
             return;
         }
         system = particles;
@@ -65,14 +64,14 @@ final class PublishedLinks extends RigidLinks {
 
     private void disjointPiece(int piece) {
         int from = piece * LINKS_A_PIECE;
-        batches.get().project(system, step, nodeA, nodeB, length, from, Math.min(length.length, from + LINKS_A_PIECE));
+        project(system, 1 / step, from, Math.min(length.length, from + LINKS_A_PIECE));
     }
 
-    private void projectInOrder(ParticleSystem particles, double perStep) {
+    private void project(ParticleSystem particles, double perStep, int from, int to) {
         double[] x = particles.positions();
         double[] v = particles.velocities();
         double[] w = particles.inverseMasses();
-        for (int i = 0; i < length.length; i++) {
+        for (int i = from; i < to; i++) {
             int a = nodeA[i];
             int b = nodeB[i];
             double wa = w[a / 3];

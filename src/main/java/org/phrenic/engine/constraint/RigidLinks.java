@@ -22,7 +22,7 @@ import org.phrenic.engine.WholeConstraint;
  * </ul>
  */
 public abstract sealed class RigidLinks implements WholeConstraint permits SweptLinks, PublishedLinks {
-    static final int LINKS_A_PIECE = DisjointLinks.SIZE;
+    static final int LINKS_A_PIECE = 256;
 
     /** First and other node of each link times 3, internal order. */
     final int[] nodeA;

@@ -158,8 +158,13 @@ public final class Attachments implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
-        int from = nodes.start[block];
         int end = nodes.start[block + 1];
+        for (int from = nodes.start[block]; from < end; from += NodeLayout.AT_ONCE) {
+            addForces(x, v, force, from, Math.min(end, from + NodeLayout.AT_ONCE));
+        }
+    }
+
+    private void addForces(double[] x, double[] v, double[] force, int from, int end) {
         if (anchors.isStill() && dampingRatio == 0) {
             pull(x, force, from, end);
         } else if (dampingRatio == 0) {

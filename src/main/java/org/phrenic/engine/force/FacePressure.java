@@ -116,12 +116,18 @@ public final class FacePressure implements ForceField {
         if (pressure == 0 && more == 0) {
             return;
         }
+        int end = start[block + 1];
+        for (int from = start[block]; from < end; from += NodeLayout.AT_ONCE) {
+            press(x, force, from, Math.min(end, from + NodeLayout.AT_ONCE));
+        }
+    }
+
+    private void press(double[] x, double[] force, int from, int end) {
         int[] corners = corner;
         int[] mask = owned;
         double[] scale = entryWeight;
         double sixth = -pressure / 6;
-        int end = start[block + 1];
-        for (int i = start[block]; i < end; i++) {
+        for (int i = from; i < end; i++) {
             int a = corners[3 * i];
             int b = corners[3 * i + 1];
             int c = corners[3 * i + 2];

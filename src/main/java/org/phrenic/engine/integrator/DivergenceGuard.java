@@ -1,6 +1,7 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Locale;
+import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
@@ -111,18 +112,26 @@ final class DivergenceGuard {
     }
 
     private void scan(int block) {
+        int end = system.layout().end(block);
+        boolean all = true;
+        for (int from = system.layout().start(block); from < end; from += NodeLayout.AT_ONCE) {
+            all &= areSlow(from, Math.min(end, from + NodeLayout.AT_ONCE));
+        }
+        good[block] = all;
+    }
+
+    private boolean areSlow(int from, int end) {
         double[] v = system.velocities();
         double[] x = system.positions();
         double most = bound * bound;
-        int end = 3 * system.layout().end(block);
         boolean all = true;
         // Without a way out in the middle: it is hardly ever taken, and to ask for it takes longer.
-        for (int i = 3 * system.layout().start(block); i < end; i += 3) {
+        for (int i = 3 * from; i < 3 * end; i += 3) {
             // 0 x is 0 unless x is not finite: so a lost position shows as well.
             double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
             all &= speed <= most;
         }
-        good[block] = all;
+        return all;
     }
 
     private void measure(int block) {

@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import org.phrenic.engine.NodeLayout;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.Workers;
 
@@ -52,14 +53,20 @@ final class VelocityVerlet extends AbstractIntegrator {
     }
 
     private void kickAndDrift(int block) {
+        int end = layout.end(block);
+        for (int from = layout.start(block); from < end; from += NodeLayout.AT_ONCE) {
+            kickAndDrift(from, Math.min(end, from + NodeLayout.AT_ONCE));
+        }
+    }
+
+    private void kickAndDrift(int from, int end) {
         double[] f = force;
         double[] position = x;
         double[] velocity = v;
         double[] w = inverseMass;
         double[] gamma = viscosity;
         double step = h;
-        int end = layout.end(block);
-        for (int n = layout.start(block); n < end; n++) {
+        for (int n = from; n < end; n++) {
             double half = 0.5 * step * w[n];
             double damp = 1 / (1 + half * gamma[n]);
             int i = 3 * n;
@@ -78,13 +85,19 @@ final class VelocityVerlet extends AbstractIntegrator {
 
     /** Without effect on nodes of given motion: their inverse mass is 0. */
     private void kick(int block) {
+        int end = layout.end(block);
+        for (int from = layout.start(block); from < end; from += NodeLayout.AT_ONCE) {
+            kick(from, Math.min(end, from + NodeLayout.AT_ONCE));
+        }
+    }
+
+    private void kick(int from, int end) {
         double[] f = force;
         double[] velocity = v;
         double[] w = inverseMass;
         double[] gamma = viscosity;
         double step = h;
-        int end = layout.end(block);
-        for (int n = layout.start(block); n < end; n++) {
+        for (int n = from; n < end; n++) {
             double half = 0.5 * step * w[n];
             double damp = 1 - half * gamma[n];
             int i = 3 * n;
