@@ -9,16 +9,13 @@ final class ContractileLoops {
     private ContractileLoops() {}
 
     /** Entries of which three in a row have the same first node, which is read and written once for the three; both ends. */
-    static void stars(
-            EdgeBatch batch,
-            int[] own,
-            int[] other,
-            double[] passive,
-            double[] share,
-            double activation,
-            double[] k,
-            int from,
-            int to) {
+    static void stars(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] passive = c.rest;
+        double[] share = c.shortening;
+        double[] k = c.stiffness;
+        double activation = c.activation;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i += 3) {
@@ -67,16 +64,13 @@ final class ContractileLoops {
     }
 
     /** Any entries, both ends. */
-    static void both(
-            EdgeBatch batch,
-            int[] own,
-            int[] other,
-            double[] passive,
-            double[] share,
-            double activation,
-            double[] k,
-            int from,
-            int to) {
+    static void both(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] passive = c.rest;
+        double[] share = c.shortening;
+        double[] k = c.stiffness;
+        double activation = c.activation;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i++) {
@@ -96,16 +90,13 @@ final class ContractileLoops {
     }
 
     /** Any entries, first ends alone. */
-    static void first(
-            EdgeBatch batch,
-            int[] own,
-            int[] other,
-            double[] passive,
-            double[] share,
-            double activation,
-            double[] k,
-            int from,
-            int to) {
+    static void first(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] passive = c.rest;
+        double[] share = c.shortening;
+        double[] k = c.stiffness;
+        double activation = c.activation;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i++) {

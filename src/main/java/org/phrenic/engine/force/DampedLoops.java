@@ -9,8 +9,12 @@ final class DampedLoops {
     private DampedLoops() {}
 
     /** Entries of which three in a row have the same first node, which is read and written once for the three; both ends. */
-    static void stars(
-            EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, double damping, int from, int to) {
+    static void stars(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.current;
+        double[] k = c.stiffness;
+        double damping = c.damping;
         double[] x = batch.x;
         double[] v = batch.v;
         double[] force = batch.force;
@@ -66,8 +70,12 @@ final class DampedLoops {
     }
 
     /** Any entries, both ends. */
-    static void both(
-            EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, double damping, int from, int to) {
+    static void both(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.current;
+        double[] k = c.stiffness;
+        double damping = c.damping;
         double[] x = batch.x;
         double[] v = batch.v;
         double[] force = batch.force;
@@ -89,8 +97,12 @@ final class DampedLoops {
     }
 
     /** Any entries, first ends alone. */
-    static void first(
-            EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, double damping, int from, int to) {
+    static void first(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.current;
+        double[] k = c.stiffness;
+        double damping = c.damping;
         double[] x = batch.x;
         double[] v = batch.v;
         double[] force = batch.force;

@@ -16,47 +16,45 @@ import java.util.List;
  * number more.
  */
 final class EdgeLoops {
+    /** The loop over some entries of one kind of springs. */
+    @FunctionalInterface
+    interface Loop {
+        /**
+         * @param batch where positions, velocities and forces are at hand
+         * @param edges their ends
+         * @param c their constants
+         * @param from first entry
+         * @param to behind the last
+         */
+        void run(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to);
+    }
+
     private EdgeLoops() {}
 
     /** Passes over entries of which three in a row have the same first node; forces on both ends. */
-    static List<EdgeBatch.Pass> stars(int[] own, int[] other, EdgeConstants c) {
-        if (c.damping != 0) {
-            return List.of(
-                    (t, from, n) -> c.contract(from, from + n),
-                    (t, from, n) ->
-                            DampedLoops.stars(t, own, other, c.current, c.stiffness, c.damping, from, from + n));
-        }
-        return c.shortening == null
-                ? List.of((t, from, n) -> ElasticLoops.stars(t, own, other, c.rest, c.stiffness, from, from + n))
-                : List.of((t, from, n) -> ContractileLoops.stars(
-                        t, own, other, c.rest, c.shortening, c.activation, c.stiffness, from, from + n));
+    static List<EdgeBatch.Pass> stars(BlockedEdges edges, EdgeConstants c) {
+        return passes(edges, c, ElasticLoops::stars, ContractileLoops::stars, DampedLoops::stars);
     }
 
     /** Passes over any entries; forces on both ends. */
-    static List<EdgeBatch.Pass> both(int[] own, int[] other, EdgeConstants c) {
-        if (c.damping != 0) {
-            return List.of(
-                    (t, from, n) -> c.contract(from, from + n),
-                    (t, from, n) -> DampedLoops.both(t, own, other, c.current, c.stiffness, c.damping, from, from + n));
-        }
-        return c.shortening == null
-                ? List.of((t, from, n) -> ElasticLoops.both(t, own, other, c.rest, c.stiffness, from, from + n))
-                : List.of((t, from, n) -> ContractileLoops.both(
-                        t, own, other, c.rest, c.shortening, c.activation, c.stiffness, from, from + n));
+    static List<EdgeBatch.Pass> both(BlockedEdges edges, EdgeConstants c) {
+        return passes(edges, c, ElasticLoops::both, ContractileLoops::both, DampedLoops::both);
     }
 
     /** Passes over any entries; forces on first ends. */
-    static List<EdgeBatch.Pass> first(int[] own, int[] other, EdgeConstants c) {
+    static List<EdgeBatch.Pass> first(BlockedEdges edges, EdgeConstants c) {
+        return passes(edges, c, ElasticLoops::first, ContractileLoops::first, DampedLoops::first);
+    }
+
+    private static List<EdgeBatch.Pass> passes(
+            BlockedEdges edges, EdgeConstants c, Loop elastic, Loop contractile, Loop damped) {
         if (c.damping != 0) {
             return List.of(
                     (t, from, n) -> c.contract(from, from + n),
-                    (t, from, n) ->
-                            DampedLoops.first(t, own, other, c.current, c.stiffness, c.damping, from, from + n));
+                    (t, from, n) -> damped.run(t, edges, c, from, from + n));
         }
-        return c.shortening == null
-                ? List.of((t, from, n) -> ElasticLoops.first(t, own, other, c.rest, c.stiffness, from, from + n))
-                : List.of((t, from, n) -> ContractileLoops.first(
-                        t, own, other, c.rest, c.shortening, c.activation, c.stiffness, from, from + n));
+        Loop loop = c.shortening == null ? elastic : contractile;
+        return List.of((t, from, n) -> loop.run(t, edges, c, from, from + n));
     }
 
     static double inverseLength(double dx, double dy, double dz) {

@@ -9,7 +9,11 @@ final class ElasticLoops {
     private ElasticLoops() {}
 
     /** Entries of which three in a row have the same first node, which is read and written once for the three; both ends. */
-    static void stars(EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, int from, int to) {
+    static void stars(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.rest;
+        double[] k = c.stiffness;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i += 3) {
@@ -58,7 +62,11 @@ final class ElasticLoops {
     }
 
     /** Any entries, both ends. */
-    static void both(EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, int from, int to) {
+    static void both(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.rest;
+        double[] k = c.stiffness;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i++) {
@@ -78,7 +86,11 @@ final class ElasticLoops {
     }
 
     /** Any entries, first ends alone. */
-    static void first(EdgeBatch batch, int[] own, int[] other, double[] rest, double[] k, int from, int to) {
+    static void first(EdgeBatch batch, BlockedEdges edges, EdgeConstants c, int from, int to) {
+        int[] own = edges.own;
+        int[] other = edges.other;
+        double[] rest = c.rest;
+        double[] k = c.stiffness;
         double[] x = batch.x;
         double[] force = batch.force;
         for (int i = from; i < to; i++) {

@@ -53,14 +53,16 @@ public enum SpringKernel {
      *
      * @throws IllegalStateException if it cannot run here; one sentence says what is missing
      */
-    List<EdgeBatch.Pass> starPasses(int[] own, int[] other, EdgeConstants c) {
+    List<EdgeBatch.Pass> starPasses(BlockedEdges edges, EdgeConstants c) {
         if (!isAvailable()) {
             throw new IllegalStateException(
                     "kernel: found vector, but Java was started without --add-modules " + MODULE);
         }
         if (this == LOOPS) {
-            return EdgeLoops.stars(own, other, c);
+            return EdgeLoops.stars(edges, c);
         }
+        int[] own = edges.own;
+        int[] other = edges.other;
         List<EdgeBatch.Pass> passes = new ArrayList<>();
         passes.add((t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n));
         if (c.damping != 0) {

@@ -36,8 +36,8 @@ public final class Springs implements ForceField {
         }
         constants = new EdgeConstants(edges.spread(stiffness), entryRest, shortening, b.damping);
         constants.oneStiffness = uniform(stiffness);
-        loosePasses = array(EdgeLoops.both(edges.own, edges.other, constants));
-        outerPasses = array(EdgeLoops.first(edges.own, edges.other, constants));
+        loosePasses = array(EdgeLoops.both(edges, constants));
+        outerPasses = array(EdgeLoops.first(edges, constants));
         setKernel(SpringKernel.LOOPS);
     }
 
@@ -47,7 +47,7 @@ public final class Springs implements ForceField {
      * @throws IllegalStateException if the kernel cannot run here
      */
     public void setKernel(SpringKernel kernel) {
-        starPasses = array(kernel.starPasses(edges.own, edges.other, constants));
+        starPasses = array(kernel.starPasses(edges, constants));
     }
 
     private static EdgeBatch.Pass[] array(List<EdgeBatch.Pass> passes) {

@@ -80,7 +80,7 @@ class SpringKernelTest {
     void oneThatIsNotHereIsRefusedInASentence() {
         assumeTrue(!SpringKernel.VECTOR.isAvailable(), "this Java was started with " + MODULE);
         assertThatIllegalStateException()
-                .isThrownBy(() -> SpringKernel.VECTOR.starPasses(new int[0], new int[0], null))
+                .isThrownBy(() -> SpringKernel.VECTOR.starPasses(null, null))
                 .withMessage("kernel: found vector, but Java was started without --add-modules " + MODULE);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> SpringKernel.of("gpu"))
