@@ -19,7 +19,9 @@ public final class Workers implements AutoCloseable {
     }
 
     private static final int SPINS = 2_000;
-    private static final int YIELDS = 200;
+    /** Long enough to outlast a look at the scene (about a millisecond): a worker that sleeps through the next round's beginning costs a twentieth where every second step is looked at. */
+    private static final int YIELDS = 5_000;
+
     private static final long PARK_NANOS = 50_000;
     private static final int PIECE_BITS = 24;
     private static final long PIECE_MASK = (1L << PIECE_BITS) - 1;
