@@ -1,0 +1,62 @@
+package org.phrenic.access;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.Vectors;
+
+/**
+ * A straight, rigid needle.
+ *
+ * @param gauge Birmingham (Stubs) gauge
+ * @param lengthMm from hub to tip
+ */
+public record Needle(int gauge, double lengthMm) {
+    /** Outer diameters of needle tube, mm (ISO 9626 nominal sizes). */
+    private static final Map<Integer, Double> DIAMETER_MM =
+            new TreeMap<>(Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7));
+
+    private static final double SHORTEST_MM = 20;
+    private static final double LONGEST_MM = 300;
+
+    /** @throws IllegalArgumentException with one sentence, for a gauge or a length that no biopsy needle has */
+    public Needle {
+        if (!DIAMETER_MM.containsKey(gauge)) {
+            throw new IllegalArgumentException("found a needle of " + gauge + " G, expected 14 to 22 G");
+        }
+        if (!(lengthMm >= SHORTEST_MM && lengthMm <= LONGEST_MM)) {
+            throw new IllegalArgumentException(
+                    "found a needle " + lengthMm + " mm long, expected " + SHORTEST_MM + " to " + LONGEST_MM + " mm");
+        }
+    }
+
+    /** 18 G and 150 mm, usual for focal lesions. */
+    public static Needle standard() {
+        return new Needle(18, 150);
+    }
+
+    /** Outer radius, mm. */
+    public double radiusMm() {
+        return 0.5 * DIAMETER_MM.get(gauge);
+    }
+
+    /**
+     * Makes sure that it is long enough.
+     *
+     * @throws BadInputException with one sentence, if it is not, or there is no way between the points
+     */
+    public void requireReach(double[] from, double[] aim) {
+        double path = Vectors.distance(from, aim);
+        if (path > lengthMm) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
+                    lengthMm,
+                    path));
+        }
+        if (path < 1) {
+            throw new BadInputException("aim: found the entry itself, expected a place within the body");
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Liver access: moving anatomy, needle, target lesion, no-go zones. */
+package org.phrenic.access;

@@ -1,0 +1,18 @@
+package org.phrenic.access.path;
+
+import java.util.Locale;
+import org.phrenic.anatomy.Side;
+
+/**
+ * Where a path passes the rib cage: the n-th intercostal space lies below rib n.
+ *
+ * @param number of the rib above
+ * @param side of the body
+ */
+public record IntercostalSpace(int number, Side side) {
+    /** "7th intercostal space, right". */
+    public String label() {
+        String ending = number == 1 ? "st" : number == 2 ? "nd" : number == 3 ? "rd" : "th";
+        return number + ending + " intercostal space, " + side.name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,146 @@
+package org.phrenic.access.plan;
+
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.Vectors;
+
+/**
+ * Does the steps of a plan with a needle, as the breathing lets it: after each frame that the needle has taken,
+ * whatever can be done then.
+ */
+public final class PlanPlayer {
+    /** Told to hold the breath or let it go on. */
+    public interface Breathing {
+        void hold(boolean held, String origin);
+    }
+
+    private final RehearsalPlan plan;
+    private final NeedleInsertion needle;
+    private final AccessMap map;
+    private final Breathing breathing;
+    private int next;
+    private boolean begun;
+    private double aimedMm;
+    private double sinceS;
+    private RespiratoryPhase before = RespiratoryPhase.PAUSE;
+    private int breathBefore = 1;
+
+    /** @param map of the target, whose best points a plan may ask for */
+    public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, AccessMap map, Breathing breathing) {
+        this.plan = plan;
+        this.needle = needle;
+        this.map = map;
+        this.breathing = breathing;
+    }
+
+    /**
+     * Does what can be done at this frame.
+     *
+     * @param now what the breath is doing
+     * @param breath its number, from 1
+     * @return whether all is done
+     * @throws BadInputException with one sentence that names the step, if it cannot be done or what it waits for does
+     *     not come
+     */
+    public boolean update(RespiratoryPhase now, int breath) {
+        List<PlanStep> steps = plan.steps();
+        while (next < steps.size() && isDone(steps.get(next), now, breath)) {
+            next++;
+            begun = false;
+        }
+        before = now;
+        breathBefore = breath;
+        return next == steps.size();
+    }
+
+    private boolean isDone(PlanStep step, RespiratoryPhase now, int breath) {
+        try {
+            if (needle.timeS() > plan.timeoutS()) {
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "found it not done after %.0f s%s, expected it sooner (give_up_after_s)",
+                        plan.timeoutS(),
+                        step instanceof PlanStep.WaitFor wait
+                                ? ", there was no " + wait.event().text()
+                                : ""));
+            }
+            boolean first = !begun;
+            if (first) {
+                begun = true;
+                sinceS = needle.timeS();
+            }
+            return isDone(step, first, now, breath);
+        } catch (BadInputException bad) {
+            throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
+        }
+    }
+
+    private boolean isDone(PlanStep step, boolean first, RespiratoryPhase now, int breath) {
+        if (step instanceof PlanStep.WaitFor wait) {
+            return happens(wait.event(), now, breath);
+        }
+        if (step instanceof PlanStep.WaitSeconds wait) {
+            return needle.timeS() - sinceS >= wait.seconds() - 1e-9;
+        }
+        if (step instanceof PlanStep.HoldBreath hold) {
+            breathing.hold(hold.held(), hold.place());
+        } else if (step instanceof PlanStep.Place place) {
+            place(place);
+        } else if (step instanceof PlanStep.Redirect redirect) {
+            double[] aim = point(redirect.aim());
+            needle.redirect(aim);
+            aimedMm = Vectors.distance(needle.entryNow(), aim);
+        } else if (step instanceof PlanStep.Advance advance) {
+            if (first) {
+                needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
+            }
+            return !advance.awaited() || !needle.isMoving();
+        } else {
+            needle.sample();
+        }
+        return true;
+    }
+
+    private boolean happens(BreathEvent event, RespiratoryPhase now, int breath) {
+        if (event.occurs(before, breathBefore, now, breath)) {
+            return true;
+        }
+        if (event.breath().isPresent() && breath > event.breath().getAsInt()) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT, "found %s over at %.1f s, expected a later breath", event.text(), needle.timeS()));
+        }
+        return false;
+    }
+
+    private void place(PlanStep.Place place) {
+        double[] entry = entry(place, map);
+        double[] aim = point(place.aim());
+        needle.placeAtRest(entry, aim);
+        aimedMm = Vectors.distance(needle.entryNow(), aim);
+    }
+
+    /**
+     * The point of the skin at end-expiration that a step means.
+     *
+     * @throws BadInputException with one sentence, if the needle is too short or no path is free
+     */
+    static double[] entry(PlanStep.Place place, AccessMap map) {
+        return place.entryRest()
+                .or(() -> (place.atEndExpiration()
+                                ? map.bestAt(0, Rehearsal.SUFFICIENT_MARGIN_MM)
+                                : map.best(Rehearsal.SUFFICIENT_MARGIN_MM))
+                        .map(map::pointAtRest))
+                .orElseThrow(() -> new BadInputException(place.place()
+                        + (map.counts().get("in_reach").equals(0)
+                                ? ": found the needle too short to reach the target from anywhere on the skin, expected a longer one"
+                                : ": found no free path to the target from anywhere on the skin, expected one")));
+    }
+
+    private double[] point(PlanStep.Aim aim) {
+        return aim.point().orElseGet(() -> aim.atRest() ? needle.target().restMm() : needle.targetNow());
+    }
+}

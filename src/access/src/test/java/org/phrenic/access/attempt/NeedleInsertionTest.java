@@ -1,0 +1,192 @@
+package org.phrenic.access.attempt;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.BadInputException;
+
+/** Attempts in a body of boxes whose liver goes up and down by a known amount. */
+class NeedleInsertionTest {
+    private static final double TOLERANCE_MM = 1e-3;
+    private static final double AMPLITUDE_MM = 12;
+    private static final double PERIOD_S = 4;
+    private static final double FRAME_S = 0.02;
+    /** Through the whole path within one frame. */
+    private static final double AT_ONCE = 1e6;
+
+    private final BoxAnatomy body = new BoxAnatomy();
+    private final MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+    private int frames;
+    private double ribUp;
+
+    /** The liver is A (1 - cos) / 2 lower than at rest. */
+    private static double down(double timeS) {
+        return 0.5 * AMPLITUDE_MM * (1 - StrictMath.cos(2 * Math.PI * timeS / PERIOD_S));
+    }
+
+    private NeedleInsertion session(double diameterMm) {
+        scene.update(body.still(0));
+        TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, 0}, diameterMm);
+        NeedleInsertion session = new NeedleInsertion(scene, target, Needle.standard(), NoGoZone.defaults());
+        frames = -1;
+        next(session);
+        return session;
+    }
+
+    private void next(NeedleInsertion session) {
+        frames++;
+        double t = frames * FRAME_S;
+        session.update(
+                body.frame(t, t / PERIOD_S % 1, new double[] {0, 0, -down(t)}, -100, ribUp),
+                RespiratoryPhase.INSPIRATION);
+    }
+
+    private void until(NeedleInsertion session, double timeS) {
+        while ((frames + 0.5) * FRAME_S < timeS) {
+            next(session);
+        }
+    }
+
+    @Test
+    void firedAtAKnownPhaseTheErrorIsTheMotionSinceItWasAimed() {
+        for (double fired : new double[] {0, 0.5, 1, 1.5, 2, 3}) {
+            NeedleInsertion session = session(20);
+            double[] aim = session.targetNow();
+            session.place(new double[] {0, 0, 0}, aim);
+            until(session, fired);
+            session.advance(90, AT_ONCE);
+            next(session);
+            double miss = down(frames * FRAME_S);
+            TargetingError seen = session.sample();
+            assertThat(seen.lateralMm()).isCloseTo(miss, within(TOLERANCE_MM));
+            assertThat(seen.axialMm()).isCloseTo(0, within(TOLERANCE_MM));
+            assertThat(seen.hit()).isEqualTo(miss <= 10);
+            assertThat(session.record().hit()).isEqualTo(miss <= 10);
+        }
+    }
+
+    @Test
+    void aimedObliquelyTheErrorPartsIntoAxialAndLateral() {
+        NeedleInsertion session = session(20);
+        // Up along 3-4-5: the target goes down by d, so 3/5 d toward the skin along the needle, 4/5 d aside.
+        session.place(new double[] {0, 0, -67.5}, session.targetNow());
+        until(session, 2 - FRAME_S);
+        session.advance(112.5, AT_ONCE);
+        next(session);
+        TargetingError miss = session.sample();
+        assertThat(miss.axialMm()).isCloseTo(-0.6 * AMPLITUDE_MM, within(TOLERANCE_MM));
+        assertThat(miss.lateralMm()).isCloseTo(0.8 * AMPLITUDE_MM, within(TOLERANCE_MM));
+    }
+
+    @Test
+    void inTheLiverTheTipKeepsToItsTissueAndTheCapsuleIsPulled() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 0}, session.targetNow());
+        session.advance(90, AT_ONCE);
+        next(session);
+        double start = down(frames * FRAME_S);
+        TargetingError first = session.targetingError();
+        until(session, 2);
+        // The tip goes down with the target: what it missed by stays, and the needle turns about the skin.
+        double[] tip = session.tipNow();
+        assertThat(tip[0]).isCloseTo(90, within(TOLERANCE_MM));
+        double moved = AMPLITUDE_MM - start;
+        assertThat(tip[2]).isCloseTo(-moved, within(TOLERANCE_MM));
+        assertThat(session.targetingError().distanceMm()).isCloseTo(first.distanceMm(), within(TOLERANCE_MM));
+        assertThat(session.rotationByLiverDeg())
+                .isCloseTo(StrictMath.toDegrees(StrictMath.atan2(moved, 90)), within(TOLERANCE_MM));
+        // The puncture went down by the same; the needle's line passes 40/90 of that below the axis there.
+        double pull = moved * (1 - 40.0 / 90) * 90 / Math.hypot(90, moved);
+        assertThat(session.capsulePullMm()).isCloseTo(pull, within(TOLERANCE_MM));
+        assertThat(session.warnings()).anyMatch(w -> w.contains("capsule"));
+        assertThat(session.record().capsulePullMm()).isCloseTo(pull, within(TOLERANCE_MM));
+    }
+
+    @Test
+    void structuresAreRecordedInOrderWithDepthAndTime() {
+        NeedleInsertion session = session(20);
+        until(session, 1);
+        session.place(new double[] {0, 0, 0}, new double[] {90, 0, 0});
+        session.advance(90, 50);
+        while (session.isMoving()) {
+            next(session);
+        }
+        session.sample();
+        session.advance(0, 100);
+        while (session.isPlaced()) {
+            next(session);
+        }
+        AttemptRecord record = session.record();
+        assertThat(record.events())
+                .extracting(AttemptEvent::kind)
+                .containsExactly(
+                        AttemptEvent.Kind.SKIN_CONTACT,
+                        AttemptEvent.Kind.SKIN_PUNCTURE,
+                        AttemptEvent.Kind.CAPSULE_PUNCTURE,
+                        AttemptEvent.Kind.SAMPLE,
+                        AttemptEvent.Kind.OUT_OF_SKIN);
+        AttemptEvent capsule = record.first(AttemptEvent.Kind.CAPSULE_PUNCTURE).orElseThrow();
+        assertThat(capsule.depthMm()).isCloseTo(BoxAnatomy.LIVER_FROM, within(TOLERANCE_MM));
+        // 40 mm at 50 mm/s, begun at 1 s.
+        assertThat(capsule.timeS()).isCloseTo(1.8, within(TOLERANCE_MM));
+        assertThat(record.tipTravelMm()).isBetween(180 - 2 * AMPLITUDE_MM, 180 + 2 * AMPLITUDE_MM);
+        assertThat(record.count(AttemptEvent.Kind.SKIN_PUNCTURE)).isEqualTo(1);
+        assertThat(record.inNoGoS()).isZero();
+        assertThat(record.targetExcursionMm()).isPositive();
+        assertThat(record.toMap()).containsKeys("notice", "thresholds");
+    }
+
+    @Test
+    void boneStopsTheTip() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 35}, new double[] {90, 0, 35});
+        session.advance(90, 50);
+        until(session, 2);
+        assertThat(session.depthMm()).isCloseTo(10, within(TOLERANCE_MM));
+        assertThat(session.isMoving()).isFalse();
+        assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isEqualTo(1);
+        assertThat(session.record().inNoGoS()).isPositive();
+    }
+
+    @Test
+    void redirectionsAndSecondAttemptsAreCounted() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 0}, new double[] {90, 0, 20});
+        session.advance(20, 100);
+        until(session, 0.5);
+        session.redirect(session.targetNow());
+        session.place(new double[] {0, 5, 0}, session.targetNow());
+        session.advance(50, 100);
+        until(session, 1.5);
+        assertThatThrownBy(() -> session.redirect(new double[] {90, 0, 0})).hasMessageContaining("tip in the liver");
+        AttemptRecord record = session.record();
+        assertThat(record.count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
+        assertThat(record.count(AttemptEvent.Kind.SKIN_CONTACT)).isEqualTo(2);
+        assertThat(record.count(AttemptEvent.Kind.SKIN_PUNCTURE)).isEqualTo(2);
+    }
+
+    @Test
+    void whatCannotBeIsSaidInASentenceAndChangesNothing() {
+        NeedleInsertion session = session(20);
+        assertThatThrownBy(() -> session.advance(10, 10)).isInstanceOf(BadInputException.class);
+        assertThatThrownBy(() -> session.place(new double[] {50, 0, 0}, new double[] {90, 0, 0}))
+                .hasMessageContaining("inside the body");
+        assertThatThrownBy(() -> session.place(new double[] {-50, 0, 0}, new double[] {90, 0, 0}))
+                .hasMessageContaining("off the skin");
+        assertThatThrownBy(() -> session.place(new double[] {0, 0, 0}, new double[] {190, 0, 0}))
+                .hasMessageContaining("expected a longer needle");
+        assertThat(session.isPlaced()).isFalse();
+        assertThatThrownBy(() -> TargetLesion.at(scene, new double[] {20, 0, 0}, 20))
+                .hasMessageContaining("20.0 mm outside");
+        assertThatThrownBy(() -> TargetLesion.at(scene, new double[] {90, 0, 0}, 200))
+                .hasMessageContaining("diameter");
+    }
+}

@@ -1,0 +1,229 @@
+package org.phrenic.access.path;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.BreathCycle;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.LiverTissue;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.MovingStructure;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+
+/** Access to targets in the coarse virtual adult male in a deep breath that is taken fast, and in a body of boxes. */
+class AccessMapTest {
+    private static final int MOMENTS = 10;
+    private static final int INSPIRED = 4;
+    /** Places in single precision and a turned axis: what is nearer to a limit than this may fall to either side. */
+    private static final double ROUNDING_MM = 2e-4;
+
+    private static final double[] RIGHT_LOBE = {-90, 0, 50};
+    private static final double[] DOME = {-70, 0, 95};
+
+    private static Workers workers;
+    private static List<BreathMoment> cycle;
+    private static MovingAnatomy scene;
+
+    @BeforeAll
+    static void breathe() {
+        workers = Workers.of(2);
+        Scenario deep = Scenario.defaults()
+                .with("preset=deep", "rate_per_min=20", "resolution=low", "lungs=embedded", "sternum=kinematic");
+        try (Simulation simulation = Simulation.of(deep, VirtualBodies.grow("adult-male", Resolution.LOW))) {
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
+            scene = new MovingAnatomy(surfaces.surfaces());
+        }
+    }
+
+    @AfterAll
+    static void end() {
+        workers.close();
+    }
+
+    private static AccessMap map(double[] target, Workers on) {
+        scene.update(cycle.get(0).frame());
+        return AccessMap.of(
+                scene, cycle, TargetLesion.at(scene, target, 15), Needle.standard(), NoGoZone.defaults(), on);
+    }
+
+    private static Optional<IntercostalSpace> space(AccessMap map, int moment, int vertex) {
+        return new PathAnalyzer(scene, Needle.standard())
+                .analyze(entry(vertex), map.target(moment))
+                .space();
+    }
+
+    private static double[] entry(int vertex) {
+        return Arrays.copyOfRange(scene.skin().positions(), 3 * vertex, 3 * vertex + 3);
+    }
+
+    @Test
+    void everyTriangleWithoutATreeSaysTheSameOfEveryPointOfTheSkin() {
+        AccessMap map = map(RIGHT_LOBE, workers);
+        int asked = 0;
+        for (int moment : new int[] {0, INSPIRED}) {
+            scene.update(cycle.get(moment).frame());
+            BruteForcePath brute = new BruteForcePath(
+                    scene.structures().stream().map(MovingStructure::surface).toList(),
+                    cycle.get(moment).frame(),
+                    Needle.standard());
+            for (int v = 0; v < map.size(); v++) {
+                if (!map.isInReach(moment, v)) {
+                    continue;
+                }
+                asked++;
+                Set<NoGoZone> expected = brute.touched(entry(v), map.target(moment));
+                Set<NoGoZone> seen = map.touched(moment, v);
+                seen.remove(NoGoZone.PLEURA);
+                if (brute.slack > ROUNDING_MM) {
+                    assertThat(seen).as("vertex " + v + " at moment " + moment).isEqualTo(expected);
+                }
+            }
+        }
+        assertThat(asked).isGreaterThan(2000);
+    }
+
+    @Test
+    void inABodyOfBoxesTheMapIsThatOfTheBoxes() {
+        BoxAnatomy body = new BoxAnatomy();
+        MovingAnatomy boxes = new MovingAnatomy(body.surfaces);
+        List<BreathMoment> breath = List.of(
+                new BreathMoment(body.frame(0, 0, new double[3], 0, 0), RespiratoryPhase.PAUSE),
+                new BreathMoment(body.frame(1, 0.5, new double[3], 30, 0), RespiratoryPhase.INSPIRATION));
+        TargetLesion target = TargetLesion.at(boxes, new double[] {90, 0, 0}, 10);
+        AccessMap map = AccessMap.of(boxes, breath, target, new Needle(18, 300), NoGoZone.defaults(), workers);
+        for (int v = 0; v < map.size(); v++) {
+            for (int m = 0; m < 2; m++) {
+                boxes.update(breath.get(m).frame());
+                BruteForcePath brute =
+                        new BruteForcePath(body.surfaces, breath.get(m).frame(), new Needle(18, 300));
+                double[] from = Arrays.copyOfRange(boxes.skin().positions(), 3 * v, 3 * v + 3);
+                Set<NoGoZone> seen = map.touched(m, v);
+                assertThat(seen).isEqualTo(brute.touched(from, map.target(m)));
+            }
+        }
+    }
+
+    @Test
+    void theMapDoesNotDependOnThreads() {
+        AccessMap two = map(RIGHT_LOBE, workers);
+        try (Workers alone = Workers.of(1)) {
+            AccessMap one = map(RIGHT_LOBE, alone);
+            assertThat(one.freePercent()).isEqualTo(two.freePercent());
+            for (int v = 0; v < one.size(); v++) {
+                assertThat(one.marginMm(v)).isEqualTo(two.marginMm(v));
+                assertThat(one.nearest(v)).isEqualTo(two.nearest(v));
+            }
+        }
+    }
+
+    /**
+     * Biopsies go in at the 7th to 9th space, mid-axillary line (physiology: emedicine 149684); above, the lung lies in
+     * the way.
+     */
+    @Test
+    void toTheRightLobeTheSeventhToNinthSpacesAreFreeAtExpirationAndThoseAboveTheSixthAreNot() {
+        AccessMap map = map(RIGHT_LOBE, workers);
+        scene.update(cycle.get(0).frame());
+        int[] free = new int[13];
+        for (int v = 0; v < map.size(); v++) {
+            if (map.isFree(0, v)) {
+                Optional<IntercostalSpace> space = space(map, 0, v);
+                space.ifPresent(s -> {
+                    free[s.number()]++;
+                    assertThat(s.side()).isEqualTo(Side.RIGHT);
+                });
+            }
+        }
+        assertThat(free[7]).isGreaterThan(10);
+        assertThat(free[8]).isGreaterThan(10);
+        assertThat(free[9]).isGreaterThan(10);
+        assertThat(Arrays.copyOf(free, 6)).containsOnly(0);
+        assertThat(map.best(5)).isPresent();
+    }
+
+    /** The lung comes down into the recess: what was free at the side above it is so no more. */
+    @Test
+    void toTheDomeTheLungBarsTheSeventhSpaceAtTheSideWhenInspired() {
+        AccessMap map = map(DOME, workers);
+        scene.update(cycle.get(0).frame());
+        int free = 0;
+        for (int v = 0; v < map.size(); v++) {
+            double[] entry = entry(v);
+            boolean lateral = entry[0] < -100 && Math.abs(entry[1]) < 70;
+            if (lateral
+                    && map.isFree(0, v)
+                    && space(map, 0, v).filter(s -> s.number() <= 7).isPresent()) {
+                free++;
+                assertThat(map.touched(INSPIRED, v)).contains(NoGoZone.LUNG);
+                assertThat(map.access(v)).isEqualTo(AccessMap.Access.PART);
+                assertThat(map.windows(v)).isNotEmpty();
+            }
+        }
+        assertThat(free).isGreaterThan(5);
+    }
+
+    @Test
+    void aWindowRunsFromItsFirstToItsLastFreeMoment() {
+        AccessMap map = map(DOME, workers);
+        for (int v = 0; v < map.size(); v++) {
+            int counted = 0;
+            for (SafeWindow window : map.windows(v)) {
+                counted += window.length();
+                for (int i = 0; i < window.length(); i++) {
+                    assertThat(map.isFree((window.first() + i) % MOMENTS, v)).isTrue();
+                }
+                assertThat((window.first() + window.length() - 1) % MOMENTS).isEqualTo(window.last());
+            }
+            assertThat(counted).isEqualTo(map.freeMoments(v));
+        }
+    }
+
+    @Test
+    void pointsOfTheTissueMoveAsTheirNeighbourhoodAndAreFoundAgain() {
+        LiverTissue tissue = new LiverTissue(scene);
+        scene.update(cycle.get(0).frame());
+        LiverTissue.Point point = tissue.pointAtRest(RIGHT_LOBE);
+        scene.update(cycle.get(INSPIRED).frame());
+        double[] now = tissue.position(point);
+        double[] back = tissue.pointNowAt(now).rest();
+        for (int axis = 0; axis < 3; axis++) {
+            assertThat(back[axis]).isCloseTo(RIGHT_LOBE[axis], within(1e-6));
+        }
+        // A vertex of the surface is where the surface is; soft weights leave it this near.
+        int v = 100;
+        double[] rest = Arrays.copyOfRange(scene.liver().surface().rest().positions(), 3 * v, 3 * v + 3);
+        double[] seen = tissue.position(tissue.pointAtRest(rest));
+        double[] vertex = Arrays.copyOfRange(scene.liver().positions(), 3 * v, 3 * v + 3);
+        assertThat(Vectors.distance(seen, vertex)).isLessThan(0.5);
+    }
+
+    @Test
+    void randomTargetsAreRepeatableAndLieWithinTheLiver() {
+        for (long seed = 1; seed < 6; seed++) {
+            TargetLesion one = TargetLesion.random(scene, seed, Double.NaN);
+            assertThat(one.restMm())
+                    .isEqualTo(TargetLesion.random(scene, seed, Double.NaN).restMm());
+            assertThat(one.diameterMm()).isBetween(8.0, 50.0);
+        }
+    }
+}

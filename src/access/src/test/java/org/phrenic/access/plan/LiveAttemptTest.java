@@ -1,0 +1,180 @@
+package org.phrenic.access.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.CycleRecorder;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.attempt.AttemptEvent;
+import org.phrenic.access.path.TargetAccess;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.simulation.live.LiveRun;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.StepListener;
+import org.phrenic.simulation.observe.Frame;
+
+/**
+ * Attempts on a run that is played on a thread of its own, as the window does it, against the same without a window:
+ * the whole report, bit for bit.
+ */
+class LiveAttemptTest {
+    private static final long PATIENCE_S = 60;
+    private static final String BODY =
+            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic}\nphases: 3\n"
+                    + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n";
+    private static final double[] ENTRY = {-38.9, -121.2, 26.6};
+
+    @TempDir
+    Path folder;
+
+    private RehearsalPlan plan(String steps) throws IOException {
+        return RehearsalPlan.read(Files.writeString(folder.resolve("plan.yaml"), BODY + steps));
+    }
+
+    @Test
+    void aPlanPlayedLiveGivesTheReportOfTheSamePlanHeadless() throws Exception {
+        RehearsalPlan plan = plan("steps:\n  - wait: end-inspiration of breath 1\n  - hold_breath: true\n"
+                + "  - place: {entry: [-38.9, -121.2, 26.6], aim: target}\n"
+                + "  - advance: {speed_mm_per_s: 120}\n  - sample: now\n  - withdraw: {speed_mm_per_s: 300}\n"
+                + "  - hold_breath: false\n  - wait: 0.1\n");
+        Rehearsal live = live(plan, true, needle -> {});
+        assertThat(live.record().events()).isNotEmpty();
+        assertThat(report(live)).isEqualTo(report(Rehearsal.play(plan, (at, total, perS) -> {})));
+    }
+
+    @Test
+    void whatWasDoneByHandIsAPlanThatGivesTheSameReportHeadless() throws Exception {
+        RehearsalPlan practice = plan("steps: []\n");
+        Rehearsal live = live(practice, false, needle -> {
+            // In again and again before it is there, aimed again, the breath held in between: all that a hand may do.
+            when(needle, s -> s.timeS() > 0.1);
+            needle.enterAt(ENTRY);
+            needle.moveTo(20, 90);
+            when(needle, s -> s.depthMm() > 4);
+            needle.moveTo(12, 45);
+            needle.holdAt(Optional.of(BreathEvent.Kind.END_INSPIRATION));
+            when(needle, s -> !s.moving() && s.label() == RespiratoryPhase.HOLD);
+            needle.aim();
+            needle.moveTo(70, 150);
+            when(needle, s -> s.inLiver() && !s.moving());
+            needle.sample();
+            when(needle, s -> s.samples() == 1);
+            needle.holdAt(Optional.empty());
+            needle.moveTo(0, 300);
+        });
+        assertThat(live.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
+        assertThat(live.plan().steps()).anyMatch(PlanStep.HoldBreath.class::isInstance);
+        YamlWriter.write(folder.resolve("scenario.yaml"), live.plan().scenario().toMap());
+        YamlWriter.write(folder.resolve("by-hand.yaml"), live.plan().toMap("scenario.yaml"));
+        RehearsalPlan again = RehearsalPlan.read(folder.resolve("by-hand.yaml"));
+        assertThat(report(Rehearsal.play(again, (at, total, perS) -> {}))).isEqualTo(report(live));
+    }
+
+    private static String report(Rehearsal rehearsal) {
+        return JsonWriter.format(new RehearsalReport(rehearsal).values());
+    }
+
+    private static void when(LiveRehearsal needle, java.util.function.Predicate<NeedleState> holds) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        while (needle.state() == null || !holds.test(needle.state())) {
+            assertThat(System.nanoTime()).as(() -> "waiting; " + needle.state()).isLessThan(end);
+            Thread.onSpinWait();
+        }
+    }
+
+    /**
+     * As the window does: one breath looked at, the map worked out, the run at its start again, and then by plan or by
+     * hand.
+     */
+    private static Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {
+        CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
+        CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
+        CompletableFuture<LiveAttempt> ended = new CompletableFuture<>();
+        try (LiveRun run = new LiveRun(plan.scenario(), new Listener(loaded));
+                Workers workers = Workers.of(2)) {
+            run.setSpeed(Double.POSITIVE_INFINITY);
+            run.play();
+            LiveScene scene = loaded.get(PATIENCE_S, TimeUnit.SECONDS);
+            Frame ofScene = scene.newFrame().get();
+            CycleRecorder recorder = new CycleRecorder(run, ofScene, plan.moments(), share -> {}, cycle::complete);
+            run.restart(recorder, recorder);
+            MovingAnatomy mapped = new MovingAnatomy(scene.surfaces());
+            TargetAccess study = TargetAccess.of(
+                    mapped,
+                    cycle.get(PATIENCE_S, TimeUnit.SECONDS),
+                    plan.target(mapped),
+                    plan.needle(),
+                    plan.avoided(),
+                    workers);
+            LiveRehearsal needle = new LiveRehearsal(
+                    run,
+                    new MovingAnatomy(scene.surfaces()),
+                    ofScene,
+                    plan,
+                    study.target(),
+                    played ? Optional.of(study.map()) : Optional.empty(),
+                    new Ended(ended));
+            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), needle);
+            hand.accept(needle);
+            LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
+            RehearsalPlan done = played ? plan : attempt.toPlan(plan);
+            return new Rehearsal(
+                    done,
+                    scene.surfaces(),
+                    study,
+                    Rehearsal.plannedPath(done, study, mapped),
+                    attempt.record(),
+                    attempt.snapshots(),
+                    attempt.stateHash());
+        }
+    }
+
+    private record Ended(CompletableFuture<LiveAttempt> attempt) implements LiveRehearsal.Listener {
+        @Override
+        public void refused(String sentence) {
+            attempt.completeExceptionally(new IllegalStateException(sentence));
+        }
+
+        @Override
+        public void finished(LiveAttempt done) {
+            attempt.complete(done);
+        }
+    }
+
+    /** Hands on the first scene and that it failed. */
+    private record Listener(CompletableFuture<LiveScene> scene) implements LiveRun.Listener {
+        @Override
+        public void loading(String what, double share) {}
+
+        @Override
+        public void ready(LiveScene ready) {
+            scene.complete(ready);
+        }
+
+        @Override
+        public void failed(String sentence) {
+            scene.completeExceptionally(new IllegalStateException(sentence));
+        }
+
+        @Override
+        public void diverged(String sentence) {
+            failed(sentence);
+        }
+
+        @Override
+        public void changed() {}
+    }
+}

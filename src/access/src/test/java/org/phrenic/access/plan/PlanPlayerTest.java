@@ -1,0 +1,112 @@
+package org.phrenic.access.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.BadInputException;
+
+/** Plans played on a body of boxes that breathes once in four seconds: 1.6 s in, 1.8 s out, 0.6 s at rest. */
+class PlanPlayerTest {
+    private static final double FRAME_S = 0.02;
+
+    @TempDir
+    Path folder;
+
+    private final BoxAnatomy body = new BoxAnatomy();
+    private final List<Boolean> held = new ArrayList<>();
+
+    private static RespiratoryPhase label(double timeS) {
+        double at = timeS % 4;
+        return at < 1.6
+                ? RespiratoryPhase.INSPIRATION
+                : at < 3.4 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
+    }
+
+    /** Plays a plan's steps and returns the session at its end. */
+    private NeedleInsertion play(String steps) throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("plan.yaml"),
+                "target: {rest_mm: [90, 0, 0], diameter_mm: 20}\ngive_up_after_s: 20\nneedle: {length_mm: 100}\n"
+                        + steps);
+        RehearsalPlan plan = RehearsalPlan.read(file);
+        MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+        scene.update(body.still(0));
+        TargetLesion target = plan.target(scene);
+        NeedleInsertion needle = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
+        try (Workers workers = Workers.of(1)) {
+            AccessMap map = AccessMap.of(
+                    scene,
+                    List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE)),
+                    target,
+                    plan.needle(),
+                    plan.avoided(),
+                    workers);
+            PlanPlayer player = new PlanPlayer(plan, needle, map, (on, origin) -> held.add(on));
+            for (int i = 0; ; i++) {
+                double t = i * FRAME_S;
+                needle.update(body.frame(t, t / 4 % 1, new double[3], -100, 0), label(t));
+                if (player.update(label(t), 1 + (int) (t / 4 + 1e-9))) {
+                    return needle;
+                }
+            }
+        }
+    }
+
+    @Test
+    void aTriggerFiresAtItsPhaseOfItsBreath() throws IOException {
+        NeedleInsertion needle = play("steps: [{wait: end-expiration of breath 3}, {place: {entry: [0, 0, 0]}}]");
+        assertThat(needle.timeS()).isBetween(11.4 - 1e-9, 11.4 + FRAME_S + 1e-9);
+        needle = play("steps: [{wait: end-inspiration of breath 2}, {place: {entry: [0, 0, 0]}}]");
+        assertThat(needle.timeS()).isBetween(5.6 - 1e-9, 5.6 + FRAME_S + 1e-9);
+        needle = play("steps: [{wait: inspiration of breath 2}, {wait: 0.5}, {place: {entry: [0, 0, 0]}}]");
+        assertThat(needle.timeS()).isBetween(4.5 - 1e-9, 4.5 + FRAME_S + 1e-9);
+    }
+
+    @Test
+    void stepsAreDoneInOrderEachWhenTheLastIsDone() throws IOException {
+        NeedleInsertion needle = play("steps:\n  - hold_breath: true\n  - place: {entry: [0, 0, 0], aim: target}\n"
+                + "  - advance: {speed_mm_per_s: 45}\n  - sample: now\n  - withdraw: {speed_mm_per_s: 90}\n"
+                + "  - hold_breath: false\n");
+        assertThat(held).containsExactly(true, false);
+        assertThat(needle.isPlaced()).isFalse();
+        assertThat(needle.record().hit()).isTrue();
+        // 90 mm in at 45 mm/s, out at 90 mm/s.
+        assertThat(needle.timeS()).isBetween(3.0 - FRAME_S, 3.0 + 3 * FRAME_S);
+    }
+
+    @Test
+    void whatNeverComesIsSaidInASentence() {
+        assertThatThrownBy(() -> play("steps: [{wait: hold}]"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("step 1, wait")
+                .hasMessageContaining("there was no hold");
+        assertThatThrownBy(() -> play("steps: [{wait: 9}, {wait: end-expiration of breath 2}]"))
+                .hasMessageContaining("step 2, wait")
+                .hasMessageContaining("over at");
+    }
+
+    @Test
+    void whatCannotBeDoneNamesItsStep() {
+        assertThatThrownBy(() -> play("steps: [{advance: {depth_mm: 20}}]")).hasMessageContaining("step 1, advance");
+        assertThatThrownBy(() -> play("steps: [{place: {entry: [0, 0, 0], aim: [150, 0, 0]}}]"))
+                .hasMessageContaining("step 1, place")
+                .hasMessageContaining("longer needle");
+        assertThatThrownBy(() -> play("steps: [{place: {entry: [0, 0, 0]}}, {sample: now}]"))
+                .hasMessageContaining("step 2, sample");
+    }
+}

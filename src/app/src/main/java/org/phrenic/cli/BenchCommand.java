@@ -1,0 +1,153 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.engine.force.SpringKernel;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.bare.BareResult;
+import org.phrenic.study.bare.BareScene;
+import org.phrenic.study.bare.BareSettings;
+import org.phrenic.study.bare.BareWorkload;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic bench}: how many steps a second the engine does on a bare mesh; its sub-commands measure the rest. */
+@Command(
+        name = "bench",
+        description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
+        subcommands = {BenchSpeedCommand.class, BenchErrorCommand.class, BenchStabilityCommand.class},
+        synopsisSubcommandLabel = "[COMMAND]",
+        footer = {
+            "",
+            "Example:",
+            "  phrenic bench --mesh dome.obj --fixed dome.fixed.txt --loaded dome.loaded.txt --threads 2",
+            "",
+            "Index files hold vertex numbers from 0, one a line; --links two a line."
+        })
+final class BenchCommand implements Callable<Integer> {
+
+    @Spec
+    private CommandSpec spec;
+
+    /** A group, so that its files are asked for together, and not by sub-commands. */
+    @ArgGroup(exclusive = false)
+    private Files files;
+
+    private static final class Files {
+        @Option(
+                names = "--mesh",
+                required = true,
+                paramLabel = "FILE",
+                description = "Surface: obj, ply, stl, vtk, vtp.")
+        private Path mesh;
+
+        @Option(names = "--fixed", required = true, paramLabel = "FILE", description = "Vertices that are held still.")
+        private Path fixed;
+
+        @Option(names = "--loaded", required = true, paramLabel = "FILE", description = "Vertices that carry the load.")
+        private Path loaded;
+
+        @Option(names = "--links", paramLabel = "FILE", description = "Pairs of vertices held at their distance.")
+        private Path links;
+    }
+
+    @Option(names = "--steps", paramLabel = "N", description = "Steps of each timed run (default ${DEFAULT-VALUE}).")
+    private int steps = BareSettings.DEFAULT.steps();
+
+    @Option(names = "--integrator", paramLabel = "NAME", description = "Scheme (default ${DEFAULT-VALUE}).")
+    private String integrator = BareSettings.DEFAULT.integrator().label();
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads (default ${DEFAULT-VALUE}).")
+    private int threads = BareSettings.DEFAULT.threads();
+
+    @Option(
+            names = "--kernel",
+            paramLabel = "NAME",
+            description = "loops, vector (needs java --add-modules jdk.incubator.vector) or reference;"
+                    + " without it, the fastest here by a short measurement.")
+    private String kernel;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        if (files == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "found neither --mesh nor a sub-command, expected one of them");
+        }
+        if (threads > Scenario.MAX_THREADS) {
+            throw new BadInputException("threads: found " + threads + ", expected 1 to " + Scenario.MAX_THREADS);
+        }
+        BareSettings settings = BareSettings.DEFAULT
+                .withIntegrator(IntegratorKind.of(integrator))
+                .withThreads(threads)
+                .withSteps(steps);
+        if (kernel != null) {
+            settings = settings.withKernel(kernel(kernel));
+        }
+        BareScene scene = BareScene.read(files.mesh, files.fixed, files.loaded, files.links);
+        if (scene.loaded().length == 0) {
+            throw new BadInputException(files.loaded + ": found no vertex index, expected at least one");
+        }
+        BareResult result = BareWorkload.run(scene, settings);
+        if (!Double.isFinite(result.meanDz200())) {
+            spec.commandLine()
+                    .getErr()
+                    .println("phrenic: the workload diverged within " + BareWorkload.CHECKED_STEPS
+                            + " steps of integrator " + result.integrator());
+            return ExitCode.FAILURE;
+        }
+        print(result);
+        return ExitCode.SUCCESS;
+    }
+
+    private static SpringKernel kernel(String name) {
+        SpringKernel kernel = SpringKernel.of(name);
+        if (!kernel.isAvailable()) {
+            throw new BadInputException("--kernel: found '" + name
+                    + "', which Java has only if started with --add-modules jdk.incubator.vector, expected that or"
+                    + " another kernel");
+        }
+        return kernel;
+    }
+
+    private void print(BareResult result) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        values.put("steps_per_s", result.stepsPerSecond());
+        values.put("min", result.min());
+        values.put("max", result.max());
+        values.put("nodes", result.nodes());
+        values.put("edges", result.edges());
+        values.put("links", result.links());
+        values.put("threads", result.threads());
+        values.put("integrator", result.integrator());
+        values.put("kernel", result.kernel());
+        values.put("mean_dz_200", result.meanDz200());
+        values.put("roots_per_s", result.roofline().rootsPerSecond());
+        values.put("bytes_per_s", result.roofline().bytesPerSecond());
+        values.put("floor_steps_per_s", result.roofline().stepsPerSecond());
+        values.put("fraction_of_floor", result.fractionOfRoofline());
+        values.put("state_sha256", result.stateSha256());
+        PrintWriter out = spec.commandLine().getOut();
+        if (json) {
+            out.print(JsonWriter.format(values));
+        } else {
+            TextTable table = new TextTable(false, false);
+            values.forEach((key, value) -> table.row(key, String.valueOf(value)));
+            out.print(table.text());
+        }
+        out.flush();
+    }
+}

@@ -1,0 +1,168 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.PictureOptions;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.CompareReport;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.PlyWriter;
+import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.scene.DistanceMapPictures;
+import org.phrenic.scene.camera.PictureSettings;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.scene.style.ColourField;
+import org.phrenic.scene.style.ColourScale;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic compare}: the distance between two surfaces. */
+@Command(
+        name = "compare",
+        description = "Say how far two surfaces lie apart, from the vertices of each to the other.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic compare simulated.vtp scan.ply",
+            "  phrenic compare before.stl after.stl --json --csv distances.csv",
+            "  phrenic compare simulated.vtp scan.ply --ply coloured.ply --picture map.png --view superior --range 0:10",
+            "",
+            "Both files are taken to be in mm and in the same axes; nothing is aligned.",
+            CliNotice.TEXT
+        })
+final class CompareCommand implements Callable<Integer> {
+    /** Room left above what 95 % of the surface shows in colours, before a range is rounded up. */
+    private static final double[] ROUND_RANGES_MM = {1, 2, 3, 5, 10, 15, 20, 30, 50, 100, 200, 500, 1000};
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "A", description = "A mesh: stl, obj, ply, vtk, vtp.")
+    private Path a;
+
+    @Parameters(index = "1", paramLabel = "B", description = "The mesh to compare it with.")
+    private Path b;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Option(names = "--csv", paramLabel = "FILE", description = "Distance of every vertex of A from B, as a table.")
+    private Path csv;
+
+    @Option(
+            names = "--ply",
+            paramLabel = "FILE",
+            description = "A with the distance of each vertex from B as the property distance_mm.")
+    private Path ply;
+
+    @Option(names = "--picture", paramLabel = "FILE", description = "A in colours of its distance from B, as PNG.")
+    private Path picture;
+
+    @Option(names = "--range", paramLabel = "MIN:MAX", description = "Range of these colours, mm.")
+    private String range;
+
+    @Mixin
+    private PictureOptions shotOptions;
+
+    @Override
+    public Integer call() throws NoGraphicsException {
+        String title = name(a) + " from " + name(b);
+        List<PictureSettings> shots = shotOptions.settings(title);
+        if (picture == null && range != null) {
+            throw new BadInputException("--range " + range + ": found no --picture, expected a picture to colour");
+        }
+        for (Path file : new Path[] {csv, ply, picture}) {
+            if (file != null) {
+                OutputFolder.requireWritable(file.toAbsolutePath().getParent());
+            }
+        }
+        TriangleMesh from = MeshFiles.read(a);
+        TriangleMesh to = MeshFiles.read(b);
+        SurfaceComparison comparison = SurfaceComparison.of(from, to);
+        ColourScale scale = scale(comparison);
+        if (csv != null) {
+            CsvWriter.write(csv, columns(from, to, comparison), CsvWriter.ALL_DIGITS);
+        }
+        if (ply != null) {
+            Map<String, double[]> scalars = new LinkedHashMap<>();
+            scalars.put("distance_mm", comparison.aToB().distances());
+            PlyWriter.write(ply, from, scalars);
+        }
+        List<String> pictures = picture == null ? List.of() : pictures(from, comparison, shots, scale);
+        CompareReport report = new CompareReport(a, b, comparison);
+        PrintWriter out = spec.commandLine().getOut();
+        out.print(json ? JsonWriter.format(report.values(pictures)) : report.table() + "\n" + CliNotice.TEXT + "\n");
+        out.flush();
+        return ExitCode.SUCCESS;
+    }
+
+    private static String name(Path file) {
+        return String.valueOf(file.getFileName());
+    }
+
+    private Map<String, double[]> columns(TriangleMesh from, TriangleMesh to, SurfaceComparison comparison) {
+        int n = from.vertexCount();
+        double[][] place = new double[3][n];
+        for (int v = 0; v < n; v++) {
+            place[0][v] = from.x(v);
+            place[1][v] = from.y(v);
+            place[2][v] = from.z(v);
+        }
+        Map<String, double[]> columns = new LinkedHashMap<>();
+        columns.put("x_mm", place[0]);
+        columns.put("y_mm", place[1]);
+        columns.put("z_mm", place[2]);
+        columns.put("area_mm2", comparison.aToB().weights());
+        columns.put("distance_mm", comparison.aToB().distances());
+        if (comparison.corresponding().isPresent()) {
+            columns.put("displacement_mm", SurfaceComparison.displacements(from, to));
+        }
+        return columns;
+    }
+
+    /** As asked, else signed where there are signs, up to a round number that holds 95 % of the surface. */
+    private ColourScale scale(SurfaceComparison comparison) {
+        double most = comparison.aToB().byArea().percentile95();
+        double round = ROUND_RANGES_MM[ROUND_RANGES_MM.length - 1];
+        for (int i = ROUND_RANGES_MM.length - 1; i >= 0 && ROUND_RANGES_MM[i] >= most; i--) {
+            round = ROUND_RANGES_MM[i];
+        }
+        String unit = ColourField.DISTANCE.unit();
+        ColourScale usual =
+                comparison.aToB().signed() ? ColourScale.diverging(round, unit) : ColourScale.sequential(round, unit);
+        return range == null ? usual : OptionValues.range("--range", range, usual);
+    }
+
+    private List<String> pictures(
+            TriangleMesh from, SurfaceComparison comparison, List<PictureSettings> shots, ColourScale scale)
+            throws NoGraphicsException {
+        List<String> made = new ArrayList<>();
+        try (DistanceMapPictures drawn =
+                DistanceMapPictures.open(from, comparison.aToB().distances())) {
+            for (PictureSettings shot : shots) {
+                Path file = shots.size() == 1
+                        ? picture
+                        : picture.resolveSibling(name(picture).replaceFirst("(?i)(\\.png)?$", "") + "_"
+                                + shot.view().label() + ".png");
+                drawn.write(file, shot, scale);
+                made.add(file.toString());
+            }
+        }
+        return made;
+    }
+}

@@ -1,0 +1,100 @@
+package org.phrenic.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
+import java.util.Collection;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import org.phrenic.document.KeySuggestion;
+import org.phrenic.engine.integrator.DivergenceException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
+import org.phrenic.scene.gl.NoGraphicsException;
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Turns whatever was thrown into one sentence on one line and an exit code. */
+final class FailureHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
+    private final BooleanSupplier debug;
+
+    FailureHandler(BooleanSupplier debug) {
+        this.debug = debug;
+    }
+
+    @Override
+    public int handleParseException(ParameterException failure, String[] args) {
+        CommandLine line = failure.getCommandLine();
+        String sentence = failure instanceof UnmatchedArgumentException unmatched
+                ? unknownArgument(unmatched, line)
+                : failure.getMessage();
+        print(line.getErr(), sentence + " (" + line.getCommandSpec().qualifiedName() + " --help)", failure);
+        return ExitCode.BAD_INPUT;
+    }
+
+    @Override
+    public int handleExecutionException(Exception failure, CommandLine line, ParseResult parsed) {
+        boolean told = failure.getMessage() != null && !failure.getMessage().isBlank();
+        if (told && isBadInput(failure)) {
+            print(line.getErr(), sentence(failure), failure);
+            return ExitCode.BAD_INPUT;
+        }
+        if (told && failure instanceof NoGraphicsException) {
+            print(line.getErr(), failure.getMessage(), failure);
+            return ExitCode.NO_GRAPHICS;
+        }
+        print(
+                line.getErr(),
+                failure instanceof DivergenceException
+                        ? failure.getMessage()
+                        : "an unexpected failure, " + failure.getClass().getSimpleName()
+                                + (told ? " (" + failure.getMessage() + ")" : "") + "; --debug shows where",
+                failure);
+        return ExitCode.FAILURE;
+    }
+
+    private static String unknownArgument(UnmatchedArgumentException failure, CommandLine line) {
+        String found = failure.getUnmatched().get(0);
+        Set<String> commands = line.getSubcommands().keySet();
+        Collection<String> known =
+                found.startsWith("-") ? line.getCommandSpec().optionsMap().keySet() : commands;
+        String kind = found.startsWith("-") ? "option" : commands.isEmpty() ? "argument" : "command";
+        return "found an unknown " + kind + " '" + found + "'"
+                + KeySuggestion.nearest(found, known)
+                        .map(near -> ", did you mean '" + near + "'?")
+                        .orElse(kind.equals("command") ? ", expected one of " + String.join(", ", commands) : "");
+    }
+
+    private static boolean isBadInput(Exception failure) {
+        return failure instanceof BadInputException
+                || failure instanceof OutputException
+                || failure instanceof IllegalArgumentException
+                || failure instanceof IOException
+                || failure instanceof UncheckedIOException;
+    }
+
+    /** The messages of file-system exceptions are a bare path: their kind is said too. */
+    private static String sentence(Exception failure) {
+        Throwable cause = failure instanceof UncheckedIOException ? failure.getCause() : failure;
+        if (!(cause instanceof FileSystemException)) {
+            return cause.getMessage();
+        }
+        String kind = cause.getClass().getSimpleName().replaceFirst("Exception$", "");
+        return cause.getMessage() + ": "
+                + kind.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+    }
+
+    private void print(PrintWriter err, String sentence, Exception failure) {
+        err.println("phrenic: " + sentence.strip().replaceAll("\\s*\\R\\s*", " "));
+        if (debug.getAsBoolean()) {
+            failure.printStackTrace(err);
+        }
+        err.flush();
+    }
+}

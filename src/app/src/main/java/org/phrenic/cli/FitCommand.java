@@ -1,0 +1,291 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.FitPictures;
+import org.phrenic.cli.report.FitPrinter;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
+import org.phrenic.fit.Fit;
+import org.phrenic.fit.FitReport;
+import org.phrenic.fit.FitResult;
+import org.phrenic.fit.FitSetup;
+import org.phrenic.fit.FitTarget;
+import org.phrenic.fit.SyntheticPatient;
+import org.phrenic.fit.SyntheticStudy;
+import org.phrenic.fit.search.FitParameter;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic fit}: tunes a body to a second breath level. */
+@Command(
+        name = "fit",
+        description = "Tune a body until its surfaces, breathed in and held, lie on those of a second breath level.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic fit patient --target lung_R=inspiration/lung_R.vtp --target lung_L=inspiration/lung_L.vtp --out result",
+            "  phrenic fit patient --target lungs=inspiration.stl --hold-out half --minutes 5 --out result",
+            "  phrenic fit patient --target lung_R=r.vtp --target lung_L=l.vtp --hold-out lung_L --out result",
+            "  phrenic fit virtual/adult-male --target liver=points.csv --tune muscle_activation,rib_rotation=0:1 --out result",
+            "  phrenic fit --synthetic 5 --resolution low --evaluations 62 --out known",
+            "",
+            "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted breath again) and",
+            "journal.csv, which keeps every evaluation: the same command goes on from it.",
+            CliNotice.TEXT
+        })
+final class FitCommand implements Callable<Integer> {
+    private static final String HALF = "half";
+    private static final double MINUTE_S = 60;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "THORAX",
+            description = "A thorax folder, virtual/adult-male or virtual/adult-female: the body at end-expiration.")
+    private String thorax;
+
+    @Option(
+            names = "--target",
+            paramLabel = "PART=FILE",
+            description =
+                    "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
+                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
+    private List<String> targets = new ArrayList<>();
+
+    @Option(
+            names = "--synthetic",
+            paramLabel = "N",
+            description = "Instead: fit N (1 to 5) virtual patients whose breath is known, and say what was recovered.")
+    private String synthetic;
+
+    @Option(
+            names = "--hold-out",
+            paramLabel = "WHAT",
+            description =
+                    "Fit without it and report on it: the part of a target, or half, every other square of 40 mm.")
+    private List<String> heldOut = new ArrayList<>();
+
+    @Option(
+            names = "--tune",
+            paramLabel = "KEY[=MIN:MAX],...",
+            description = "What to tune and how far, instead of the usual.")
+    private List<String> tune = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
+    private Path out;
+
+    @Option(names = "--preset", paramLabel = "NAME", description = "deep, quiet or quiet-supine (default deep).")
+    private String preset = "deep";
+
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low, medium or high (default medium).")
+    private String resolution = "medium";
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any other key of a scenario; may be repeated.")
+    private List<String> settings = new ArrayList<>();
+
+    @Option(names = "--threads", paramLabel = "N", description = "Breaths side by side (default ${DEFAULT-VALUE}).")
+    private String threads = "2";
+
+    @Option(
+            names = "--evaluations",
+            paramLabel = "N",
+            description = "At most so many breaths (default ${DEFAULT-VALUE}).")
+    private String evaluations = "400";
+
+    @Option(names = "--minutes", paramLabel = "M", description = "Begin no generation after so many minutes.")
+    private String minutes;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of the search (default ${DEFAULT-VALUE}).")
+    private String seed = "1";
+
+    @Option(names = "--population", paramLabel = "N", description = "Breaths a generation (default 4 + 3 ln n).")
+    private String population;
+
+    @Option(names = "--no-sensitivity", description = "Do not move each parameter to both sides in the end.")
+    private boolean noSensitivity;
+
+    @Option(names = "--json", description = "Print JSON instead of tables.")
+    private boolean json;
+
+    @Option(names = "--no-pictures", description = "Draw nothing.")
+    private boolean noPictures;
+
+    @Override
+    public Integer call() {
+        OutputFolder.requireWritable(out);
+        FitPrinter printer = new FitPrinter(spec.commandLine().getErr(), ConsoleProgress.isTerminal());
+        if (synthetic != null) {
+            return synthetic(printer);
+        }
+        if (thorax == null || targets.isEmpty()) {
+            throw new BadInputException("fit: found no " + (thorax == null ? "THORAX" : "--target")
+                    + ", expected a body and a --target PART=FILE, or --synthetic N");
+        }
+        Scenario base = scenario();
+        List<FitTarget> read = targets();
+        List<FitParameter> parameters = parameters(base);
+        Thorax body = SimulationRun.loadThorax(base);
+        FitSetup setup = new FitSetup(
+                base,
+                body,
+                read,
+                parameters,
+                heldOut.contains(HALF),
+                "none: the targets are taken to be in the axes of the body",
+                seed(),
+                population == null ? 0 : OptionValues.integer("--population", population, 4, 1000),
+                FitSetup.SIGMA,
+                threads(),
+                evaluations(),
+                minutes == null
+                        ? Double.POSITIVE_INFINITY
+                        : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5),
+                !noSensitivity);
+        body.notes().forEach(printer::note);
+        FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
+        printer.end();
+        FitReport report = new FitReport(result);
+        List<ReportDocument.Picture> pictures = noPictures
+                ? List.of()
+                : FitPictures.draw(result, out, spec.commandLine().getErr());
+        report.write(out);
+        AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(pictures)));
+        AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report.document(pictures)));
+        print(report);
+        return ExitCode.SUCCESS;
+    }
+
+    private int synthetic(FitPrinter printer) {
+        if (thorax != null || !targets.isEmpty() || !heldOut.isEmpty() || !tune.isEmpty() || !settings.isEmpty()) {
+            throw new BadInputException("--synthetic " + synthetic
+                    + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
+        }
+        SyntheticStudy study = SyntheticStudy.run(
+                OptionValues.integer(
+                        "--synthetic", synthetic, 1, SyntheticPatient.five().size()),
+                Scenario.defaults().with("resolution=" + resolution).resolution(),
+                threads(),
+                evaluations(),
+                seed(),
+                out,
+                printer);
+        printer.end();
+        JsonWriter.write(out.resolve("synthetic.json"), study.values());
+        AtomicFile.write(out.resolve("synthetic.md"), MarkdownPage.format(study.document()));
+        AtomicFile.write(out.resolve("synthetic.html"), HtmlPage.format(study.document()));
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(
+                json
+                        ? JsonWriter.format(study.values())
+                        : table(SyntheticStudy.COLUMNS, study.cells()) + "\n" + CliNotice.TEXT + "\n");
+        stdout.flush();
+        return ExitCode.SUCCESS;
+    }
+
+    private int threads() {
+        return OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS);
+    }
+
+    private int evaluations() {
+        return OptionValues.integer("--evaluations", evaluations, 1, 1_000_000);
+    }
+
+    private int seed() {
+        return OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE);
+    }
+
+    private Scenario scenario() {
+        List<Assignment> list = new ArrayList<>(List.of(
+                new Assignment("--preset " + preset, "preset", preset),
+                new Assignment(thorax, "anatomy", thorax),
+                new Assignment("--resolution " + resolution, "resolution", resolution)));
+        settings.forEach(text -> list.add(Assignment.parse(text)));
+        return Scenario.defaults().with(list);
+    }
+
+    private List<FitTarget> targets() {
+        List<FitTarget> list = new ArrayList<>();
+        for (String text : targets) {
+            FitTarget target = FitTarget.read(text);
+            list.add(target);
+        }
+        list = FitTarget.withBases(list);
+        // Without a lung its base is not fitted to either.
+        list.replaceAll(t -> heldOut.contains(t.part().label())
+                        || heldOut.contains(t.part().label().replace("_base", ""))
+                ? t.withWeight(0)
+                : t);
+        for (String what : heldOut) {
+            if (!what.equals(HALF)
+                    && list.stream().noneMatch(t -> t.part().label().equals(what))) {
+                throw new BadInputException("--hold-out " + what + ": found no such target, expected " + HALF
+                        + " or the part of a --target");
+            }
+        }
+        if (list.stream().allMatch(t -> t.weight() == 0)) {
+            throw new BadInputException("--hold-out: found every target held out, expected one to fit to");
+        }
+        return list;
+    }
+
+    private List<FitParameter> parameters(Scenario base) {
+        if (tune.isEmpty()) {
+            return FitParameter.defaults(base);
+        }
+        List<FitParameter> list = new ArrayList<>();
+        for (String text :
+                tune.stream().flatMap(t -> OptionValues.split(t).stream()).toList()) {
+            FitParameter parameter = FitParameter.parse(text, base);
+            if (list.stream().anyMatch(p -> p.parameter() == parameter.parameter())) {
+                throw new BadInputException("--tune " + text + ": found it a second time, expected it once");
+            }
+            list.add(parameter);
+        }
+        return list;
+    }
+
+    private void print(FitReport report) {
+        PrintWriter stdout = spec.commandLine().getOut();
+        if (json) {
+            stdout.print(JsonWriter.format(report.values()));
+        } else {
+            stdout.print(table(FitReport.DISTANCES, report.distances()) + "\n"
+                    + table(FitReport.PARAMETERS, report.parameters()) + "\n" + report.summary() + "\n" + CliNotice.TEXT
+                    + "\n");
+        }
+        stdout.flush();
+    }
+
+    private static String table(List<ReportDocument.Column> columns, List<List<String>> rows) {
+        boolean[] right = new boolean[columns.size()];
+        for (int i = 0; i < right.length; i++) {
+            right[i] = columns.get(i).number();
+        }
+        TextTable table = new TextTable(right);
+        table.row(columns.stream().map(ReportDocument.Column::heading).toArray(String[]::new));
+        rows.forEach(row -> table.row(row.toArray(String[]::new)));
+        return table.text();
+    }
+}

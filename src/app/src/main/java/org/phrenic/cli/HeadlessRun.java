@@ -1,0 +1,75 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import org.phrenic.cli.chart.RunChart;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.RunReport;
+import org.phrenic.document.CsvTable;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.ScenarioRenderer;
+import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.PictureSettings;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.scene.style.Transparency;
+
+/** What {@code phrenic} does where no window can be shown: a quiet breath in numbers, curves and pictures. */
+final class HeadlessRun {
+    private static final int SIDE = 1000;
+    private static final int SAMPLES = 4;
+    private static final String TITLE = "Quiet breath, virtual adult male";
+
+    private HeadlessRun() {}
+
+    /**
+     * Runs the default scenario into a folder: what {@code phrenic run} writes, {@code curves.png}, and pictures at the
+     * ends of expiration and inspiration. Where pictures cannot be made, that is said and the rest stays.
+     */
+    static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
+        Scenario scenario = Scenario.defaults();
+        RunReport.run(scenario, out, false, stdout, stderr);
+        Path observables = out.resolve("observables.csv");
+        System.setProperty("java.awt.headless", "true");
+        if (Annotations.hasFonts()) {
+            RunChart.write(observables, TITLE, out.resolve("curves.png"));
+        } else {
+            stderr.println("This Java has no fonts: no curves are drawn.");
+        }
+        pictures(scenario, endOfInspiration(CsvTable.read(observables)), out.resolve("pictures"), stderr);
+        stderr.println("Numbers, curves and pictures are in " + out + ".");
+    }
+
+    private static double endOfInspiration(CsvTable observables) {
+        double[] time = observables.numbers("time_s");
+        double[] volume = observables.numbers("lung_volume_change_ml");
+        int most = 0;
+        // The first of the breaths: later ones would only take longer to simulate.
+        for (int i = 1; i < time.length && time[i] < time[time.length - 1] / 2; i++) {
+            most = volume[i] > volume[most] ? i : most;
+        }
+        return time[most];
+    }
+
+    private static void pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
+        ConsoleProgress progress = new ConsoleProgress(stderr, ConsoleProgress.isTerminal());
+        try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
+            SceneStyle style = SceneStyle.atlas(studio.surfaces())
+                    .withTransparency(Transparency.TWO_PASS)
+                    .withSamples(SAMPLES);
+            for (double time : new double[] {0, inspiredS}) {
+                for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)) {
+                    String name = view.label() + (time == 0 ? "-expiration" : "-inspiration") + ".png";
+                    PictureSettings shot = PictureSettings.of(view, SIDE, SIDE, TITLE);
+                    studio.writePicture(folder.resolve(name), time, shot, style);
+                }
+            }
+        } catch (NoGraphicsException none) {
+            progress.note(none.getMessage());
+        } finally {
+            progress.end();
+        }
+    }
+}

@@ -1,0 +1,253 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.NameRanges;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.ImportProgress;
+import org.phrenic.patient.ImportReport;
+import org.phrenic.patient.MeshingSettings;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientFolder;
+import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.registration.BodyCompletion;
+import org.phrenic.patient.registration.SecondScan;
+import org.phrenic.patient.segmentation.AxesOverride;
+import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.patient.segmentation.SpacingOverride;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic import}: a volume of labels becomes a thorax folder. */
+@Command(
+        name = "import",
+        description = "Make a thorax folder of a segmented scan: a closed surface for each label.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic import scan.seg.nrrd --out patient",
+            "  phrenic import total.nii.gz --labels totalsegmentator --out patient",
+            "  phrenic import lungs.mha --labels lungs.csv --out patient",
+            "  phrenic import inspiration.mha --labels lungs.csv --align-to patient --out inspired",
+            "",
+            "A table for --labels has the columns label (or name) and structure: 1,lungs.",
+            CliNotice.TEXT
+        })
+final class ImportCommand implements Callable<Integer> {
+    private static final double MAX_EDGE_MM = 50;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "LABELS", description = "A label volume: nii, nii.gz, nrrd, nhdr, mha, mhd.")
+    private Path file;
+
+    @Option(
+            names = "--labels",
+            paramLabel = "MAP",
+            description =
+                    "Which label is which structure: a CSV file, or totalsegmentator. Without it, the volume's own names.")
+    private String labels;
+
+    @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")
+    private Path out;
+
+    @Option(
+            names = "--edge",
+            paramLabel = "MM",
+            description =
+                    "Edge of the triangles, 0 for those of the decimation. Default: 4 on soft organs, 2.5 on bones, 8 on skin, or a voxel.")
+    private String edge;
+
+    @Option(
+            names = "--axes",
+            paramLabel = "XYZ",
+            description =
+                    "Sides of the body to which columns, rows and slices run, such as LPS, where the file states them wrongly.")
+    private String axes;
+
+    @Option(
+            names = "--spacing",
+            paramLabel = "X,Y,Z",
+            description =
+                    "Size of a voxel along columns, rows and slices, mm, such as 1.75,1.75,1.25, where the file states it wrongly.")
+    private String spacing;
+
+    @Option(
+            names = "--complete",
+            paramLabel = "BODY",
+            description =
+                    "Where structures come from that the scan lacks: virtual/adult-male (default), virtual/adult-female, a thorax folder, or none.")
+    private String complete = "virtual/adult-male";
+
+    @Option(
+            names = "--align-to",
+            paramLabel = "THORAX",
+            description =
+                    "A body made of another scan of the same patient: this scan is brought to it rigidly, by the spine or by apex and back of the lungs, and the distances of the lungs are told. Nothing is completed.")
+    private Path alignTo;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        OutputFolder.requireWritable(out);
+        Optional<Double> edgeMm =
+                Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
+        ImportProgress progress = new Lines(spec.commandLine().getErr());
+        LabelVolume read = LabelVolumeFiles.read(file);
+        LabelVolume turned = axes == null ? read : AxesOverride.apply(read, axes);
+        LabelVolume volume = spacing == null ? turned : SpacingOverride.apply(turned, spacing);
+        LabelTable map = map(volume);
+        String name = out.toAbsolutePath().normalize().getFileName().toString();
+        Optional<Thorax> template = template();
+        PatientBody scanned =
+                new ScanImport(volume, file.toString(), MeshingSettings.PAPER, edgeMm, progress).run(map, name);
+        PatientBody body = alignTo == null
+                ? template.map(t -> completed(scanned, t, progress)).orElse(scanned)
+                : alignedTo(scanned, ThoraxFolder.load(alignTo));
+        Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
+        report.put("notice", CliNotice.TEXT);
+        PatientFolder.write(out, body, report);
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(json ? JsonWriter.format(report) : text(volume.grid(), body));
+        stdout.flush();
+        return ExitCode.SUCCESS;
+    }
+
+    private static PatientBody completed(PatientBody scanned, Thorax template, ImportProgress progress) {
+        progress.stage("bringing " + template.name() + " to the scan for what it lacks");
+        return BodyCompletion.complete(scanned, template);
+    }
+
+    private PatientBody alignedTo(PatientBody scanned, Thorax first) {
+        try {
+            return SecondScan.alignedTo(first, scanned);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(file + " and " + alignTo + ": " + e.getMessage(), e);
+        }
+    }
+
+    private Optional<Thorax> template() {
+        if (alignTo != null || complete.equals("none")) {
+            return Optional.empty();
+        }
+        Assignment anatomy = new Assignment("--complete " + complete, "anatomy", complete);
+        return Optional.of(SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy))));
+    }
+
+    private LabelTable map(LabelVolume volume) {
+        if (labels == null) {
+            return LabelTable.named(file.toString(), volume);
+        }
+        return labels.equals(LabelTable.TOTALSEGMENTATOR)
+                ? LabelTable.totalSegmentator(volume)
+                : LabelTable.read(Path.of(labels), volume);
+    }
+
+    /** A line a stage. */
+    private record Lines(PrintWriter err) implements ImportProgress {
+        @Override
+        public void meshed(int count, int total, String structure) {
+            stage(count + " of " + total + " structures meshed: " + structure);
+        }
+
+        @Override
+        public void stage(String what) {
+            err.println(what);
+            err.flush();
+        }
+    }
+
+    private String text(LabelGrid grid, PatientBody body) {
+        TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true, true, true, false)
+                .row(
+                        "structure",
+                        "from",
+                        "label ml",
+                        "mesh ml",
+                        "label nodes",
+                        "decimated",
+                        "vertices",
+                        "off label mm",
+                        "in voxels",
+                        "max mm",
+                        "angle deg",
+                        "edge ratio",
+                        "cut at");
+        Map<String, Object> report = ImportReport.of(file.toString(), grid, body);
+        for (Object row : (List<?>) report.get("structures")) {
+            table.row(cells((Map<?, ?>) row));
+        }
+        StringBuilder text = new StringBuilder();
+        text.append(String.format(
+                Locale.ROOT,
+                "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm%n%n",
+                file,
+                grid.columns(),
+                grid.rows(),
+                grid.slices(),
+                grid.spacing(0),
+                grid.spacing(1),
+                grid.spacing(2)));
+        text.append(table.text());
+        text.append("\nmissing: ")
+                .append(body.missing().isEmpty() ? "nothing" : String.join(", ", NameRanges.collapse(body.missing())))
+                .append(".\n");
+        if (!body.canBreathe()) {
+            text.append("This body cannot breathe: it takes a diaphragm and ribs.\n");
+        }
+        body.notes().forEach(note -> text.append(note).append(".\n"));
+        return text.append('\n').append(CliNotice.TEXT).append('\n').toString();
+    }
+
+    private static String[] cells(Map<?, ?> row) {
+        List<String> cells = new ArrayList<>();
+        for (String key : List.of(
+                "structure",
+                "source",
+                "label_volume_ml",
+                "mesh_volume_ml",
+                "label_surface_vertices",
+                "decimated_vertices",
+                "vertices",
+                "off_label_mean_mm",
+                "off_label_mean_voxels",
+                "off_label_maximum_mm",
+                "smallest_angle_deg",
+                "edge_ratio",
+                "cut_at")) {
+            Object value = row.get(key);
+            cells.add(
+                    value instanceof Double number
+                            ? String.format(
+                                    Locale.ROOT, key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f", number)
+                            : value == null ? "-" : value.toString());
+        }
+        return cells.toArray(String[]::new);
+    }
+}

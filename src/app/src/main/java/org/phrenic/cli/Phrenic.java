@@ -1,0 +1,99 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.ui.window.PhrenicWindow;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+
+/** The {@code phrenic} command: without a subcommand it simulates a quiet breath. */
+@Command(
+        name = "phrenic",
+        mixinStandardHelpOptions = true,
+        scope = ScopeType.INHERIT,
+        versionProvider = VersionProvider.class,
+        synopsisSubcommandLabel = "[COMMAND]",
+        usageHelpWidth = 110,
+        description =
+                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: the window; without a display, a quiet breath in numbers and pictures.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic                                   the window; without a display, a quiet breath into ./phrenic-out",
+            "  phrenic window scenario.yaml              the window with a scenario, a thorax folder or a trace",
+            "  phrenic run --preset deep --out result    a deep one into ./result",
+            "  phrenic render --out pictures --view all  pictures of it from six sides",
+            "  phrenic info scenario.yaml liver.stl      what files hold",
+            "  phrenic import scan.nii.gz --out patient  a thorax folder of a segmented scan",
+            "  phrenic compare a.ply b.stl               how far two surfaces lie apart",
+            "  phrenic fit patient --target lungs=b.stl --out fitted   a body tuned to a second breath level",
+            "  phrenic validate                          breaths held against a table of physiology",
+            "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
+            "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
+            "",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
+            CliNotice.TEXT
+        })
+public final class Phrenic implements Callable<Integer> {
+    private static final Path DEFAULT_OUT = Path.of("phrenic-out");
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--debug",
+            scope = ScopeType.INHERIT,
+            description = "After the sentence that says what went wrong, print where.")
+    private boolean debug;
+
+    /** Ends the process with the exit code of {@link #execute}. */
+    public static void main(String[] args) {
+        PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+        PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+        int code = execute(out, err, args);
+        out.flush();
+        err.flush();
+        System.exit(code);
+    }
+
+    /**
+     * Does what {@code args} say.
+     *
+     * @param out for results
+     * @param err for log, progress and the one sentence of a failure
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw
+     */
+    public static int execute(PrintWriter out, PrintWriter err, String... args) {
+        Phrenic phrenic = new Phrenic();
+        CommandLine line = SubCommands.commandLine(phrenic, args);
+        FailureHandler failures = new FailureHandler(() -> phrenic.debug);
+        line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
+        try {
+            return line.execute(args);
+        } catch (OutOfMemoryError full) {
+            err.println("phrenic: not enough memory; give Java more, as in java -Xmx4g -jar phrenic.jar");
+            return ExitCode.FAILURE;
+        }
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (PhrenicWindow.isPossible()) {
+            PhrenicWindow.open(Optional.empty());
+        } else {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("No window can be opened here for want of a display: running the default quiet breath without"
+                    + " one, into " + DEFAULT_OUT + " (phrenic --help lists the commands).");
+            HeadlessRun.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
+        }
+        return ExitCode.SUCCESS;
+    }
+}

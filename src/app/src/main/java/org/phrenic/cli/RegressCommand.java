@@ -1,0 +1,131 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.LineProgress;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
+import org.phrenic.study.regression.Regression;
+import org.phrenic.study.regression.RegressionComparison;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic regress}: scenes computed anew and held against what they gave before. */
+@Command(
+        name = "regress",
+        description = "Compute a list of scenes anew and hold them against their stored references, node by node.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic regress",
+            "  phrenic regress --scene quiet,paper --json",
+            "  phrenic regress --write-references data/regression",
+            "",
+            "Exit code 3 if a scene is farther from its references than its tolerance. The scenes: docs/regression.md."
+        })
+final class RegressCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--scene", paramLabel = "NAME,...", description = "Only these scenes.")
+    private String only;
+
+    @Option(
+            names = "--references",
+            paramLabel = "DIR",
+            description = "Folder of references; without it, those that come with the program.")
+    private Path references;
+
+    @Option(
+            names = "--write-references",
+            paramLabel = "DIR",
+            description = "Compare nothing: write what the scenes give as references into DIR.")
+    private Path write;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        List<String> scenes = only == null ? List.of() : OptionValues.split(only);
+        ProgressListener progress = new LineProgress(spec.commandLine().getErr(), "scenes done");
+        if (write != null) {
+            if (references != null) {
+                throw new BadInputException(
+                        "--write-references: found --references too, expected one of them: nothing is compared");
+            }
+            new Regression(OutputFolder.requireWritable(write)).write(scenes, progress);
+            return ExitCode.SUCCESS;
+        }
+        List<RegressionComparison> comparisons = new Regression(references).check(scenes, progress);
+        boolean hold = comparisons.stream().allMatch(RegressionComparison::passes);
+        PrintWriter out = spec.commandLine().getOut();
+        out.print(json ? JsonWriter.format(values(comparisons, hold)) : table(comparisons, hold));
+        out.flush();
+        return hold ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private static String table(List<RegressionComparison> comparisons, boolean hold) {
+        TextTable table = new TextTable(false, false, true, true, true, false, true, true)
+                .row("scene", "verdict", "worst mm", "node", "at s", "worst observable", "share", "at s");
+        StringBuilder told = new StringBuilder();
+        for (RegressionComparison c : comparisons) {
+            table.row(
+                    c.scene(),
+                    c.passes() ? "holds" : "OFF",
+                    number("%.2g", c.worstMm()),
+                    c.worstNode() < 0 ? "-" : String.valueOf(c.worstNode()),
+                    number("%.3f", c.worstNodeTimeS()),
+                    c.worstObservable().isEmpty() ? "-" : c.worstObservable(),
+                    number("%.2g", c.worstRelativeError()),
+                    number("%.3f", c.worstObservableTimeS()));
+            if (!c.passes()) {
+                told.append(c.scene()).append(": ").append(c.sentence()).append('\n');
+            }
+        }
+        return table.text() + told + (hold ? "passed" : "failed") + "\n";
+    }
+
+    private static String number(String format, double value) {
+        return Double.isNaN(value) ? "-" : String.format(Locale.ROOT, format, value);
+    }
+
+    private static Map<String, Object> values(List<RegressionComparison> comparisons, boolean hold) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("passes", hold);
+        List<Object> scenes = new ArrayList<>();
+        for (RegressionComparison c : comparisons) {
+            Map<String, Object> each = new LinkedHashMap<>();
+            each.put("scene", c.scene());
+            each.put("holds", c.passes());
+            put(each, "worst_mm", c.worstMm());
+            each.put("worst_node", c.worstNode());
+            put(each, "worst_node_time_s", c.worstNodeTimeS());
+            each.put("worst_observable", c.worstObservable());
+            put(each, "worst_share", c.worstRelativeError());
+            put(each, "worst_observable_time_s", c.worstObservableTimeS());
+            each.put("sentence", c.sentence());
+            scenes.add(each);
+        }
+        map.put("scenes", scenes);
+        return map;
+    }
+
+    private static void put(Map<String, Object> map, String key, double value) {
+        if (Double.isFinite(value)) {
+            map.put(key, value);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.plan.Goals;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.plan.RehearsalReport;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.QuantityKey;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.scene.NeedlePictures;
+import org.phrenic.scene.gl.NoGraphicsException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic rehearse}: a planned needle attempt on the breathing body, and its report. */
+@Command(
+        name = "rehearse",
+        description = "Play a planned needle attempt to a target in the liver and write its report.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic rehearse data/exercises/1-large-target.yaml --out report",
+            "  phrenic rehearse plan.yaml --out report --no-pictures --json",
+            "",
+            "DIR gets report.json, report.html and pictures. Exit code 3: what the plan counts as done was not reached.",
+            "",
+            CliNotice.TEXT
+        })
+final class RehearseCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "PLAN", description = "YAML file: body and breathing, target, needle, steps.")
+    private Path planFile;
+
+    @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
+    private Path out;
+
+    @Option(names = "--json", description = "Print the report as JSON instead of a table.")
+    private boolean json;
+
+    @Option(names = "--no-pictures", description = "Draw nothing.")
+    private boolean noPictures;
+
+    @Override
+    public Integer call() {
+        OutputFolder.requireWritable(out);
+        PrintWriter err = spec.commandLine().getErr();
+        ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
+        Rehearsal rehearsal = Rehearsal.play(RehearsalPlan.read(planFile), progress);
+        progress.end();
+        RehearsalReport report = new RehearsalReport(rehearsal);
+        Map<String, Object> values = report.values();
+        List<Picture> needle = new ArrayList<>();
+        List<Picture> map = new ArrayList<>();
+        if (!noPictures) {
+            draw(rehearsal, needle, map, err);
+        }
+        AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
+        JsonWriter.write(out.resolve("report.json"), values);
+        print(rehearsal, values);
+        return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private void draw(Rehearsal rehearsal, List<Picture> needle, List<Picture> map, PrintWriter err) {
+        String title = rehearsal.plan().title();
+        try (NeedlePictures pictures = NeedlePictures.open(rehearsal.surfaces())) {
+            for (NeedleSnapshot view : rehearsal.snapshots()) {
+                for (String file : pictures.writeNeedleViews(out, view, title)) {
+                    if (view.name().startsWith("sample")) {
+                        needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
+                    }
+                }
+            }
+            pictures.writeAccessMap(out, rehearsal.map(), title)
+                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+        } catch (NoGraphicsException none) {
+            err.println("The report has no pictures: " + none.getMessage());
+        }
+    }
+
+    private void print(Rehearsal rehearsal, Map<String, Object> values) {
+        PrintWriter stdout = spec.commandLine().getOut();
+        if (json) {
+            stdout.print(JsonWriter.format(values));
+        } else {
+            TextTable table = new TextTable(false, true, false);
+            rehearsal.record().headlines().forEach((key, value) -> {
+                QuantityKey quantity = QuantityKey.parse(key);
+                table.row(quantity.label(), QuantityKey.format(value), quantity.unit());
+            });
+            stdout.print(table.text());
+            List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
+            if (!goals.isEmpty()) {
+                TextTable asked = new TextTable(false, true, true, false).row("goal", "asked", "reached", "");
+                goals.forEach(g -> asked.row(
+                        g.goal(),
+                        QuantityKey.format(g.limit()),
+                        QuantityKey.format(g.value()),
+                        g.reached() ? "yes" : "NO"));
+                stdout.print("\n" + asked.text());
+            }
+            stdout.print("\n" + (rehearsal.goalsReached() ? "done" : "not done") + "\n" + CliNotice.TEXT + "\n");
+        }
+        stdout.flush();
+    }
+}

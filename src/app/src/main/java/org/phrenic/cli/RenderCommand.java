@@ -1,0 +1,215 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.PictureOptions;
+import org.phrenic.cli.option.ScenarioOptions;
+import org.phrenic.cli.option.StyleOptions;
+import org.phrenic.cli.option.TimeOptions;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.QuantityKey;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.ScenarioRenderer;
+import org.phrenic.scene.camera.PictureSettings;
+import org.phrenic.scene.export.FfmpegMovieWriter;
+import org.phrenic.scene.export.GifMovieWriter;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.scene.style.SceneStyle;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic render}: pictures and movies of a scenario without a window and without a display. */
+@Command(
+        name = "render",
+        description = "Draw pictures or a movie of a scenario; needs no display.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic render --out pictures --view all",
+            "  phrenic render --preset deep --out pictures --at 0,1.5 --only diaphragm --field displacement",
+            "  phrenic render --movie breath.mp4 --fps 25 --size 1280x960 --hide skin",
+            "",
+            "Without --frames or --movie: one picture a view and time, as anterior.png or anterior_1.50s.png. With",
+            "--frames: anterior_0001.png and so on. Exit code 4: nothing here can draw.",
+            "",
+            CliNotice.TEXT
+        })
+final class RenderCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private ScenarioOptions scenarioOptions;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description =
+                    "Folder for the pictures. With --movie it may be left out; else each frame is kept there too.")
+    private Path out;
+
+    @Mixin
+    private PictureOptions shotOptions;
+
+    @Mixin
+    private TimeOptions timeOptions;
+
+    @Mixin
+    private StyleOptions styleOptions;
+
+    @Option(names = "--json", description = "List what was made as JSON instead of a table.")
+    private boolean json;
+
+    private final List<Map<String, Object>> written = new ArrayList<>();
+
+    @Override
+    public Integer call() throws NoGraphicsException {
+        check();
+        Scenario scenario = scenarioOptions.resolved();
+        Optional<TriangleMesh> reference = styleOptions.reference();
+        List<PictureSettings> shots = shotOptions.settings(title(scenario));
+        if (timeOptions.movie() != null && shots.size() > 1) {
+            throw new BadInputException("--movie: found " + shots.size() + " views, expected one");
+        }
+        PrintWriter err = spec.commandLine().getErr();
+        ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
+        try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
+            if (!studio.hasFonts()) {
+                progress.note("This Java has no fonts: the pictures have no letters.");
+            }
+            SceneStyle style = styleOptions.style(studio.surfaces());
+            reference.ifPresent(studio::setDistanceReference);
+            double[] times = timeOptions.times(studio.durationS());
+            if (timeOptions.movie() == null) {
+                pictures(studio, shots, style, times);
+            } else {
+                movie(studio, shots.get(0), style, times, progress);
+            }
+            progress.end();
+            report(studio);
+        } finally {
+            progress.end();
+        }
+        return ExitCode.SUCCESS;
+    }
+
+    private void check() {
+        timeOptions.validate();
+        styleOptions.validate();
+        shotOptions.settings("");
+        if (out == null && timeOptions.movie() == null) {
+            throw new BadInputException("--out: found none, expected a folder for the pictures");
+        }
+        if (out != null) {
+            OutputFolder.requireWritable(out);
+        }
+        if (timeOptions.movie() != null) {
+            Path folder = timeOptions.movie().toAbsolutePath().getParent();
+            OutputFolder.requireWritable(folder);
+        }
+    }
+
+    private static String title(Scenario scenario) {
+        String body = scenario.isVirtual()
+                ? scenario.anatomy().replace('/', ' ').replace('-', ' ')
+                : String.valueOf(Path.of(scenario.anatomy()).getFileName());
+        String name = scenario.name().replace('-', ' ');
+        return name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + ", " + body;
+    }
+
+    private void pictures(ScenarioRenderer studio, List<PictureSettings> shots, SceneStyle style, double[] times) {
+        for (int i = 0; i < times.length; i++) {
+            for (PictureSettings shot : shots) {
+                Path file = picture(shot, i, times);
+                studio.writePicture(file, times[i], shot, style);
+                list(file, shot, times[i], 1);
+            }
+        }
+    }
+
+    private Path picture(PictureSettings shot, int index, double[] times) {
+        return out.resolve(shot.view().label() + suffix(index, times) + ".png");
+    }
+
+    private String suffix(int index, double[] times) {
+        if (timeOptions.isSequence()) {
+            return String.format(Locale.ROOT, "_%04d", index + 1);
+        }
+        return times.length == 1 ? "" : String.format(Locale.ROOT, "_%.3fs", times[index]);
+    }
+
+    private void movie(
+            ScenarioRenderer studio, PictureSettings shot, SceneStyle style, double[] times, ConsoleProgress progress) {
+        double framesPerS = timeOptions.framesPerS(times.length, studio.durationS());
+        Path file = timeOptions.movie();
+        Optional<Path> ffmpeg = timeOptions.isMp4() ? FfmpegMovieWriter.find() : Optional.empty();
+        if (timeOptions.isMp4() && ffmpeg.isEmpty()) {
+            file = file.resolveSibling(file.getFileName().toString().replaceFirst("(?i)mp4$", "gif"));
+            progress.note("--movie " + timeOptions.movie() + ": found no ffmpeg on the path, writing the animated GIF "
+                    + file + " instead.");
+            framesPerS = Math.min(framesPerS, GifMovieWriter.MAX_FRAMES_PER_S);
+        }
+        studio.writeMovie(
+                file,
+                ffmpeg.<org.phrenic.scene.export.MovieWriter>map(FfmpegMovieWriter::new)
+                        .orElseGet(GifMovieWriter::new),
+                framesPerS,
+                times,
+                shot,
+                style,
+                Optional.ofNullable(out).map(folder -> i -> picture(shot, i, times)));
+        list(file, shot, times[0], times.length);
+    }
+
+    private void list(Path file, PictureSettings shot, double timeS, int frames) {
+        Map<String, Object> row = new LinkedHashMap<>();
+        row.put("file", file.toString());
+        row.put("view", shot.view().label());
+        row.put("time_s", timeS);
+        row.put("width", shot.width());
+        row.put("height", shot.height());
+        row.put("frames", frames);
+        written.add(row);
+    }
+
+    private void report(ScenarioRenderer studio) {
+        PrintWriter stdout = spec.commandLine().getOut();
+        if (json) {
+            Map<String, Object> report = new LinkedHashMap<>();
+            report.put("pictures", written);
+            report.put("graphics", studio.graphicsInfo().renderer());
+            report.put("opengl", studio.graphicsInfo().version());
+            report.put("notice", CliNotice.TEXT);
+            stdout.print(JsonWriter.format(report));
+        } else {
+            TextTable table =
+                    new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
+            for (Map<String, Object> row : written) {
+                table.row(
+                        row.get("file").toString(),
+                        row.get("view").toString(),
+                        QuantityKey.format(row.get("time_s")),
+                        row.get("width") + "x" + row.get("height"),
+                        row.get("frames").toString());
+            }
+            stdout.print(table.text() + "\n" + CliNotice.TEXT + "\n");
+        }
+        stdout.flush();
+    }
+}

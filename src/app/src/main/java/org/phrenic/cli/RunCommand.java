@@ -1,0 +1,98 @@
+package org.phrenic.cli;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ScenarioOptions;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.RunReport;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.error.ErrorTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic run}: simulates a scenario without a window. */
+@Command(
+        name = "run",
+        description = "Simulate a scenario without a window and print what was breathed.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic run",
+            "  phrenic run scenario.yaml --out result --meshes every=0.1",
+            "  phrenic run --max-error 0.02",
+            "  phrenic run --preset deep --resolution low --set depth=0.8 --json",
+            "",
+            "DIR gets summary.json, observables.csv, scenario.yaml and, with --meshes, scene.pvd for ParaView.",
+            "Keys of --set are those of a scenario file: docs/usage.md and docs/parameters.md.",
+            "",
+            CliNotice.TEXT
+        })
+final class RunCommand implements Callable<Integer> {
+    private static final double MIN_ERROR_MM = 1e-9;
+    private static final double MAX_ERROR_MM = 1000;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private ScenarioOptions options;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Folder to write into; without it, nothing is written.")
+    private Path out;
+
+    @Option(names = "--json", description = "Print the summary as JSON instead of a table.")
+    private boolean json;
+
+    @Option(names = "--meshes", paramLabel = "every=S", description = "Write the moving surfaces every S seconds.")
+    private String meshes;
+
+    @Option(
+            names = "--max-error",
+            paramLabel = "MM",
+            description =
+                    "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms error of the diaphragm.")
+    private String maxError;
+
+    @Override
+    public Integer call() {
+        Scenario scenario = options.resolved(meshes());
+        Map<String, String> remarks = new LinkedHashMap<>();
+        if (maxError != null) {
+            double most = OptionValues.number("--max-error", maxError, MIN_ERROR_MM, MAX_ERROR_MM);
+            ErrorTable.Chosen chosen = ErrorTable.shipped().cheapest(scenario, most);
+            scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));
+            remarks.put("chosen", chosen.sentence());
+        }
+        RunReport.run(
+                scenario,
+                remarks,
+                out,
+                json,
+                spec.commandLine().getOut(),
+                spec.commandLine().getErr());
+        return ExitCode.SUCCESS;
+    }
+
+    private Assignment[] meshes() {
+        if (meshes == null) {
+            return new Assignment[0];
+        }
+        if (out == null) {
+            throw new BadInputException("--meshes " + meshes + ": found no --out, expected a folder to write into");
+        }
+        if (!meshes.startsWith("every=")) {
+            throw new BadInputException("--meshes: found '" + meshes + "', expected every=S such as every=0.1");
+        }
+        return new Assignment[] {
+            new Assignment("--meshes " + meshes, "meshes_every_s", meshes.substring("every=".length()))
+        };
+    }
+}

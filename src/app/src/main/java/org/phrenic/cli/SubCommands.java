@@ -1,0 +1,52 @@
+package org.phrenic.cli;
+
+import java.util.List;
+import picocli.CommandLine;
+
+/**
+ * The commands under {@code phrenic}. Reading the options of all of them takes longer than many a command; so where the
+ * first argument names one, that one alone is read. For help, and for what is said of a name that is none, it is all.
+ */
+final class SubCommands {
+    private static final List<String> NAMES = List.of(
+            "window",
+            "run",
+            "render",
+            "info",
+            "bench",
+            "validate",
+            "import",
+            "compare",
+            "fit",
+            "regress",
+            "reproduce",
+            "rehearse");
+
+    private SubCommands() {}
+
+    /** The command line of {@code phrenic} with the commands that these arguments can ask for. */
+    static CommandLine commandLine(Phrenic phrenic, String... args) {
+        CommandLine line = new CommandLine(phrenic);
+        List<String> wanted = args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES;
+        wanted.forEach(name -> line.addSubcommand(type(name)));
+        return line;
+    }
+
+    private static Class<?> type(String name) {
+        return switch (name) {
+            case "window" -> WindowCommand.class;
+            case "run" -> RunCommand.class;
+            case "render" -> RenderCommand.class;
+            case "info" -> InfoCommand.class;
+            case "bench" -> BenchCommand.class;
+            case "validate" -> ValidateCommand.class;
+            case "import" -> ImportCommand.class;
+            case "compare" -> CompareCommand.class;
+            case "fit" -> FitCommand.class;
+            case "regress" -> RegressCommand.class;
+            case "reproduce" -> ReproduceCommand.class;
+            case "rehearse" -> RehearseCommand.class;
+            default -> throw new IllegalArgumentException(name + " is no command");
+        };
+    }
+}

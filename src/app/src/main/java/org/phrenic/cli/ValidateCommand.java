@@ -1,0 +1,223 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.cli.report.LineProgress;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.Sensitivity;
+import org.phrenic.study.SensitivityReport;
+import org.phrenic.study.validation.Finding;
+import org.phrenic.study.validation.LiverMotion;
+import org.phrenic.study.validation.PhysiologyTable;
+import org.phrenic.study.validation.Validation;
+import org.phrenic.study.validation.ValidationReport;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic validate}: holds the model's breaths against what is known of people's. */
+@Command(
+        name = "validate",
+        description = "Run the breathing presets and hold them against a table of physiology.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic validate",
+            "  phrenic validate --anatomy my-thorax --out result",
+            "  phrenic validate --resolution low --preset quiet,deep --sensitivity",
+            "  phrenic validate --liver --anatomy my-thorax",
+            "",
+            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json; with --liver liver.json.",
+            "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
+            "",
+            CliNotice.TEXT
+        })
+final class ValidateCommand implements Callable<Integer> {
+    private static final String DEFAULT_BODY = "virtual/adult-male";
+    /** What the command itself decides on. */
+    private static final Set<String> RESERVED =
+            Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--anatomy",
+            paramLabel = "BODY",
+            description = "A body besides virtual/adult-male: a virtual one or a folder; may be repeated.")
+    private List<String> anatomies = new ArrayList<>();
+
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low, medium or high (default medium).")
+    private String resolution;
+
+    @Option(names = "--preset", paramLabel = "NAME,...", description = "Only the rows of these presets.")
+    private String presets;
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of a scenario; may be repeated.")
+    private List<String> settings = new ArrayList<>();
+
+    @Option(names = "--table", paramLabel = "FILE", description = "Another table than data/validation/physiology.yaml.")
+    private Path tableFile;
+
+    @Option(
+            names = "--sensitivity",
+            description = "Also: which parameter moves which observable (low resolution, quiet).")
+    private boolean sensitivity;
+
+    @Option(
+            names = "--liver",
+            description = "Instead: how far the liver moves in quiet, deep and held breaths, beside what is known.")
+    private boolean liver;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "Folder for the reports; without it, nothing is written.")
+    private Path out;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Runs at a time; the numbers do not depend on it.")
+    private String threads;
+
+    @Option(names = "--json", description = "Print JSON instead of a table.")
+    private boolean json;
+
+    @Override
+    public Integer call() {
+        if (out != null) {
+            OutputFolder.requireWritable(out);
+        }
+        PhysiologyTable table = tableFile == null ? PhysiologyTable.shipped() : PhysiologyTable.read(tableFile);
+        Scenario scenario = scenario();
+        int atATime = threads == null
+                ? scenario.threads()
+                : OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS);
+        ProgressListener progress = new LineProgress(spec.commandLine().getErr());
+        if (liver) {
+            return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
+        }
+        Validation validation = Validation.of(table, scenario, bodies(), only(), atATime, progress);
+        ValidationReport report = new ValidationReport(validation);
+        SensitivityReport effects = sensitivity
+                ? new SensitivityReport(Sensitivity.of(scenario.with("resolution=low"), atATime, progress))
+                : null;
+        if (out != null) {
+            AtomicFile.write(out.resolve("validation.md"), report.markdown());
+            JsonWriter.write(out.resolve("validation.json"), report.values());
+            if (effects != null) {
+                AtomicFile.write(out.resolve("sensitivity.md"), effects.markdown());
+                JsonWriter.write(out.resolve("sensitivity.json"), effects.values());
+            }
+        }
+        print(validation, report, effects);
+        return validation.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private int liver(LiverMotion motion) {
+        if (out != null) {
+            JsonWriter.write(out.resolve("liver.json"), motion.values());
+        }
+        PrintWriter stdout = spec.commandLine().getOut();
+        stdout.print(json ? JsonWriter.format(motion.values()) : table(motion.table()) + "\n" + CliNotice.TEXT + "\n");
+        stdout.flush();
+        return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private Scenario scenario() {
+        List<Assignment> list = new ArrayList<>();
+        if (resolution != null) {
+            list.add(new Assignment("--resolution " + resolution, "resolution", resolution));
+        }
+        for (String text : settings) {
+            Assignment assignment = Assignment.parse(text);
+            if (RESERVED.contains(assignment.key())) {
+                throw new BadInputException(
+                        assignment.origin() + ": found a key that a validation sets itself, expected any other key");
+            }
+            list.add(assignment);
+        }
+        return Scenario.defaults().with(list);
+    }
+
+    private List<String> bodies() {
+        Set<String> bodies = new LinkedHashSet<>(List.of(DEFAULT_BODY));
+        bodies.addAll(anatomies);
+        return List.copyOf(bodies);
+    }
+
+    private List<String> only() {
+        if (presets == null) {
+            return List.of();
+        }
+        List<String> only = OptionValues.split(presets);
+        for (String preset : only) {
+            if (!BreathingPreset.names().contains(preset)) {
+                throw new BadInputException(
+                        "--preset: found '" + preset + "', expected " + String.join(", ", BreathingPreset.names()));
+            }
+        }
+        return only;
+    }
+
+    private void print(Validation validation, ValidationReport report, SensitivityReport effects) {
+        PrintWriter stdout = spec.commandLine().getOut();
+        if (json) {
+            Map<String, Object> values = new LinkedHashMap<>(report.values());
+            if (effects != null) {
+                values.put("sensitivity", effects.values());
+            }
+            stdout.print(JsonWriter.format(values));
+        } else {
+            validation.bodies().forEach(body -> stdout.print(table(body)));
+            if (effects != null) {
+                stdout.print(table(effects.cells()) + "\n");
+            }
+            stdout.print((validation.passes() ? "passed" : "failed: a range of confidence S or R+ is missed") + "\n"
+                    + CliNotice.TEXT + "\n");
+        }
+        stdout.flush();
+    }
+
+    private static String table(Validation.Body body) {
+        TextTable table = new TextTable(false, false, true, true, false, false, false)
+                .row("quantity", "preset", "value", "range", "unit", "confidence", "verdict");
+        for (Finding f : body.findings()) {
+            boolean none = f.verdict() == Finding.Verdict.NOT_MEASURABLE;
+            table.row(
+                    f.range().key(),
+                    f.range().preset().orElse("-"),
+                    none ? "-" : ValidationReport.number(f.value()),
+                    ValidationReport.range(f.range()),
+                    f.range().unit(),
+                    f.range().confidence().tag(),
+                    (f.isMiss() ? "OUT" : f.verdict().label()) + (f.reason().isEmpty() ? "" : ": " + f.reason()));
+        }
+        return table.text() + ValidationReport.summary(body) + "\n\n";
+    }
+
+    private static String table(List<List<String>> cells) {
+        boolean[] right = new boolean[cells.get(0).size()];
+        Arrays.fill(right, 1, right.length, true);
+        TextTable table = new TextTable(right);
+        cells.forEach(line -> table.row(line.toArray(String[]::new)));
+        return table.text();
+    }
+}

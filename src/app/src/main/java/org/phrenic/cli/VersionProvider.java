@@ -1,0 +1,15 @@
+package org.phrenic.cli;
+
+import org.phrenic.cli.report.CliNotice;
+import picocli.CommandLine.IVersionProvider;
+
+/** The version that the jar states. */
+final class VersionProvider implements IVersionProvider {
+    @Override
+    public String[] getVersion() {
+        String version = Phrenic.class.getPackage().getImplementationVersion();
+        return new String[] {
+            "phrenic " + (version == null ? "(not packaged)" : version) + ", Java " + Runtime.version(), CliNotice.TEXT
+        };
+    }
+}

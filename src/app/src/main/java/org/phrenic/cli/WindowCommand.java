@@ -1,0 +1,40 @@
+package org.phrenic.cli;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.ui.window.PhrenicWindow;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code phrenic window}: opens the window on something. */
+@Command(
+        name = "window",
+        description = "Open the window. Without a display: exit code 4 and one sentence.",
+        footer = {"", "Examples:", "  phrenic window", "  phrenic window data/scenarios/deep.yaml", "", CliNotice.TEXT})
+final class WindowCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE",
+            description = "Scenario (.yaml), thorax folder or recorded breath (.csv); without it, a quiet breath.")
+    private Path file;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (!PhrenicWindow.isPossible()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("No window can be opened here: found no display, expected one (phrenic run and phrenic"
+                            + " render need none).");
+            return ExitCode.NO_GRAPHICS;
+        }
+        PhrenicWindow.open(Optional.ofNullable(file));
+        return ExitCode.SUCCESS;
+    }
+}

@@ -1,0 +1,2 @@
+/** Charts that commands leave beside their results. */
+package org.phrenic.cli.chart;

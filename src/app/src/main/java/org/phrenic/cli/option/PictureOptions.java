@@ -1,0 +1,67 @@
+package org.phrenic.cli.option;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.PictureSettings;
+import picocli.CommandLine.Option;
+
+/** From where and how large pictures are taken. */
+public final class PictureOptions {
+    private static final double LEAST_ZOOM = 0.1;
+    private static final double MOST_ZOOM = 50;
+
+    @Option(
+            names = "--view",
+            paramLabel = "NAME[,NAME...]",
+            description = "anterior, posterior, left, right, superior, inferior; or all. Default: anterior.")
+    private String views = "anterior";
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Pixels, each 16 to 8192. Default: 1000x1000.")
+    private String size = "1000x1000";
+
+    @Option(names = "--orthographic", description = "Parallel projection, with a ruler; else perspective.")
+    private boolean orthographic;
+
+    @Option(names = "--zoom", paramLabel = "F", description = "Enlarge about the middle, 0.1 to 50.")
+    private String zoom = "1";
+
+    @Option(names = "--no-annotations", description = "No letters, figure, scale, time or notice.")
+    private boolean noAnnotations;
+
+    /** A shot for each view asked for. */
+    public List<PictureSettings> settings(String title) {
+        String[] sides = size.toLowerCase(java.util.Locale.ROOT).split("x", -1);
+        if (sides.length != 2) {
+            throw new BadInputException("--size: found '" + size + "', expected WxH such as 1000x800");
+        }
+        int width =
+                OptionValues.integer("--size " + size, sides[0], PictureSettings.MIN_SIZE, PictureSettings.MAX_SIZE);
+        int height =
+                OptionValues.integer("--size " + size, sides[1], PictureSettings.MIN_SIZE, PictureSettings.MAX_SIZE);
+        double factor = OptionValues.number("--zoom", zoom, LEAST_ZOOM, MOST_ZOOM);
+        List<PictureSettings> shots = new ArrayList<>();
+        for (AnatomicalView view : views()) {
+            shots.add(new PictureSettings(view, width, height, orthographic, factor, !noAnnotations, title));
+        }
+        return shots;
+    }
+
+    private Set<AnatomicalView> views() {
+        if (views.equals("all")) {
+            return new LinkedHashSet<>(List.of(AnatomicalView.values()));
+        }
+        Set<AnatomicalView> found = new LinkedHashSet<>();
+        for (String label : OptionValues.split(views)) {
+            try {
+                found.add(AnatomicalView.parse(label));
+            } catch (IllegalArgumentException unknown) {
+                throw new BadInputException("--view: " + unknown.getMessage(), unknown);
+            }
+        }
+        return found;
+    }
+}

@@ -1,0 +1,91 @@
+package org.phrenic.cli.option;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** What is to be simulated: the scenario and the options that change it, alike for every command that simulates. */
+public final class ScenarioOptions {
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "SCENARIO",
+            description = "YAML file of what to simulate; without it, a quiet breath of the virtual adult male.")
+    private Path scenario;
+
+    @Option(
+            names = "--anatomy",
+            paramLabel = "BODY",
+            description = "virtual/adult-male, virtual/adult-female or a folder.")
+    private String anatomy;
+
+    @Option(names = "--preset", paramLabel = "NAME", description = "Breathing: quiet, deep, sniff, ...")
+    private String preset;
+
+    @Option(names = "--material", paramLabel = "NAME", description = "physical or paper.")
+    private String material;
+
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low, medium or high.")
+    private String resolution;
+
+    @Option(names = "--duration", paramLabel = "S", description = "Simulated time, s.")
+    private String duration;
+
+    @Option(names = "--time-step", paramLabel = "S", description = "Time step, s.")
+    private String timeStep;
+
+    @Option(names = "--integrator", paramLabel = "NAME", description = "verlet, rk4, backward-euler, ...")
+    private String integrator;
+
+    @Option(names = "--threads", paramLabel = "N", description = "Threads; the numbers do not depend on it.")
+    private String threads;
+
+    @Option(names = "--steps", paramLabel = "N", description = "So many steps, whatever the duration.")
+    private String steps;
+
+    @Option(
+            names = "--change",
+            paramLabel = "STEP:KEY=VALUE",
+            description = "Change a key when so many steps are done; may be repeated, in the order of the steps.")
+    private List<String> changes = new ArrayList<>();
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
+    private List<String> settings = new ArrayList<>();
+
+    /**
+     * The scenario with what the options say; what {@code --set} says counts last.
+     *
+     * @param more what other options of the command say
+     */
+    public Scenario resolved(Assignment... more) {
+        Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);
+        List<Assignment> list = new ArrayList<>();
+        add(list, "--anatomy", "anatomy", anatomy);
+        add(list, "--preset", "preset", preset);
+        add(list, "--material", "material", material);
+        add(list, "--resolution", "resolution", resolution);
+        add(list, "--duration", "duration_s", duration);
+        add(list, "--time-step", "time_step_s", timeStep);
+        add(list, "--integrator", "integrator", integrator);
+        add(list, "--steps", "steps", steps);
+        add(list, "--threads", "threads", threads);
+        list.addAll(Arrays.asList(more));
+        settings.forEach(text -> list.add(Assignment.parse(text)));
+        Scenario resolved = base.with(list);
+        return changes.isEmpty()
+                ? resolved
+                : resolved.withChanges(
+                        changes.stream().map(ScheduledChange::parse).toList());
+    }
+
+    private static void add(List<Assignment> list, String option, String key, String value) {
+        if (value != null) {
+            list.add(new Assignment(option + " " + value, key, value));
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package org.phrenic.cli.option;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scene.export.GifMovieWriter;
+import picocli.CommandLine.Option;
+
+/** When pictures are taken, and whether they become a movie. */
+public final class TimeOptions {
+    private static final int MAX_FRAMES = 100_000;
+    private static final double DEFAULT_FPS = 20;
+
+    @Option(
+            names = "--at",
+            paramLabel = "S[,S...]",
+            description = "Simulated times of the pictures, s. Default: 0, the end of an expiration.")
+    private String at;
+
+    @Option(names = "--frames", paramLabel = "N", description = "So many pictures, spread evenly over the duration.")
+    private String frames;
+
+    @Option(
+            names = "--movie",
+            paramLabel = "FILE",
+            description = "An MP4 (through ffmpeg, if it is on the path) or an animated GIF of the frames.")
+    private Path movie;
+
+    @Option(
+            names = "--fps",
+            paramLabel = "F",
+            description = "Frames a second of the movie. Default: as fast as the thorax breathes.")
+    private String fps;
+
+    /** Refuses what is wrong whatever the duration. */
+    public void validate() {
+        if (at != null && (frames != null || movie != null || fps != null)) {
+            throw new BadInputException(
+                    "--at " + at + ": found " + (movie != null ? "--movie" : frames != null ? "--frames" : "--fps")
+                            + " too, expected single times or a sequence");
+        }
+        if (fps != null && frames == null && movie == null) {
+            throw new BadInputException("--fps " + fps + ": found neither --frames nor --movie, expected one of them");
+        }
+        if (movie != null && !isGif() && !isMp4()) {
+            throw new BadInputException("--movie " + movie + ": found an unknown ending, expected .mp4 or .gif");
+        }
+        if (frames != null) {
+            OptionValues.integer("--frames", frames, 1, MAX_FRAMES);
+        }
+        if (fps != null) {
+            OptionValues.number("--fps", fps, 0.1, isGif() ? GifMovieWriter.MAX_FRAMES_PER_S : 240);
+        }
+        singleTimes();
+    }
+
+    private double[] singleTimes() {
+        return at == null
+                ? new double[] {0}
+                : OptionValues.split(at).stream()
+                        .mapToDouble(text -> OptionValues.number("--at", text))
+                        .sorted()
+                        .distinct()
+                        .toArray();
+    }
+
+    /** The movie asked for; null for none. */
+    public Path movie() {
+        return movie;
+    }
+
+    boolean isGif() {
+        return ends(".gif");
+    }
+
+    public boolean isMp4() {
+        return ends(".mp4");
+    }
+
+    private boolean ends(String ending) {
+        return movie != null && movie.toString().toLowerCase(Locale.ROOT).endsWith(ending);
+    }
+
+    /** Whether the pictures are a sequence, to be numbered. */
+    public boolean isSequence() {
+        return frames != null || movie != null;
+    }
+
+    /**
+     * Times of the pictures in order, s.
+     *
+     * @throws BadInputException for a time that the scenario does not reach
+     */
+    public double[] times(double totalS) {
+        if (!isSequence()) {
+            double[] times = singleTimes();
+            Arrays.stream(times)
+                    .filter(t -> t < 0 || t > totalS + 1e-9)
+                    .findFirst()
+                    .ifPresent(t -> {
+                        throw new BadInputException(String.format(
+                                Locale.ROOT, "--at: found %s s, expected 0 to %s s (--duration)", t, totalS));
+                    });
+            return times;
+        }
+        int count = frames == null
+                ? (int) Math.max(1, Math.min(MAX_FRAMES, Math.round(totalS * frameRate())))
+                : OptionValues.integer("--frames", frames, 1, MAX_FRAMES);
+        return IntStream.range(0, count).mapToDouble(i -> i * totalS / count).toArray();
+    }
+
+    private double frameRate() {
+        return fps == null ? DEFAULT_FPS : OptionValues.number("--fps", fps);
+    }
+
+    /** Frames a second of the movie, so that it breathes as fast as the thorax unless told otherwise. */
+    public double framesPerS(int count, double totalS) {
+        return fps != null ? frameRate() : Math.max(1, Math.min(GifMovieWriter.MAX_FRAMES_PER_S, count / totalS));
+    }
+}

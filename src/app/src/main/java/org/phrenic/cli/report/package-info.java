@@ -1,0 +1,2 @@
+/** Text tables, progress and messages of commands. */
+package org.phrenic.cli.report;

@@ -1,0 +1,88 @@
+package org.phrenic.ui.access;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.SwingUtilities;
+import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalReport;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.scene.NeedlePictures;
+import org.phrenic.ui.view.SceneViewport;
+
+/**
+ * Writes the report of an attempt into a folder: what {@code phrenic rehearse} writes, and the plan that does the
+ * attempt again.
+ */
+public final class AttemptReportWriter {
+    private final SceneViewport view;
+
+    public AttemptReportWriter(SceneViewport view) {
+        this.view = view;
+    }
+
+    /**
+     * Writes; pictures are drawn one by one between those of the view, the report last.
+     *
+     * @param done told on the event dispatch thread: empty if all is written, else why not
+     */
+    public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
+        Thread writer = new Thread(() -> {
+            String problem;
+            try {
+                write(rehearsal, folder);
+                problem = "";
+            } catch (RuntimeException e) {
+                problem = String.valueOf(e.getMessage());
+            }
+            String said = problem;
+            SwingUtilities.invokeLater(() -> done.accept(said));
+        });
+        writer.setName("phrenic-report");
+        writer.setDaemon(true);
+        writer.start();
+    }
+
+    private void write(Rehearsal rehearsal, Path folder) {
+        List<Picture> needle = new ArrayList<>();
+        List<Picture> map = new ArrayList<>();
+        String title = rehearsal.plan().title();
+        if (!view.isUnavailable()) {
+            for (NeedleSnapshot moment : rehearsal.snapshots()) {
+                for (String file : render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title))) {
+                    if (moment.name().startsWith("sample")) {
+                        needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
+                    }
+                }
+            }
+            render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title))
+                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+        }
+        RehearsalReport report = new RehearsalReport(rehearsal);
+        YamlWriter.write(
+                folder.resolve("scenario.yaml"), rehearsal.plan().scenario().toMap());
+        YamlWriter.write(folder.resolve("plan.yaml"), rehearsal.plan().toMap("scenario.yaml"));
+        AtomicFile.write(folder.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
+        JsonWriter.write(folder.resolve("report.json"), report.values());
+    }
+
+    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
+        CompletableFuture<List<String>> files = new CompletableFuture<>();
+        view.runTask(gl -> {
+            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces())) {
+                files.complete(what.apply(pictures));
+            } catch (RuntimeException e) {
+                files.completeExceptionally(e);
+            }
+        });
+        return files.join();
+    }
+}

@@ -1,0 +1,59 @@
+package org.phrenic.ui.access;
+
+import java.awt.Cursor;
+import java.util.Optional;
+import org.phrenic.scene.camera.PickResult;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.view.SceneViewport;
+
+/** What the next click in the view chooses. On the event dispatch thread. */
+public final class PickMode {
+    /** What may be chosen. */
+    public enum Kind {
+        NONE,
+        ENTRY,
+        TARGET
+    }
+
+    private final Session session;
+    private final RehearsalController door;
+    private final SceneViewport view;
+    private Kind mode = Kind.NONE;
+
+    PickMode(Session session, RehearsalController door, SceneViewport view) {
+        this.session = session;
+        this.door = door;
+        this.view = view;
+    }
+
+    /** The next click chooses; nothing if it is pressed again. */
+    public void toggle(Kind what) {
+        mode = what == mode || door.stage() != RehearsalStage.READY ? Kind.NONE : what;
+        if (mode == Kind.TARGET && door.exercise().isPresent()) {
+            mode = Kind.NONE;
+            session.showMessage(
+                    Session.Message.Kind.NOTE, "The exercise sets the target; choose Practice for one of your own.");
+        }
+        view.setCursor(Cursor.getPredefinedCursor(mode == Kind.NONE ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
+        door.fireState();
+    }
+
+    public Kind mode() {
+        return mode;
+    }
+
+    /** What was clicked on while something was being chosen. */
+    void picked(Optional<PickResult> pick) {
+        Kind what = mode;
+        toggle(Kind.NONE);
+        if (pick.isEmpty()) {
+            session.showMessage(
+                    Session.Message.Kind.NOTE,
+                    what == Kind.ENTRY ? "Click on the skin for the entry." : "Click on the liver for the target.");
+        } else if (what == Kind.ENTRY) {
+            door.entrySelection().select(pick.get().restPosition());
+        } else {
+            door.setTargetBehind(pick.get());
+        }
+    }
+}

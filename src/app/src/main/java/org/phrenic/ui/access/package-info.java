@@ -1,0 +1,2 @@
+/** Rehearsal mode: its docks and its session. */
+package org.phrenic.ui.access;

@@ -1,0 +1,127 @@
+package org.phrenic.ui.access.panel;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.attempt.AttemptEvent;
+import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.plan.Goals;
+import org.phrenic.access.plan.PathAdvice;
+import org.phrenic.access.plan.Rehearsal;
+
+/** What came of an attempt: hit or missed, by how much, what was asked and reached, and what else counts. */
+public final class ReportCard extends JPanel {
+    private final AdvicePanel verdict = new AdvicePanel();
+    private final WrappingLabel goals = WrappingLabel.normal("What counts as done");
+    private final WrappingLabel measures = WrappingLabel.normal("Measures of the attempt");
+    private final WrappingLabel notice = WrappingLabel.secondary("Thresholds");
+
+    public ReportCard() {
+        super(new MigLayout("insets 0, gap 0 8, fillx, hidemode 3, wrap 1", "[grow, fill]"));
+        setName("report card");
+        add(verdict, "wmin 0");
+        add(goals, "wmin 0");
+        add(measures, "wmin 0");
+        add(notice, "wmin 0");
+        notice.setTextIfChanged(AttemptRecord.NOT_VALIDATED);
+        setVisible(false);
+    }
+
+    /** Shows an attempt. */
+    public void show(Rehearsal rehearsal) {
+        AttemptRecord record = rehearsal.record();
+        boolean asks = !rehearsal.plan().goals().evaluate(record).isEmpty();
+        boolean done = rehearsal.goalsReached() && (asks || record.hit());
+        verdict.setAdvice(
+                done ? PathAdvice.Level.FREE : record.hit() ? PathAdvice.Level.CAREFUL : PathAdvice.Level.BARRED,
+                headline(rehearsal, asks),
+                sampleText(record));
+        goals.setTextIfChanged(String.join("\n", goals(rehearsal)));
+        goals.setVisible(asks);
+        measures.setTextIfChanged(String.join("\n", measures(record)));
+        setVisible(true);
+        revalidate();
+        repaint();
+    }
+
+    /** What it says, line by line. */
+    public String text() {
+        return verdict.text() + "\n" + goals.getText() + "\n" + measures.getText();
+    }
+
+    private static String headline(Rehearsal rehearsal, boolean asks) {
+        String hit = rehearsal.record().samples().isEmpty()
+                ? "No sample"
+                : rehearsal.record().hit() ? "Hit" : "Missed";
+        return asks ? hit + (rehearsal.goalsReached() ? ", and done" : ", not done") : hit;
+    }
+
+    private static String sampleText(AttemptRecord record) {
+        if (record.samples().isEmpty()) {
+            return "The needle came out without one.";
+        }
+        TargetingError last = record.samples().get(record.samples().size() - 1);
+        return String.format(
+                Locale.ROOT,
+                "The tip was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
+                last.distanceMm(),
+                Math.abs(last.axialMm()),
+                last.axialMm() < 0 ? "too deep" : "short of it",
+                last.lateralMm());
+    }
+
+    private static List<String> goals(Rehearsal rehearsal) {
+        List<String> lines = new ArrayList<>();
+        for (Goals.GoalResult o : rehearsal.plan().goals().evaluate(rehearsal.record())) {
+            String mark = o.reached() ? "\u2713 " : "\u2717 ";
+            lines.add(
+                    o.goal().equals("hit")
+                            ? mark + "target hit"
+                            : mark + o.label() + " " + number(o.limit()) + ": "
+                                    + (Double.isFinite(o.value()) ? number(o.value()) : "no sample"));
+        }
+        return lines;
+    }
+
+    private static List<String> measures(AttemptRecord r) {
+        List<String> lines = new ArrayList<>();
+        lines.add("Time " + number(r.timeS()) + " s, in the body " + number(r.insideS()) + " s");
+        lines.add("Attempts " + r.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", redirections "
+                + r.count(AttemptEvent.Kind.REDIRECTION) + ", contacts with bone "
+                + r.count(AttemptEvent.Kind.BONE_CONTACT));
+        lines.add("In what is to be avoided " + number(r.inNoGoS()) + " s");
+        r.secondsIn().forEach((what, s) -> {
+            if (s > 0) {
+                lines.add("   in " + what.label() + " " + number(s) + " s"
+                        + (r.avoided().contains(what) ? "" : " (allowed here)"));
+            }
+        });
+        lines.add("Way of the tip " + number(r.tipTravelMm()) + " mm; the target moved " + number(r.targetExcursionMm())
+                + " mm");
+        lines.add("Capsule pulled aside " + number(r.capsulePullMm()) + " mm"
+                + (r.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : ""));
+        addEvent(r, AttemptEvent.Kind.SKIN_PUNCTURE, "Skin", lines);
+        addEvent(r, AttemptEvent.Kind.CAPSULE_PUNCTURE, "Capsule", lines);
+        addEvent(r, AttemptEvent.Kind.SAMPLE, "Sample", lines);
+        return lines;
+    }
+
+    private static void addEvent(AttemptRecord r, AttemptEvent.Kind kind, String name, List<String> lines) {
+        r.first(kind)
+                .ifPresent(e -> lines.add(String.format(
+                        Locale.ROOT,
+                        "%s at %.1f s, breath %d, %s, %.0f mm deep",
+                        name,
+                        e.timeS(),
+                        e.breath(),
+                        e.label().name().toLowerCase(Locale.ROOT),
+                        e.depthMm())));
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.1f", value);
+    }
+}

@@ -1,0 +1,117 @@
+package org.phrenic.ui.chart;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import javax.swing.Icon;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.SwingConstants;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.ui.widget.ScrollablePanel;
+
+/** Which curves are drawn, in which colour and line, and what their values are: legend, choice and readout in one. */
+final class CurveLegend extends ScrollablePanel {
+    private static final int SWATCH_WIDTH = 22;
+    private static final int SWATCH_HEIGHT = 10;
+
+    private final transient Map<PlotCurve, CurveRow> rows = new LinkedHashMap<>();
+    private final transient Runnable onSelection;
+    private final JLabel time = new JLabel("", SwingConstants.RIGHT);
+
+    private record CurveRow(JCheckBox box, JLabel value) {}
+
+    /** @param chosen told when other curves are chosen */
+    CurveLegend(List<PlotCurve> curves, Set<String> shown, Runnable chosen) {
+        super(new MigLayout("insets 4 6 4 8, gapy 2, fillx, hidemode 3", "[][grow,fill][right,84!]"));
+        this.onSelection = chosen;
+        JLabel at = new JLabel("At time");
+        at.setToolTipText("Time of the values: that under the mouse, else that of the timeline");
+        add(at, "span 2");
+        add(time, "wrap");
+        curves.forEach(curve -> add(curve, shown.contains(curve.column())));
+    }
+
+    /** Adds a curve at the end, if it is not there yet. */
+    void add(PlotCurve curve, boolean show) {
+        if (rows.containsKey(curve)) {
+            return;
+        }
+        JCheckBox box = new JCheckBox(curve.label(), show);
+        String tip = curve.column() + ": " + curve.meaning() + NumberFormats.unitSuffix(curve.unit());
+        box.setToolTipText(tip);
+        box.addActionListener(e -> onSelection.run());
+        JLabel swatch = new JLabel(new Swatch(curve));
+        swatch.setToolTipText(tip);
+        JLabel value = new JLabel("", SwingConstants.RIGHT);
+        rows.put(curve, new CurveRow(box, value));
+        add(swatch);
+        add(box);
+        add(value, "wrap");
+        revalidate();
+    }
+
+    /** The curves whose boxes are ticked. */
+    List<PlotCurve> selectedCurves() {
+        List<PlotCurve> shown = new ArrayList<>();
+        rows.forEach((curve, row) -> {
+            if (row.box.isSelected()) {
+                shown.add(curve);
+            }
+        });
+        return shown;
+    }
+
+    /** Shows the values of a sample; none for -1. */
+    void showValues(SampleRingBuffer ring, int sample) {
+        time.setText(sample < 0 ? "-" : NumberFormats.fixedDecimals(ring.time(sample), 2) + " s");
+        rows.forEach((curve, row) -> {
+            double value = sample < 0 ? Double.NaN : ring.value(curve.index(), sample);
+            row.value.setText(
+                    Double.isNaN(value)
+                            ? "-"
+                            : NumberFormats.fixedDecimals(value, curve.decimals())
+                                    + NumberFormats.unitSuffix(curve.unit()));
+        });
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        // The values are at the right edge: they need their place beside the scroll bar.
+        Dimension size = super.getPreferredScrollableViewportSize();
+        return new Dimension(size.width + UIManager.getInt("ScrollBar.width"), size.height);
+    }
+
+    private record Swatch(PlotCurve curve) implements Icon {
+        @Override
+        public void paintIcon(Component c, Graphics graphics, int x, int y) {
+            Graphics2D g = (Graphics2D) graphics.create();
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            g.setColor(curve.colour(FlatLaf.isLafDark()));
+            g.setStroke(PlotChart.stroke(curve));
+            int middle = y + SWATCH_HEIGHT / 2;
+            g.drawLine(x + 2, middle, x + SWATCH_WIDTH - 2, middle);
+            g.dispose();
+        }
+
+        @Override
+        public int getIconWidth() {
+            return SWATCH_WIDTH;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return SWATCH_HEIGHT;
+        }
+    }
+}

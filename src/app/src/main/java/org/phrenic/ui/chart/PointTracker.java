@@ -1,0 +1,95 @@
+package org.phrenic.ui.chart;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+import org.phrenic.ui.session.Session;
+
+/** Picked points whose way is plotted: vertices of surfaces, and how far up each has come since it was picked. */
+final class PointTracker {
+    private record Track(PlotCurve curve, int surface, int vertex, double[] startHeightMm) {}
+
+    private final Session session;
+    private final Track[] tracks = new Track[PlotCurve.MAX_POINTS];
+    private LiveScene scene;
+    private Frame frame;
+    private int nextSlot;
+
+    PointTracker(Session session) {
+        this.session = session;
+    }
+
+    /** Another scene: its surfaces may have other vertices, so the points of the old one are let go. */
+    void reset(LiveScene newScene) {
+        scene = newScene;
+        frame = null;
+        Arrays.fill(tracks, null);
+        nextSlot = 0;
+    }
+
+    /** Begins to follow a vertex; empty while there is no scene. */
+    Optional<PlotCurve> track(int surface, int vertex) {
+        if (scene == null) {
+            return Optional.empty();
+        }
+        if (frame == null) {
+            frame = scene.newFrame().get();
+        }
+        session.live().copyNewestFrame(frame);
+        int slot = nextSlot;
+        nextSlot = (nextSlot + 1) % tracks.length;
+        Surface picked = scene.surfaces().get(surface);
+        PlotCurve curve = PlotCurve.ofPoint(slot);
+        tracks[slot] = new Track(curve, surface, vertex, new double[] {heightMm(picked, surface, vertex)});
+        session.showMessage(Session.Message.Kind.NOTE, curve.label() + " of the plot follows " + picked.name() + ".");
+        return Optional.of(curve);
+    }
+
+    /** Curves of the points that are followed. */
+    List<PlotCurve> curves() {
+        List<PlotCurve> curves = new ArrayList<>();
+        for (Track track : tracks) {
+            if (track != null) {
+                curves.add(track.curve);
+            }
+        }
+        return curves;
+    }
+
+    /** Notes where the points are now. */
+    void record(SampleRingBuffer ring) {
+        if (frame == null || ring.size() == 0 || !session.live().copyNewestFrame(frame)) {
+            return;
+        }
+        int sample = ring.nearest(frame.timeS());
+        for (Track track : tracks) {
+            if (track != null) {
+                Surface surface = scene.surfaces().get(track.surface);
+                ring.set(
+                        track.curve.index(),
+                        sample,
+                        heightMm(surface, track.surface, track.vertex) - track.startHeightMm[0]);
+            }
+        }
+    }
+
+    /** Height of a vertex in the frame, mm. */
+    private double heightMm(Surface surface, int index, int vertex) {
+        double[] rest = surface.rest().positions();
+        return switch (surface.motion()) {
+            case STILL -> rest[3 * vertex + 2];
+            case DEFORMING -> frame.positions(index)[3 * vertex + 2];
+            case RIGID -> {
+                float[] pose = frame.pose(index);
+                yield pose[8] * rest[3 * vertex]
+                        + pose[9] * rest[3 * vertex + 1]
+                        + pose[10] * rest[3 * vertex + 2]
+                        + pose[11];
+            }
+        };
+    }
+}

@@ -1,0 +1,212 @@
+package org.phrenic.ui.chart;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.List;
+import java.util.function.DoubleConsumer;
+import java.util.function.IntConsumer;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import javax.swing.UIManager;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.ui.widget.Theme;
+
+/**
+ * Recorded time from left to right: bands of what the breath did, times below, and a mark to drag. Arrow keys go a
+ * frame, page keys ten, Home to the first; End follows the present.
+ */
+final class TimelineBar extends JComponent {
+    private static final int BAND_HEIGHT = 22;
+    private static final int SIDE_MARGIN = 10;
+    private static final double[] TICK_STEPS_S = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60};
+    private static final int MIN_TICK_PIXELS = 64;
+
+    private final transient DoubleConsumer seekListener;
+    private transient List<PhaseBands.Band> bands = List.of();
+    private double from;
+    private double to = 1;
+    private double markTime = Double.NaN;
+
+    /**
+     * @param toTime told the time that is dragged to
+     * @param byFrames told by how many frames to go; {@link Integer#MAX_VALUE} for the present
+     */
+    TimelineBar(DoubleConsumer toTime, IntConsumer byFrames) {
+        this.seekListener = toTime;
+        setFocusable(true);
+        setToolTipText("Drag through what was recorded; arrow keys go one frame");
+        MouseAdapter mouse = new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent e) {
+                requestFocusInWindow();
+                seek(e.getX());
+            }
+
+            @Override
+            public void mouseDragged(MouseEvent e) {
+                seek(e.getX());
+            }
+        };
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        bind("LEFT", () -> byFrames.accept(-1));
+        bind("RIGHT", () -> byFrames.accept(1));
+        bind("PAGE_UP", () -> byFrames.accept(-10));
+        bind("PAGE_DOWN", () -> byFrames.accept(10));
+        bind("HOME", () -> byFrames.accept(-Integer.MAX_VALUE));
+        bind("END", () -> byFrames.accept(Integer.MAX_VALUE));
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent e) {
+                repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent e) {
+                repaint();
+            }
+        });
+    }
+
+    private void bind(String key, Runnable what) {
+        getInputMap().put(KeyStroke.getKeyStroke(key), key);
+        getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                what.run();
+            }
+        });
+    }
+
+    private void seek(int x) {
+        double share = (x - SIDE_MARGIN) / (double) Math.max(1, getWidth() - 2 * SIDE_MARGIN);
+        seekListener.accept(from + Math.max(0, Math.min(1, share)) * (to - from));
+    }
+
+    /**
+     * Shows what is recorded.
+     *
+     * @param newMark time that is looked at, s
+     */
+    void setTimeline(double newFrom, double newTo, double newMark, List<PhaseBands.Band> newBands) {
+        from = newFrom;
+        to = Math.max(newTo, newFrom + 1e-3);
+        markTime = newMark;
+        bands = newBands;
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(300, BAND_HEIGHT + 8 + getFontMetrics(getFont()).getHeight());
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(80, getPreferredSize().height);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(getFont());
+        RoundRectangle2D strip =
+                new RoundRectangle2D.Double(SIDE_MARGIN, 2, getWidth() - 2.0 * SIDE_MARGIN, BAND_HEIGHT, 6, 6);
+        Graphics2D inside = (Graphics2D) g.create();
+        inside.setColor(PhaseColours.of(RespiratoryPhase.PAUSE));
+        inside.clip(strip);
+        inside.fill(strip);
+        bands.forEach(band -> paintBand(inside, band));
+        inside.dispose();
+        paintTicks(g);
+        if (!Double.isNaN(markTime)) {
+            paintMark(g);
+        }
+        g.dispose();
+    }
+
+    private void paintBand(Graphics2D g, PhaseBands.Band band) {
+        double x = x(band.from());
+        double width = x(band.to()) - x;
+        g.setColor(PhaseColours.of(band.label()));
+        g.fill(new Rectangle2D.Double(x, 2, width + 0.5, BAND_HEIGHT));
+        FontMetrics metrics = g.getFontMetrics();
+        String name = PhaseColours.displayName(band.label());
+        if (metrics.stringWidth(name) + 8 < width) {
+            g.setColor(PhaseColours.textColour());
+            g.drawString(
+                    name,
+                    (float) (x + (width - metrics.stringWidth(name)) / 2),
+                    2 + (BAND_HEIGHT + metrics.getAscent() - metrics.getDescent()) / 2f);
+        }
+    }
+
+    private void paintTicks(Graphics2D g) {
+        double step = TICK_STEPS_S[TICK_STEPS_S.length - 1];
+        for (int i = TICK_STEPS_S.length - 1; i >= 0; i--) {
+            if (x(from + TICK_STEPS_S[i]) - x(from) >= MIN_TICK_PIXELS) {
+                step = TICK_STEPS_S[i];
+            }
+        }
+        FontMetrics metrics = g.getFontMetrics();
+        g.setColor(Theme.secondaryText());
+        for (long k = (long) Math.ceil(from / step); k * step <= to; k++) {
+            double x = x(k * step);
+            g.fill(new Rectangle2D.Double(x - 0.5, BAND_HEIGHT + 3, 1, 4));
+            String text = NumberFormats.format(k * step) + " s";
+            float at = (float)
+                    Math.max(0, Math.min(getWidth() - metrics.stringWidth(text), x - metrics.stringWidth(text) / 2.0));
+            g.drawString(text, at, BAND_HEIGHT + 7 + metrics.getAscent());
+        }
+    }
+
+    private void paintMark(Graphics2D g) {
+        double x = x(Math.max(from, Math.min(to, markTime)));
+        g.setColor(PhaseColours.textColour());
+        g.fill(new Rectangle2D.Double(x - 1, 0, 2, BAND_HEIGHT + 4));
+        Ellipse2D knob = new Ellipse2D.Double(x - 6, BAND_HEIGHT / 2.0 - 4, 12, 12);
+        g.setColor(Theme.accent());
+        g.fill(knob);
+        Color ring = isFocusOwner() ? UIManager.getColor("Component.focusedBorderColor") : null;
+        g.setColor(ring == null ? PhaseColours.textColour() : ring);
+        g.setStroke(new BasicStroke(isFocusOwner() ? 3 : 1.5f));
+        g.draw(knob);
+    }
+
+    private double x(double time) {
+        return SIDE_MARGIN + (time - from) / (to - from) * (getWidth() - 2 * SIDE_MARGIN);
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.SLIDER;
+                }
+            };
+            accessibleContext.setAccessibleName("Recorded time");
+        }
+        return accessibleContext;
+    }
+}

@@ -1,0 +1,2 @@
+/** Plots, timeline and their data. */
+package org.phrenic.ui.chart;

@@ -1,0 +1,238 @@
+package org.phrenic.ui.dock;
+
+import java.awt.BorderLayout;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.breathing.BreathingTraceReader;
+import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.chart.PhaseBar;
+import org.phrenic.ui.chart.PhaseColours;
+import org.phrenic.ui.session.ScenarioValues;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.FileDialogs;
+import org.phrenic.ui.widget.Icons;
+import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Theme;
+
+/**
+ * How it breathes: presets by a press, hold where it is, rate, depth and balance, a recorded breath, and a bar that
+ * shows where in the breath it is.
+ */
+public final class BreathDock extends JPanel implements Session.Listener {
+    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
+    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
+    private static final List<Parameter> PRESET_PARAMETERS =
+            List.of(Parameter.RATE, Parameter.INSPIRATORY_FRACTION, Parameter.CHEST_SHARE);
+    /** Presets whose breaths are inspiration, expiration and pause alone. */
+    private static final List<String> THREE_PHASE_PRESETS =
+            List.of("quiet", "quiet-supine", "deep", "sniff", "rapid-shallow");
+
+    private final transient Session session;
+    private final PhaseBar bar = new PhaseBar();
+    private final JLabel breath = new JLabel(" ");
+    private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
+    private final ButtonGroup presetGroup = new ButtonGroup();
+    private final JToggleButton hold = new JToggleButton("Hold now");
+    private final JLabel trace = new JLabel("Breath by preset");
+    private final JButton removeTrace = new JButton(Icons.CLOSE);
+    private final transient List<SliderRow> rows = new ArrayList<>();
+
+    public BreathDock(Session session) {
+        super(new BorderLayout());
+        this.session = session;
+        JPanel body = new ScrollablePanel();
+        body.add(phasePanel());
+        body.add(presetButtons());
+        for (Parameter p :
+                List.of(Parameter.RATE, Parameter.DEPTH, Parameter.INSPIRATORY_FRACTION, Parameter.CHEST_SHARE)) {
+            SliderRow row = SliderRow.of(session, p);
+            rows.add(row);
+            body.add(row);
+        }
+        body.add(trace());
+        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
+        onChange();
+        session.addListener(this);
+    }
+
+    private JComponent phasePanel() {
+        JPanel panel = new JPanel(new MigLayout("insets 8 8 2 8, fillx, wrap 1", "[grow,fill]"));
+        breath.setForeground(Theme.secondaryText());
+        panel.add(bar);
+        panel.add(breath);
+        return panel;
+    }
+
+    private JComponent presetButtons() {
+        JPanel panel = new JPanel(new MigLayout("insets 2 8 6 8, fillx, wrap 2", "[grow,fill,sg][grow,fill,sg]"));
+        for (String name : BreathingPreset.names()) {
+            JToggleButton button = highlightWhenSelected(new JToggleButton(ChoiceRow.displayName(name)));
+            button.setToolTipText("Breathe by the preset '" + name + "'; changes while it breathes");
+            button.addActionListener(e -> selectPreset(name));
+            presetGroup.add(button);
+            presets.put(name, button);
+            panel.add(button);
+        }
+        highlightWhenSelected(hold);
+        hold.setToolTipText("Hold the breath where it is, or let it go on");
+        hold.setMnemonic('H');
+        hold.addActionListener(e -> session.change(
+                hold.isSelected() ? "Hold of the breath" : "End of the hold",
+                new Assignment("window", "hold", String.valueOf(hold.isSelected()))));
+        panel.add(hold);
+        return panel;
+    }
+
+    /** A pressed button stands out as a selected row of a list does. */
+    public static JToggleButton highlightWhenSelected(JToggleButton button) {
+        button.putClientProperty(
+                "FlatLaf.style",
+                "selectedBackground: $List.selectionBackground; selectedForeground: $List.selectionForeground");
+        return button;
+    }
+
+    private JComponent trace() {
+        JPanel panel = new JPanel(new MigLayout("insets 6 8 4 6, fillx, hidemode 3", "[][grow,fill,0::][]"));
+        JButton open = new JButton("Trace from CSV...");
+        open.setToolTipText("Breathe as recorded: a CSV file with columns time_s,amplitude, or of a skin marker");
+        open.addActionListener(
+                e -> FileDialogs.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
+        removeTrace.setToolTipText("Leave the recorded breath for the preset's; starts the scene anew");
+        removeTrace.getAccessibleContext().setAccessibleName("Leave the recorded breath");
+        removeTrace.putClientProperty("JButton.buttonType", "toolBarButton");
+        removeTrace.addActionListener(
+                e -> session.open("End of the recorded breath", ScenarioValues.withoutTrace(session.scenario())));
+        panel.add(open);
+        panel.add(trace, "wmin 0");
+        panel.add(removeTrace);
+        return panel;
+    }
+
+    /**
+     * Breathes by a preset. Rate, fraction and balance that were set by hand go to those of the preset: who presses
+     * Deep wants its deep breath.
+     */
+    public void selectPreset(String name) {
+        Scenario scenario = session.scenario();
+        if (scenario.preset().equals(name)
+                && !scenario.hold()
+                && scenario.trace().isEmpty()) {
+            return;
+        }
+        Scenario next = scenario.with("preset=" + name);
+        List<Assignment> list = new ArrayList<>();
+        list.add(new Assignment("window", Choice.PRESET.key(), name));
+        if (scenario.hold()) {
+            list.add(new Assignment("window", "hold", "false"));
+        }
+        for (Parameter parameter : PRESET_PARAMETERS) {
+            if (scenario.states(parameter)) {
+                list.add(ScenarioValues.assignment(parameter, ScenarioValues.defaultOf(next, parameter)));
+            }
+        }
+        String change = ScenarioValues.changeName(
+                "Breathing", ChoiceRow.displayName(scenario.preset()), ChoiceRow.displayName(name));
+        session.edits().endMerging();
+        if (scenario.trace().isPresent()) {
+            session.open(change, ScenarioValues.withoutTrace(scenario).with(list));
+        } else {
+            session.change(change, list.toArray(Assignment[]::new));
+        }
+        session.edits().endMerging();
+    }
+
+    /** Breathes by a recording; one that is none is refused in one sentence. */
+    void openTrace(Path file) {
+        try {
+            BreathingTraceReader.read(file);
+            session.change(
+                    "Breath recorded in " + file.getFileName(),
+                    new Assignment("window", "trace", file.toAbsolutePath().toString()));
+        } catch (IOException e) {
+            session.showMessage(Session.Message.Kind.REFUSED, e.getMessage());
+        }
+    }
+
+    @Override
+    public void onScene(LiveScene scene) {
+        onChange();
+    }
+
+    @Override
+    public void onChange() {
+        Scenario scenario = session.scenario();
+        JToggleButton preset = presets.get(scenario.preset());
+        if (scenario.trace().isEmpty() && preset != null) {
+            preset.setSelected(true);
+        } else {
+            presetGroup.clearSelection();
+        }
+        hold.setSelected(scenario.hold());
+        rows.forEach(row -> row.show(scenario));
+        Optional<Path> file = scenario.trace();
+        trace.setText(file.map(f -> f.getFileName().toString()).orElse("Breath by preset"));
+        trace.setToolTipText(file.map(Path::toString).orElse("No recorded breath"));
+        removeTrace.setVisible(file.isPresent());
+        showPhaseFractions(bar, scenario);
+    }
+
+    /** Gives a bar the shares of the breath that a scenario has. */
+    public static void showPhaseFractions(PhaseBar bar, Scenario scenario) {
+        BreathingParameters p = scenario.breathing().parameters();
+        bar.setPhaseFractions(
+                ScenarioValues.value(scenario, Parameter.INSPIRATORY_FRACTION),
+                p.pauseFraction(),
+                scenario.trace().isEmpty() && THREE_PHASE_PRESETS.contains(scenario.preset()));
+    }
+
+    @Override
+    public void onTick(RunStatus status) {
+        RunHistory history = session.live().history();
+        if (history == null || history.size() == 0) {
+            return;
+        }
+        double[] now = history.values(history.size() - 1);
+        bar.setPhase(now[PHASE], PhaseColours.parseLabel(status.phaseLabel()));
+        breath.setText("Breath " + (int) (now[BREATH] + 1) + ", "
+                + PhaseColours.displayName(PhaseColours.parseLabel(status.phaseLabel()))
+                        .toLowerCase(Locale.ROOT));
+    }
+
+    JToggleButton presetButton(String name) {
+        return presets.get(name);
+    }
+
+    JToggleButton holdButton() {
+        return hold;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (breath != null) {
+            breath.setForeground(Theme.secondaryText());
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package org.phrenic.ui.dock;
+
+import java.awt.Font;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.scenario.Scenario;
+
+/** Rows under a heading that folds them away. */
+final class CollapsibleGroup extends JPanel {
+    private final transient List<SettingRow> rows = new ArrayList<>();
+    private final JButton heading;
+    private final String label;
+    private boolean expanded = true;
+    private transient Scenario shownScenario;
+    private String shownSearch = "";
+
+    CollapsibleGroup(String label) {
+        super(new MigLayout("insets 4 0 2 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
+        this.label = label;
+        heading = new JButton(label);
+        heading.putClientProperty("JButton.buttonType", "borderless");
+        heading.setHorizontalAlignment(SwingConstants.LEFT);
+        heading.setToolTipText("Show or fold away: " + label);
+        heading.addActionListener(e -> {
+            expanded = !expanded;
+            show(null, "");
+        });
+        add(heading);
+        updateHeading();
+        setOpaque(false);
+    }
+
+    private void updateHeading() {
+        heading.setText((expanded ? "\u25be  " : "\u25b8  ") + label);
+        heading.setFont(heading.getFont().deriveFont(Font.BOLD));
+    }
+
+    void addRow(SettingRow row) {
+        rows.add(row);
+        add(row);
+    }
+
+    List<SettingRow> rows() {
+        return rows;
+    }
+
+    /**
+     * Shows the values of a scenario in the rows that it has and a search finds; while something is searched for
+     * nothing is folded away.
+     */
+    void show(Scenario scenario, String search) {
+        if (scenario != null) {
+            shownScenario = scenario;
+            shownSearch = search;
+        }
+        if (shownScenario == null) {
+            return;
+        }
+        boolean searching = !shownSearch.isBlank();
+        boolean any = false;
+        for (SettingRow row : rows) {
+            boolean there = row.applies(shownScenario) && row.matches(shownSearch);
+            if (there) {
+                row.show(shownScenario);
+            }
+            any |= there;
+            row.setVisible(there && (searching || expanded));
+        }
+        updateHeading();
+        setVisible(any);
+    }
+}

@@ -1,0 +1,92 @@
+package org.phrenic.ui.dock;
+
+import java.awt.BorderLayout;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.ui.session.ScenarioValues;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.ScrollablePanel;
+
+/**
+ * Forces and parts of the model on and off one by one, as in the tables of Villard, Bourne and Bello 2009. What cannot
+ * be changed while it breathes starts the scene anew, and says so.
+ */
+public final class ForcesDock extends JPanel implements Session.Listener {
+    private static final List<Choice> SWITCHES =
+            List.of(Choice.MUSCLE, Choice.PRESSURE, Choice.RIBS, Choice.TENSEGRITY, Choice.CONTACT, Choice.LIVER);
+    private static final List<Choice> MODELS = List.of(Choice.STERNUM, Choice.LUNGS);
+
+    private final transient Session session;
+    private final transient Map<Choice, JCheckBox> boxes = new LinkedHashMap<>();
+    private final transient Map<Choice, ChoiceRow> rows = new LinkedHashMap<>();
+
+    public ForcesDock(Session session) {
+        super(new BorderLayout());
+        this.session = session;
+        JPanel body = new ScrollablePanel();
+        JPanel switches = new JPanel(new MigLayout("insets 8 8 4 8, fillx, wrap 2", "[grow,fill,0::][]"));
+        for (Choice choice : SWITCHES) {
+            JCheckBox box = new JCheckBox(choice.label());
+            box.setToolTipText(SettingRow.tip(choice.description(), "key " + choice.key()));
+            box.addActionListener(
+                    e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
+            boxes.put(choice, box);
+            JLabel when = new JLabel(Simulation.isLive(choice.key()) ? "" : "starts anew");
+            when.setEnabled(false);
+            switches.add(box);
+            switches.add(when);
+        }
+        body.add(switches);
+        for (Choice choice : MODELS) {
+            ChoiceRow row = new ChoiceRow(choice, choice.options(), s -> true, (from, to) -> change(choice, from, to));
+            row.hint(
+                    SettingRow.Hint.NOTE,
+                    Simulation.isLive(choice.key()) ? "" : "Another model starts the scene anew.");
+            rows.put(choice, row);
+            body.add(row);
+        }
+        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
+        onChange();
+        session.addListener(this);
+    }
+
+    private void change(Choice choice, String from, String to) {
+        String name = choice.isSwitch()
+                ? choice.label() + (Boolean.parseBoolean(to) ? " on" : " off")
+                : ScenarioValues.changeName(choice.label(), from, to);
+        session.edits().endMerging();
+        session.change(name, new Assignment("window", choice.key(), to));
+        session.edits().endMerging();
+        if (!Simulation.isLive(choice.key())) {
+            session.showMessage(
+                    Session.Message.Kind.NOTE,
+                    name + ": the scene starts anew; the present one goes on until it is there.");
+        }
+    }
+
+    @Override
+    public void onScene(LiveScene scene) {
+        onChange();
+    }
+
+    @Override
+    public void onChange() {
+        Scenario scenario = session.scenario();
+        boxes.forEach((choice, box) -> box.setSelected(Boolean.parseBoolean(choice.valueIn(scenario))));
+        rows.values().forEach(row -> row.show(scenario));
+    }
+
+    JCheckBox checkBox(Choice choice) {
+        return boxes.get(choice);
+    }
+}

@@ -1,0 +1,175 @@
+package org.phrenic.ui.dock;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JColorChooser;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.scene.style.Appearance;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.widget.Icons;
+import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Theme;
+
+/** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
+public final class OrgansDock extends ScrollablePanel {
+    private static final int PERCENT = 100;
+    private static final int OPACITY_WIDTH = 72;
+
+    private record GroupRow(AppearanceModel.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
+
+    private final transient AppearanceModel looks;
+    private final transient List<GroupRow> rows = new ArrayList<>();
+    private transient List<AppearanceModel.Group> shownGroups = List.of();
+    private boolean updating;
+
+    public OrgansDock(Session session, AppearanceModel looks) {
+        super(new MigLayout("insets 6 8 6 8, gap 0 2, wrap 1, fillx, novisualpadding", "[grow, fill]", ""));
+        this.looks = looks;
+        setName("organs");
+        session.addListener(new Session.Listener() {
+            @Override
+            public void onScene(LiveScene scene) {
+                createRows();
+            }
+        });
+        looks.addListener(this::refresh);
+    }
+
+    /** Rows for the groups that the scene has. */
+    private void createRows() {
+        if (shownGroups.equals(looks.groups())) {
+            return;
+        }
+        shownGroups = looks.groups();
+        removeAll();
+        rows.clear();
+        for (AppearanceModel.Group group : shownGroups) {
+            addRow(group);
+        }
+        JButton reset = new JButton("As in an atlas");
+        reset.setToolTipText("All organs as they were at first");
+        reset.addActionListener(e -> looks.reset());
+        add(reset, "gaptop 6, growx 0, alignx left");
+        refresh();
+        revalidate();
+        repaint();
+    }
+
+    private void addRow(AppearanceModel.Group group) {
+        String label = group.label();
+        JCheckBox visible = describe(new JCheckBox(label), label + " visible", "Show or hide: " + label);
+        visible.addActionListener(e -> change(group, look -> look.withVisible(visible.isSelected())));
+        JButton colour = describe(new JButton(new Swatch(group)), label + " colour", "Colour of: " + label);
+        colour.putClientProperty("JButton.buttonType", "toolBarButton");
+        colour.addActionListener(e -> pickColour(group));
+        JSlider opacity = describe(new JSlider(0, PERCENT), label + " opacity", "Opacity in percent: " + label);
+        opacity.addChangeListener(e -> {
+            if (!updating) {
+                change(group, look -> look.withOpacity(opacity.getValue() / (float) PERCENT));
+            }
+        });
+        JToggleButton wire =
+                describe(new JToggleButton(Icons.MESH), label + " wireframe", "Surface or wireframe: " + label);
+        wire.putClientProperty("JButton.buttonType", "toolBarButton");
+        wire.addActionListener(e -> change(group, look -> look.withWireframe(wire.isSelected())));
+        opacity.setPreferredSize(new Dimension(OPACITY_WIDTH, opacity.getPreferredSize().height));
+        JPanel tools = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", "[][][]", "[center]"));
+        tools.add(colour);
+        tools.add(opacity, "w " + OPACITY_WIDTH + "!");
+        tools.add(wire);
+        JPanel row = new JPanel(new BorderLayout(4, 0));
+        row.add(visible, BorderLayout.CENTER);
+        row.add(tools, BorderLayout.EAST);
+        rows.add(new GroupRow(group, visible, opacity, wire));
+        add(row, "wmin 0");
+    }
+
+    private static <C extends JComponent> C describe(C component, String name, String tip) {
+        component.setName(name);
+        component.setToolTipText(tip);
+        component.getAccessibleContext().setAccessibleName(name);
+        return component;
+    }
+
+    private void change(AppearanceModel.Group group, java.util.function.UnaryOperator<Appearance> change) {
+        if (!updating) {
+            looks.changeGroup(group, change);
+        }
+    }
+
+    private void pickColour(AppearanceModel.Group group) {
+        Color now = colour(group);
+        Color picked = JColorChooser.showDialog(this, "Colour of " + group.label(), now, false);
+        if (picked != null) {
+            float[] rgb = picked.getRGBColorComponents(null);
+            change(group, look -> look.withRgb(rgb));
+        }
+    }
+
+    private Color colour(AppearanceModel.Group group) {
+        return looks.appearance(group)
+                .map(look -> new Color(look.rgb()[0], look.rgb()[1], look.rgb()[2]))
+                .orElse(Color.GRAY);
+    }
+
+    /** Shows what is chosen now, whoever chose it. */
+    private void refresh() {
+        updating = true;
+        for (GroupRow row : rows) {
+            looks.appearance(row.group()).ifPresent(look -> {
+                row.visible().setSelected(look.visible());
+                row.opacity().setValue(Math.round(look.opacity() * PERCENT));
+                row.wire().setSelected(look.wireframe());
+            });
+        }
+        updating = false;
+        repaint();
+    }
+
+    /** A spot of a group's colour. */
+    private final class Swatch implements Icon {
+        private static final int SIZE = 14;
+        private final AppearanceModel.Group group;
+
+        Swatch(AppearanceModel.Group group) {
+            this.group = group;
+        }
+
+        @Override
+        public void paintIcon(Component c, Graphics graphics, int x, int y) {
+            Graphics2D g = (Graphics2D) graphics.create();
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            g.setColor(colour(group));
+            g.fillRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
+            g.setColor(Theme.borderColour());
+            g.drawRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
+            g.dispose();
+        }
+
+        @Override
+        public int getIconWidth() {
+            return SIZE;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return SIZE;
+        }
+    }
+}

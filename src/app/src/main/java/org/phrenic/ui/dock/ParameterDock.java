@@ -1,0 +1,234 @@
+package org.phrenic.ui.dock;
+
+import java.awt.BorderLayout;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.swing.AbstractAction;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.ui.session.ScenarioValues;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.ScrollablePanel;
+
+/**
+ * All that can be tuned, made from the tables {@link Parameter} and {@link Choice}: rows that the present material
+ * uses, in groups, with a search. Where the time step is beyond the stability limit, the rows that could mend it say
+ * so.
+ */
+public final class ParameterDock extends JPanel implements Session.Listener {
+    private static final int MOST_OFFERED_THREADS = 16;
+    private static final Pattern NUMBER = Pattern.compile("\\d+\\.\\d+(e-?\\d+)?");
+
+    private final transient Session session;
+    private final transient Map<ParameterGroup, CollapsibleGroup> groups = new EnumMap<>(ParameterGroup.class);
+    private final transient List<SettingRow> limiting = new ArrayList<>();
+    private final JTextField search = new JTextField();
+    private String limit = "";
+
+    public ParameterDock(Session session) {
+        super(new BorderLayout());
+        this.session = session;
+        JPanel body = new ScrollablePanel();
+        for (ParameterGroup group : ParameterGroup.values()) {
+            CollapsibleGroup rows = new CollapsibleGroup(group.label());
+            groups.put(group, rows);
+            body.add(rows);
+        }
+        addChoices();
+        for (Parameter parameter : Parameter.values()) {
+            SliderRow row = SliderRow.of(session, parameter);
+            groups.get(ParameterGroup.of(parameter)).addRow(row);
+            if (ParameterGroup.limitsStep(parameter)) {
+                limiting.add(row);
+            }
+        }
+        add(tools(), BorderLayout.NORTH);
+        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
+        refresh();
+        session.addListener(this);
+    }
+
+    private void addChoices() {
+        CollapsibleGroup model = groups.get(ParameterGroup.MODEL);
+        model.addRow(new ChoiceRow(
+                Choice.MATERIAL,
+                Choice.MATERIAL.options(),
+                s -> true,
+                (from, to) -> session.open(
+                        ScenarioValues.changeName(Choice.MATERIAL.label(), from, to),
+                        ScenarioValues.ofMaterial(
+                                session.scenario(), TissueMaterial.valueOf(to.toUpperCase(Locale.ROOT))))));
+        model.addRow(choice(Choice.ANATOMY, Choice.ANATOMY.options()));
+        model.addRow(choice(Choice.RESOLUTION, Choice.RESOLUTION.options()));
+        CollapsibleGroup numerics = groups.get(ParameterGroup.NUMERICS);
+        SliderRow step = SliderRow.of(session, Choice.TIME_STEP, ParameterDock::defaultStep);
+        numerics.addRow(step);
+        ChoiceRow integrator = choice(Choice.INTEGRATOR, Choice.INTEGRATOR.options());
+        numerics.addRow(integrator);
+        int threads = Math.min(MOST_OFFERED_THREADS, Runtime.getRuntime().availableProcessors());
+        numerics.addRow(choice(
+                Choice.THREADS,
+                IntStream.rangeClosed(1, threads).mapToObj(Integer::toString).toList()));
+        limiting.add(step);
+        limiting.add(integrator);
+    }
+
+    private ChoiceRow choice(Choice choice, List<String> options) {
+        return new ChoiceRow(
+                choice,
+                options,
+                s -> true,
+                (from, to) -> session.change(
+                        ScenarioValues.changeName(
+                                choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
+                        new Assignment("window", choice.key(), to)));
+    }
+
+    /** Step of the material, s. */
+    private static double defaultStep(Scenario scenario) {
+        return Scenario.defaults()
+                .with("material=" + scenario.material().label())
+                .timeStepS();
+    }
+
+    private JComponent tools() {
+        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, fillx", "[grow,fill][]"));
+        search.putClientProperty("JTextField.placeholderText", "Search parameters");
+        search.putClientProperty("JTextField.showClearButton", true);
+        search.setToolTipText("Shows only rows whose name, key or meaning has these words; Escape clears");
+        search.getAccessibleContext().setAccessibleName("Search parameters");
+        search.getDocument().addDocumentListener(new DocumentListener() {
+            @Override
+            public void insertUpdate(DocumentEvent e) {
+                refresh();
+            }
+
+            @Override
+            public void removeUpdate(DocumentEvent e) {
+                refresh();
+            }
+
+            @Override
+            public void changedUpdate(DocumentEvent e) {
+                refresh();
+            }
+        });
+        search.getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "clear");
+        search.getActionMap().put("clear", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                search.setText("");
+            }
+        });
+        JButton reset = new JButton("Reset all");
+        reset.setToolTipText("Back to the defaults of material and breathing preset, in one change");
+        reset.setMnemonic('a');
+        reset.addActionListener(e -> resetAll());
+        tools.add(search);
+        tools.add(reset);
+        return tools;
+    }
+
+    /** All numbers, time step and integrator back to their defaults; one change to undo. */
+    void resetAll() {
+        Scenario scenario = session.scenario();
+        List<Assignment> list = new ArrayList<>();
+        for (Parameter parameter : Parameter.values()) {
+            double standard = ScenarioValues.defaultOf(scenario, parameter);
+            if (parameter.isUsedBy(scenario.material()) && ScenarioValues.value(scenario, parameter) != standard) {
+                list.add(ScenarioValues.assignment(parameter, standard));
+            }
+        }
+        if (scenario.timeStepS() != defaultStep(scenario)) {
+            list.add(new Assignment("window", Choice.TIME_STEP.key(), ScenarioValues.plain(defaultStep(scenario))));
+        }
+        IntegratorKind integrator = scenario.material().integrator();
+        if (scenario.integrator() != integrator) {
+            list.add(new Assignment("window", Choice.INTEGRATOR.key(), integrator.label()));
+        }
+        session.edits().endMerging();
+        if (!list.isEmpty()) {
+            session.change("Reset of all parameters", list.toArray(Assignment[]::new));
+        }
+        session.edits().endMerging();
+    }
+
+    private void refresh() {
+        groups.values().forEach(group -> group.show(session.scenario(), search.getText()));
+        revalidate();
+    }
+
+    @Override
+    public void onScene(LiveScene scene) {
+        refresh();
+    }
+
+    @Override
+    public void onChange() {
+        refresh();
+    }
+
+    @Override
+    public void onTick(RunStatus status) {
+        String now = limitInWords(status);
+        if (!now.equals(limit)) {
+            limit = now;
+            Scenario scenario = session.scenario();
+            limiting.forEach(row -> row.hint(SettingRow.Hint.NOTE, ""));
+            limiting.stream()
+                    .filter(row -> row.applies(scenario))
+                    .filter(row -> !now.isEmpty() && isCause(row, scenario))
+                    .forEach(row -> row.hint(SettingRow.Hint.WARNING, now));
+        }
+    }
+
+    /** The sentence of the limit as it fits below a row: what is done, and why; no more digits than somebody reads. */
+    public static String limitInWords(RunStatus status) {
+        if (status.stabilityMessage().isEmpty()) {
+            return "";
+        }
+        String why =
+                status.stabilityMessage().replaceFirst(": split into.*$", "").replaceFirst(" \\([^)]*\\)$", "");
+        why = NUMBER.matcher(why).replaceAll(found -> NumberFormats.format(Double.parseDouble(found.group()), 3));
+        return "Runs with " + status.substeps() + " substeps, because the " + why + ".";
+    }
+
+    /**
+     * Whether a row was moved to where it asks for a smaller step: the step itself always, the others when they are off
+     * their defaults.
+     */
+    private static boolean isCause(SettingRow row, Scenario scenario) {
+        return row.isOffDefault(scenario) || row.isFor(Choice.TIME_STEP.key());
+    }
+
+    /** Rows by their order, for tests. */
+    List<SettingRow> rows() {
+        return groups.values().stream().flatMap(g -> g.rows().stream()).toList();
+    }
+
+    JTextField search() {
+        return search;
+    }
+}

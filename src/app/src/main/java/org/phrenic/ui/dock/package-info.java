@@ -1,0 +1,2 @@
+/** Docks that tune and show a simulation. */
+package org.phrenic.ui.dock;

@@ -1,0 +1,87 @@
+package org.phrenic.ui.session;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/**
+ * Numbers as the window shows and takes them: a few significant digits, a decimal point and a plain hyphen whatever the
+ * locale, the unit after a space.
+ */
+public final class NumberFormats {
+    /** Digits that are shown of a value that somebody sets. */
+    static final int SIGNIFICANT_DIGITS = 4;
+
+    private static final double MIN_PLAIN = 1e-4;
+    private static final double MAX_PLAIN = 1e7;
+
+    private NumberFormats() {}
+
+    /**
+     * {@code value} with at most {@link #SIGNIFICANT_DIGITS} significant digits, without zeros that say nothing: 0.64,
+     * 300, 1e-05.
+     */
+    public static String format(double value) {
+        return format(value, SIGNIFICANT_DIGITS);
+    }
+
+    /** {@code value} with at most {@code digits} significant digits. */
+    public static String format(double value, int digits) {
+        if (!Double.isFinite(value)) {
+            return "-";
+        }
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        double size = Math.abs(rounded.doubleValue());
+        if (size == 0) {
+            return "0";
+        }
+        return size < MIN_PLAIN || size >= MAX_PLAIN
+                ? scientific(rounded)
+                : rounded.stripTrailingZeros().toPlainString();
+    }
+
+    private static String scientific(BigDecimal value) {
+        BigDecimal plain = value.stripTrailingZeros();
+        int exponent = plain.precision() - plain.scale() - 1;
+        return plain.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
+    }
+
+    /** {@code value} with a fixed count of decimals, so that a number that changes all the time keeps its width. */
+    public static String fixedDecimals(double value, int decimals) {
+        if (!Double.isFinite(value)) {
+            return "-";
+        }
+        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        return text.startsWith("-") && text.chars().allMatch(c -> c == '-' || c == '0' || c == '.')
+                ? text.substring(1)
+                : text;
+    }
+
+    /** {@code value} and its unit: {@code 450 N/m}; a plain number for the unit {@code 1}. */
+    public static String withUnit(double value, String unit) {
+        return format(value) + unitSuffix(unit);
+    }
+
+    /** What follows a number of this unit: a space and the unit, nothing for {@code 1}. */
+    public static String unitSuffix(String unit) {
+        return unit.equals("1") ? "" : " " + unit;
+    }
+
+    /**
+     * The number somebody typed; a decimal comma counts as a point, a unit behind the number is passed over. Empty if
+     * it is none.
+     */
+    public static OptionalDouble parse(String typed) {
+        String number = typed.strip().replace(',', '.').replaceFirst("(?<=[0-9.])\\s*[^0-9.eE+\\s-].*$", "");
+        try {
+            double value = Double.parseDouble(number);
+            return Double.isFinite(value) && !number.matches(".*[dDfFxX]$")
+                    ? OptionalDouble.of(value)
+                    : OptionalDouble.empty();
+        } catch (NumberFormatException noNumber) {
+            return OptionalDouble.empty();
+        }
+    }
+}

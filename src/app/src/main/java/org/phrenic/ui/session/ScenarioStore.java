@@ -1,0 +1,121 @@
+package org.phrenic.ui.session;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
+import org.phrenic.scenario.Scenario;
+
+/** Settings by name: scenario files in one folder, which {@code phrenic run} takes as well. */
+public final class ScenarioStore {
+    private static final String SUFFIX = ".yaml";
+    private static final int LONGEST_NAME = 60;
+
+    private final Path folder;
+
+    public ScenarioStore(Path folder) {
+        this.folder = folder;
+    }
+
+    /**
+     * Where the platform wants an application's data.
+     *
+     * @param system name of the operating system
+     * @param environment variables by name, null for one that is not set
+     * @param home of the user
+     */
+    static Path folderOf(String system, UnaryOperator<String> environment, Path home) {
+        String name = system.toLowerCase(Locale.ROOT);
+        Path data;
+        if (name.contains("mac")) {
+            data = home.resolve("Library/Application Support/Phrenic");
+        } else if (name.contains("win")) {
+            String roaming = environment.apply("APPDATA");
+            data = (roaming == null ? home.resolve("AppData/Roaming") : Path.of(roaming)).resolve("Phrenic");
+        } else {
+            String xdg = environment.apply("XDG_DATA_HOME");
+            data = (xdg == null || xdg.isBlank() ? home.resolve(".local/share") : Path.of(xdg)).resolve("phrenic");
+        }
+        return data.resolve("settings");
+    }
+
+    /** The store of this user. */
+    public static ScenarioStore ofUser() {
+        return new ScenarioStore(folderOf(
+                System.getProperty("os.name", ""), System::getenv, Path.of(System.getProperty("user.home", "."))));
+    }
+
+    /** Names of what is stored, in alphabetical order. */
+    public List<String> names() {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(file -> file.endsWith(SUFFIX) && !file.startsWith("."))
+                    .map(file -> file.substring(0, file.length() - SUFFIX.length()))
+                    .sorted(String.CASE_INSENSITIVE_ORDER.thenComparing(name -> name))
+                    .toList();
+        } catch (IOException e) {
+            throw new BadInputException(folder + ": cannot be listed: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Keeps a scenario under a name, in the place of what had that name.
+     *
+     * @throws BadInputException if no file can have that name
+     * @throws OutputException if it cannot be written
+     */
+    public void save(String name, Scenario scenario) {
+        YamlWriter.write(file(name), settings(name, scenario));
+    }
+
+    /** What a run did with the settings, its steps and changes, is no part of them. */
+    private static Map<String, Object> settings(String name, Scenario scenario) {
+        Map<String, Object> map = new LinkedHashMap<>(scenario.toMap());
+        map.put("name", name);
+        map.remove("steps");
+        map.remove("changes");
+        return map;
+    }
+
+    /**
+     * The scenario of a name.
+     *
+     * @throws BadInputException with one sentence, if there is none or it is no longer one
+     */
+    public Scenario load(String name) {
+        return Scenario.read(file(name));
+    }
+
+    /** Forgets a name; nothing if there is none. */
+    public void delete(String name) {
+        try {
+            Files.deleteIfExists(file(name));
+        } catch (IOException e) {
+            throw new OutputException(file(name) + ": cannot be deleted: " + e.getMessage(), e);
+        }
+    }
+
+    private Path file(String name) {
+        String plain = name.strip();
+        boolean usable = !plain.isEmpty()
+                && plain.length() <= LONGEST_NAME
+                && !plain.startsWith(".")
+                && plain.chars().noneMatch(c -> c < ' ' || "/\\:*?\"<>|".indexOf(c) >= 0);
+        if (!usable) {
+            throw new BadInputException("name of settings: found '" + name + "', expected 1 to " + LONGEST_NAME
+                    + " letters, digits, spaces, and no / \\ : * ? \" < > |");
+        }
+        return folder.resolve(plain + SUFFIX);
+    }
+}

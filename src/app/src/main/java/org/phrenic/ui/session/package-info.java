@@ -1,0 +1,2 @@
+/** The session that all parts of the window share: scenario, run, edits, undo. */
+package org.phrenic.ui.session;

@@ -1,0 +1,60 @@
+package org.phrenic.ui.view;
+
+import java.awt.Point;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.swing.SwingUtilities;
+
+/**
+ * The mouse in the view: left drag turns, middle or shift drag moves, the wheel enlarges towards the cursor, a click
+ * names, a double click turns the view about that place.
+ */
+final class CameraController extends MouseAdapter {
+    private static final double DEGREES_PER_PIXEL = 0.4;
+    private static final double ZOOM_PER_NOTCH = 1.15;
+
+    private final SceneViewport view;
+    private Point lastPoint = new Point();
+
+    CameraController(SceneViewport view) {
+        this.view = view;
+        view.addMouseListener(this);
+        view.addMouseMotionListener(this);
+        view.addMouseWheelListener(this);
+    }
+
+    @Override
+    public void mousePressed(MouseEvent e) {
+        lastPoint = e.getPoint();
+        view.requestFocusInWindow();
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent e) {
+        double dx = e.getX() - lastPoint.getX();
+        double dy = e.getY() - lastPoint.getY();
+        lastPoint = e.getPoint();
+        if (SwingUtilities.isMiddleMouseButton(e) || e.isShiftDown()) {
+            view.setCamera(view.camera().pan(dx, dy, view.getHeight()));
+        } else if (SwingUtilities.isLeftMouseButton(e)) {
+            view.setCamera(view.camera().orbit(-DEGREES_PER_PIXEL * dx, DEGREES_PER_PIXEL * dy));
+        }
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent e) {
+        if (view.tool().isPresent() && view.tool().get().wheelTurned(e)) {
+            return;
+        }
+        double factor = Math.pow(ZOOM_PER_NOTCH, -e.getPreciseWheelRotation());
+        view.setCamera(view.camera().zoom(factor, e.getX(), e.getY(), view.getWidth(), view.getHeight()));
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent e) {
+        if (SwingUtilities.isLeftMouseButton(e)) {
+            view.click(e.getX(), e.getY(), e.getClickCount() == 2);
+        }
+    }
+}

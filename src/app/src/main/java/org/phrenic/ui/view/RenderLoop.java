@@ -1,0 +1,293 @@
+package org.phrenic.ui.view;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import org.phrenic.scene.AccessMapField;
+import org.phrenic.scene.DistanceField;
+import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.camera.PickResult;
+import org.phrenic.scene.camera.Picker;
+import org.phrenic.scene.gl.GraphicsInfo;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.scene.gl.OffscreenContext;
+import org.phrenic.scene.gl.Renderer;
+import org.phrenic.scene.style.ColourField;
+import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.simulation.live.LiveRun;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Draws the scene on a thread of its own, so that neither the window nor the simulation waits for a picture: a picture
+ * is drawn when there is a new frame, or when camera or style changed, and at most {@value #MAX_FRAMES_PER_S} times a
+ * second. Where the processor draws, pictures come less often while the simulation cannot keep its pace, down to one in
+ * {@value #MAX_FRAME_MS} ms. Everything about OpenGL stays on this thread.
+ */
+public final class RenderLoop implements AutoCloseable {
+    /** Told what was drawn; on the drawing thread. */
+    interface Listener {
+        void onFrame(RenderedFrame picture);
+
+        /** Pictures can be made, by this. */
+        void onReady(GraphicsInfo info);
+
+        /** No picture can be made on this machine, and why. */
+        void onUnavailable(String sentence);
+    }
+
+    /** Of what the distances are that the renderer holds. */
+    private record DistanceKey(long scene, long step, DistanceField from, String structure) {}
+
+    /** What is shown besides the scene; asked on the drawing thread before each picture. */
+    public interface MarkSource {
+        Optional<NeedleMarkers> current();
+    }
+
+    private static final int MAX_FRAMES_PER_S = 60;
+    private static final long MIN_FRAME_NS = 1_000_000_000L / MAX_FRAMES_PER_S;
+    private static final long POLL_NS = 5_000_000;
+    private static final long MAX_FRAME_MS = 80;
+    private static final long SLOW_DOWN_NS = 4_000_000;
+    private static final long SPEED_UP_NS = 500_000;
+    private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
+
+    private final LiveRun live;
+    private final Listener viewer;
+    private volatile MarkSource markSource = Optional::empty;
+    private final Thread thread = new Thread(this::run, "phrenic-view");
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Queue<Consumer<OffscreenContext>> tasks = new ArrayDeque<>();
+    private final ImagePool imagePool = new ImagePool();
+    private RenderRequest requested;
+    private long version;
+    private boolean closed;
+
+    private LiveScene scene;
+    private Renderer renderer;
+    private Picker picker;
+    private Frame frame;
+    private DistanceKey shownDistances;
+    private Optional<NeedleMarkers> shownMarks = Optional.empty();
+    private Optional<AccessMapField> shownAccess = Optional.empty();
+    private int historyFrame = -1;
+    private long drawnVersion;
+    private long minFrameNs = MIN_FRAME_NS;
+
+    RenderLoop(LiveRun live, Listener viewer) {
+        this.live = live;
+        this.viewer = viewer;
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    /** Asks for another picture; of several asked for in a row the last counts. */
+    void request(RenderRequest wanted) {
+        update(() -> {
+            requested = wanted;
+            version++;
+        });
+    }
+
+    /** From now on shows what this says besides the scene. */
+    void setMarkSource(MarkSource with) {
+        update(() -> markSource = with);
+    }
+
+    /** Does something with what draws, on the drawing thread. */
+    void runTask(Consumer<OffscreenContext> what) {
+        update(() -> tasks.add(what));
+    }
+
+    /** Makes a picture of the frame at hand of any size; {@code done} is told on the drawing thread. */
+    void snapshot(Camera camera, SceneStyle style, int width, int height, Consumer<BufferedImage> done) {
+        update(() -> tasks.add(gl -> {
+            if (renderer != null) {
+                done.accept(gl.render(
+                        renderer, frame, camera, NeedleMarkers.apply(shownMarks, renderer, style), width, height));
+            }
+        }));
+    }
+
+    /** Looks for what lies under a pixel, as opaque as it is said to be; {@code done} is told on the drawing thread. */
+    void pick(
+            double px,
+            double py,
+            RenderRequest at,
+            ToDoubleFunction<Surface> opacity,
+            Consumer<Optional<PickResult>> done) {
+        update(() -> tasks.add(gl -> {
+            if (scene != null && scene.id() == at.scene().id()) {
+                if (picker == null) {
+                    picker = new Picker(scene.surfaces());
+                }
+                double[] sight = at.camera().ray(px, py, at.width(), at.height());
+                done.accept(picker.pick(frame, sight, opacity));
+            }
+        }));
+    }
+
+    private void update(Runnable what) {
+        lock.lock();
+        try {
+            what.run();
+        } finally {
+            lock.unlock();
+        }
+        LockSupport.unpark(thread);
+    }
+
+    private void run() {
+        try (OffscreenContext gl = OffscreenContext.open()) {
+            LOG.log(System.Logger.Level.INFO, "Pictures by {0}", gl.info());
+            viewer.onReady(gl.info());
+            loop(gl);
+        } catch (NoGraphicsException e) {
+            viewer.onUnavailable(e.getMessage());
+        } catch (RuntimeException e) {
+            LOG.log(System.Logger.Level.ERROR, "The view stopped", e);
+            viewer.onUnavailable("The view stopped (" + e.getMessage() + "); everything else goes on.");
+        }
+    }
+
+    private void loop(OffscreenContext gl) {
+        while (true) {
+            RenderRequest wanted;
+            long now;
+            Consumer<OffscreenContext> task;
+            lock.lock();
+            try {
+                wanted = requested;
+                now = version;
+                task = tasks.poll();
+                if (closed) {
+                    return;
+                }
+            } finally {
+                lock.unlock();
+            }
+            long begun = System.nanoTime();
+            if (wanted != null) {
+                setScene(gl, wanted.scene());
+            }
+            boolean busy = task != null;
+            if (busy) {
+                task.accept(gl);
+            }
+            if (wanted != null && wanted.width() > 0 && wanted.height() > 0) {
+                Optional<BufferedImage> canvas = imagePool.acquire(wanted.width(), wanted.height());
+                if (canvas.isPresent()) {
+                    busy |= draw(gl, wanted, now != drawnVersion, canvas.get());
+                    drawnVersion = now;
+                }
+            }
+            if (busy) {
+                adaptFrameRate(gl.info());
+            }
+            park(busy ? Math.max(0, minFrameNs - (System.nanoTime() - begun)) : POLL_NS);
+        }
+    }
+
+    /** Where pictures cost the simulation its time, they become rarer at once and slowly more often again. */
+    private void adaptFrameRate(GraphicsInfo info) {
+        long wanted = minFrameNs + (live.isBehindRealTime() ? SLOW_DOWN_NS : -SPEED_UP_NS);
+        minFrameNs =
+                info.software() ? Math.max(MIN_FRAME_NS, Math.min(MAX_FRAME_MS * 1_000_000, wanted)) : MIN_FRAME_NS;
+    }
+
+    /** Takes back the image of a picture that is no longer shown. */
+    void release(RenderedFrame old) {
+        imagePool.release(old.image());
+    }
+
+    /** Takes over the scene that is asked for, before anything is drawn of it or looked for in it. */
+    private void setScene(OffscreenContext gl, LiveScene wanted) {
+        if (scene == null || scene.id() != wanted.id()) {
+            scene = wanted;
+            if (renderer != null) {
+                gl.release(renderer);
+            }
+            List<Surface> all = new ArrayList<>(scene.surfaces());
+            all.addAll(NeedleMarkers.surfaces());
+            renderer = new Renderer(all, scene.overlays());
+            shownAccess = Optional.empty();
+            picker = null;
+            frame = scene.newFrame().get();
+        }
+    }
+
+    /** Draws if there is anything new. */
+    private boolean draw(OffscreenContext gl, RenderRequest wanted, boolean asAsked, BufferedImage canvas) {
+        boolean fresh = wanted.historyFrame() < 0
+                ? live.copyNewestFrame(frame)
+                : wanted.historyFrame() != historyFrame && takeHistoryFrame(wanted.historyFrame());
+        historyFrame = wanted.historyFrame();
+        Optional<NeedleMarkers> now = historyFrame < 0 ? markSource.current() : Optional.empty();
+        boolean same = now.equals(shownMarks);
+        shownMarks = now;
+        if (!fresh && !asAsked && same) {
+            imagePool.release(canvas);
+            return false;
+        }
+        if (wanted.style().field() == ColourField.DISTANCE) {
+            wanted.reference()
+                    .ifPresent(field -> colourByDistance(field, wanted.style().fieldStructure()));
+        }
+        if (!wanted.accessColours().equals(shownAccess)) {
+            shownAccess = wanted.accessColours();
+            shownAccess.ifPresent(field -> field.upload(renderer));
+        }
+        SceneStyle style = NeedleMarkers.apply(shownMarks, renderer, wanted.style());
+        gl.run(context -> {
+            renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
+            renderer.readPixels(context, canvas);
+        });
+        viewer.onFrame(
+                new RenderedFrame(canvas, wanted, frame.step(), timeText(wanted), shownMarks, renderer.statistics()));
+        return true;
+    }
+
+    /** Colours a structure by its distances, unless they are those of the last picture. */
+    private void colourByDistance(DistanceField field, String structure) {
+        DistanceKey now = new DistanceKey(scene.id(), frame.step(), field, structure);
+        if (!now.equals(shownDistances)) {
+            field.upload(renderer, frame, structure);
+            shownDistances = now;
+        }
+    }
+
+    private String timeText(RenderRequest wanted) {
+        return Annotations.timestamp(
+                frame.timeS(), wanted.historyFrame() < 0 ? live.status().phaseLabel() : "recorded");
+    }
+
+    private boolean takeHistoryFrame(int index) {
+        RunHistory history = live.history();
+        return history != null && history.frame(index, frame);
+    }
+
+    /** Waits so long, or until there is something to do; {@link #update} wakes it. */
+    private static void park(long ns) {
+        LockSupport.parkNanos(ns);
+    }
+
+    /** Ends the thread; what it held of the driver goes with it. */
+    @Override
+    public void close() {
+        update(() -> closed = true);
+    }
+}

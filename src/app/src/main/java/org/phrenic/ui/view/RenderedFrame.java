@@ -1,0 +1,24 @@
+package org.phrenic.ui.view;
+
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.scene.gl.FrameStatistics;
+
+/**
+ * A picture of the scene and what it was made of.
+ *
+ * @param image pixels
+ * @param request what was asked for
+ * @param step of the simulation that is shown
+ * @param timeText time and place in the breath
+ * @param needleMarks needle and target in it
+ * @param cost of drawing it
+ */
+public record RenderedFrame(
+        BufferedImage image,
+        RenderRequest request,
+        long step,
+        String timeText,
+        Optional<NeedleMarkers> needleMarks,
+        FrameStatistics cost) {}

@@ -1,0 +1,2 @@
+/** The 3D view and the thread that draws it. */
+package org.phrenic.ui.view;

@@ -1,0 +1,93 @@
+package org.phrenic.ui.widget;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/**
+ * Where a value stands on a slider. Linear; logarithmic, x = min (max / min)^s, where the range spans more than a
+ * decade and a half; from zero on, where a value in use is small against the range, the first place is zero and the
+ * others are logarithmic.
+ *
+ * @param minimum value of place 0
+ * @param maximum value of place {@link #POSITIONS}
+ * @param firstPositive value of place 1 of a logarithmic scale that begins at zero; value of place 0 of one that does
+ *     not; 0 for a linear scale
+ */
+public record SliderScale(double minimum, double maximum, double firstPositive) {
+    /** Last place of the slider. */
+    public static final int POSITIONS = 400;
+
+    private static final double MIN_LOG_RATIO = 31.6;
+    private static final double SMALL_FRACTION = 0.06;
+    private static final double FIRST_POSITIVE_FRACTION = 0.01;
+    // Three digits tell neighbours apart that differ by more than 1.5 %.
+    private static final double FINE_RATIO = 1.015;
+    private static final MathContext DIGITS = new MathContext(3);
+    private static final MathContext FINE_DIGITS = new MathContext(4);
+
+    /**
+     * The scale for a range.
+     *
+     * @param usual a value in use, such as the default; NaN if none is known
+     */
+    public static SliderScale of(double minimum, double maximum, double usual) {
+        if (minimum > 0) {
+            return new SliderScale(minimum, maximum, maximum / minimum > MIN_LOG_RATIO ? minimum : 0);
+        }
+        boolean small = usual > 0 && usual < SMALL_FRACTION * maximum;
+        return new SliderScale(minimum, maximum, small ? FIRST_POSITIVE_FRACTION * usual : 0);
+    }
+
+    boolean isLogarithmic() {
+        return firstPositive > 0;
+    }
+
+    /** The place nearest to a value; values beyond the range are at its ends. */
+    public int positionOf(double value) {
+        if (!isLogarithmic()) {
+            return clamp(Math.round(POSITIONS * (value - minimum) / (maximum - minimum)));
+        }
+        if (value <= minimum) {
+            return 0;
+        }
+        int first = firstLogPosition();
+        double share = Math.log(Math.max(value, firstPositive) / firstPositive) / Math.log(maximum / firstPositive);
+        return clamp(first + Math.round(share * (POSITIONS - first)));
+    }
+
+    /** The value at a place: the ends exactly, between them a number of few digits. */
+    public double valueAt(int place) {
+        if (place <= 0) {
+            return minimum;
+        }
+        if (place >= POSITIONS) {
+            return maximum;
+        }
+        if (isLogarithmic()) {
+            int first = firstLogPosition();
+            double share = (place - first) / (double) (POSITIONS - first);
+            double ratio = Math.pow(maximum / firstPositive, 1.0 / (POSITIONS - first));
+            return round(
+                    firstPositive * Math.pow(maximum / firstPositive, share),
+                    ratio < FINE_RATIO ? FINE_DIGITS : DIGITS);
+        }
+        double step = (maximum - minimum) / POSITIONS;
+        int decimals = (int) -Math.floor(Math.log10(step));
+        return new BigDecimal(minimum + place * step)
+                .setScale(decimals, RoundingMode.HALF_EVEN)
+                .doubleValue();
+    }
+
+    private int firstLogPosition() {
+        return firstPositive > minimum ? 1 : 0;
+    }
+
+    private static double round(double value, MathContext digits) {
+        return new BigDecimal(value).round(digits).doubleValue();
+    }
+
+    private static int clamp(long place) {
+        return (int) Math.max(0, Math.min(POSITIONS, place));
+    }
+}

@@ -1,0 +1,62 @@
+package org.phrenic.ui.window;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.ActionEvent;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
+import javax.swing.SwingWorker;
+import org.phrenic.ui.session.Session;
+
+/**
+ * Puts the line that runs again, without a window, what was run so far on the clipboard. The simulation answers between
+ * two steps, which is waited for off the event thread.
+ */
+public final class CopyCommandAction extends AbstractAction {
+    private final transient Session session;
+    private final transient Supplier<Clipboard> clipboard;
+
+    public CopyCommandAction(Session session) {
+        this(session, () -> Toolkit.getDefaultToolkit().getSystemClipboard());
+    }
+
+    CopyCommandAction(Session session, Supplier<Clipboard> clipboard) {
+        super("Copy as command");
+        this.session = session;
+        this.clipboard = clipboard;
+        putValue(
+                SHORT_DESCRIPTION,
+                "Puts the line on the clipboard that gives the same numbers, same state_sha256, without a window");
+    }
+
+    @Override
+    public void actionPerformed(ActionEvent e) {
+        copy(line -> session.showMessage(Session.Message.Kind.NOTE, "Copied: " + line));
+    }
+
+    /** Copies, then tells {@code done} the line on the event thread. */
+    void copy(Consumer<String> done) {
+        new SwingWorker<String, Void>() {
+            @Override
+            protected String doInBackground() {
+                return session.live().command();
+            }
+
+            @Override
+            protected void done() {
+                try {
+                    String line = get();
+                    clipboard.get().setContents(new StringSelection(line), null);
+                    done.accept(line);
+                } catch (InterruptedException interrupted) {
+                    Thread.currentThread().interrupt();
+                } catch (java.util.concurrent.ExecutionException | IllegalStateException failure) {
+                    session.showMessage(
+                            Session.Message.Kind.REFUSED, "The clipboard took no text: " + failure.getMessage());
+                }
+            }
+        }.execute();
+    }
+}

@@ -1,0 +1,131 @@
+package org.phrenic.ui.window;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.EnumMap;
+import java.util.Map;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import org.phrenic.ui.session.WindowPreferences;
+
+/** The view in the middle, docks left, right and below; their sizes are remembered, and each can be put away. */
+final class DockLayout extends JPanel {
+    /** Where a dock stands. */
+    enum Place {
+        LEFT(288),
+        RIGHT(368),
+        BOTTOM(228);
+
+        private final int size;
+
+        Place(int size) {
+            this.size = size;
+        }
+    }
+
+    private static final int DIVIDER_SIZE = 5;
+    private static final int MIN_VIEW_SIZE = 280;
+
+    private final transient WindowPreferences preferences;
+    private final JSplitPane left = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
+    private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
+    private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
+    private boolean laidOut;
+
+    DockLayout(WindowPreferences preferences, JComponent view) {
+        super(new BorderLayout());
+        this.preferences = preferences;
+        view.setMinimumSize(new Dimension(MIN_VIEW_SIZE, MIN_VIEW_SIZE / 2));
+        right.setLeftComponent(view);
+        right.setResizeWeight(1);
+        left.setRightComponent(right);
+        bottom.setTopComponent(left);
+        bottom.setResizeWeight(1);
+        for (JSplitPane pane : new JSplitPane[] {left, right, bottom}) {
+            pane.setBorder(null);
+            pane.setContinuousLayout(true);
+        }
+        for (Place place : Place.values()) {
+            sizes.put(place, preferences.number("dock." + place.name(), place.size));
+        }
+        add(bottom);
+    }
+
+    /** Puts a component where a dock stands; null puts the place away. */
+    void setDock(Place place, JComponent dock) {
+        if (laidOut && dock(place) != null) {
+            sizes.put(place, size(place));
+        }
+        if (dock != null) {
+            dock.setMinimumSize(new Dimension(120, 90));
+        }
+        switch (place) {
+            case LEFT -> left.setLeftComponent(dock);
+            case RIGHT -> right.setRightComponent(dock);
+            case BOTTOM -> bottom.setBottomComponent(dock);
+        }
+        splitPane(place).setDividerSize(dock == null ? 0 : DIVIDER_SIZE);
+        if (laidOut) {
+            applySizes();
+        }
+    }
+
+    /** The dock that stands there; null for none. */
+    Component dock(Place place) {
+        return switch (place) {
+            case LEFT -> left.getLeftComponent();
+            case RIGHT -> right.getRightComponent();
+            case BOTTOM -> bottom.getBottomComponent();
+        };
+    }
+
+    private JSplitPane splitPane(Place place) {
+        return switch (place) {
+            case LEFT -> left;
+            case RIGHT -> right;
+            case BOTTOM -> bottom;
+        };
+    }
+
+    private int size(Place place) {
+        Component dock = dock(place);
+        return place == Place.BOTTOM ? dock.getHeight() : dock.getWidth();
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        if (!laidOut && getWidth() > 0) {
+            laidOut = true;
+            applySizes();
+        }
+    }
+
+    /** Gives every dock its size; the view has the rest. */
+    private void applySizes() {
+        validate();
+        if (dock(Place.BOTTOM) != null) {
+            int size = sizes.get(Place.BOTTOM) + DIVIDER_SIZE;
+            bottom.setDividerLocation(Math.max(MIN_VIEW_SIZE / 2, getHeight() - size));
+        }
+        if (dock(Place.LEFT) != null) {
+            left.setDividerLocation(sizes.get(Place.LEFT));
+        }
+        bottom.validate();
+        if (dock(Place.RIGHT) != null) {
+            right.setDividerLocation(Math.max(MIN_VIEW_SIZE, right.getWidth() - DIVIDER_SIZE - sizes.get(Place.RIGHT)));
+        }
+        revalidate();
+    }
+
+    /** Remembers the sizes. */
+    void saveSizes() {
+        for (Place place : Place.values()) {
+            int size = dock(place) != null && laidOut ? size(place) : sizes.get(place);
+            preferences.setNumber("dock." + place.name(), size);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package org.phrenic.ui.window;
+
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.TransferHandler;
+
+/** Takes a scenario, a thorax folder or a trace that is dropped on the window. */
+final class FileDropHandler extends TransferHandler {
+    private final transient Consumer<Path> open;
+    private final transient Consumer<String> refuse;
+
+    /**
+     * @param open told the file
+     * @param refuse told in one sentence what is wrong with what was dropped
+     */
+    FileDropHandler(Consumer<Path> open, Consumer<String> refuse) {
+        this.open = open;
+        this.refuse = refuse;
+    }
+
+    @Override
+    public boolean canImport(TransferSupport support) {
+        return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
+    }
+
+    @Override
+    public boolean importData(TransferSupport support) {
+        try {
+            List<?> files = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
+            if (files.size() != 1) {
+                refuse.accept("found " + files.size() + " files, expected one scenario, thorax folder or trace");
+                return false;
+            }
+            open.accept(((File) files.get(0)).toPath());
+            return true;
+        } catch (UnsupportedFlavorException | IOException e) {
+            refuse.accept("what was dropped could not be read (" + e.getMessage() + "), expected a file");
+            return false;
+        }
+    }
+}

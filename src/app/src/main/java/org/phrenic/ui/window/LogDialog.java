@@ -1,0 +1,114 @@
+package org.phrenic.ui.window;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.datatransfer.StringSelection;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.SwingUtilities;
+
+/** What was logged since the window opened, to read and to copy. */
+final class LogDialog extends Handler {
+    private static final int MAX_LINES = 2_000;
+    private static final String LOGGER_NAME = "org.phrenic";
+
+    private final DefaultListModel<String> lines = new DefaultListModel<>();
+    private final SimpleFormatter formatter = new SimpleFormatter();
+    private final DateTimeFormatter clock =
+            DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+
+    /** The program's logger; held here so that it keeps this handler. */
+    private final Logger logger = Logger.getLogger(LOGGER_NAME);
+
+    private JDialog dialog;
+
+    /** Starts to listen. */
+    LogDialog() {
+        setLevel(Level.INFO);
+        logger.addHandler(this);
+    }
+
+    @Override
+    public void publish(LogRecord record) {
+        if (isLoggable(record)) {
+            String line = clock.format(Instant.ofEpochMilli(record.getMillis())) + "  "
+                    + record.getLevel().getName().toLowerCase(java.util.Locale.ROOT) + "  "
+                    + formatter.formatMessage(record)
+                    + (record.getThrown() == null ? "" : " (" + record.getThrown() + ")");
+            SwingUtilities.invokeLater(() -> add(line));
+        }
+    }
+
+    private void add(String line) {
+        if (lines.size() == MAX_LINES) {
+            lines.remove(0);
+        }
+        lines.addElement(line);
+    }
+
+    /** Opens it beside a window. */
+    void showDialog(Window owner) {
+        if (dialog == null) {
+            dialog = createDialog(owner);
+        }
+        dialog.setLocationRelativeTo(owner);
+        dialog.setVisible(true);
+    }
+
+    private JDialog createDialog(Window owner) {
+        JList<String> list = new JList<>(lines);
+        list.getAccessibleContext().setAccessibleName("Log");
+        JButton copy = new JButton("Copy");
+        copy.setToolTipText("Copy the chosen lines, or all of them");
+        copy.addActionListener(e -> copy(list.getSelectedValuesList()));
+        JPanel foot = new JPanel(new BorderLayout());
+        foot.add(copy, BorderLayout.EAST);
+        foot.setBorder(BorderFactory.createEmptyBorder(8, 0, 0, 0));
+        JPanel content = new JPanel(new BorderLayout());
+        content.setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
+        content.add(new JScrollPane(list));
+        content.add(foot, BorderLayout.SOUTH);
+        JDialog made = new JDialog(owner, "Log");
+        made.setContentPane(content);
+        made.setSize(new Dimension(760, 320));
+        HelpDialogs.closeOnEscape(made);
+        return made;
+    }
+
+    private void copy(List<String> chosen) {
+        List<String> which = chosen.isEmpty() ? java.util.Collections.list(lines.elements()) : chosen;
+        Toolkit.getDefaultToolkit()
+                .getSystemClipboard()
+                .setContents(new StringSelection(String.join("\n", which)), null);
+    }
+
+    @Override
+    public void flush() {
+        // Nothing is held back.
+    }
+
+    /** Stops listening. */
+    @Override
+    public void close() {
+        logger.removeHandler(this);
+        if (dialog != null) {
+            dialog.dispose();
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package org.phrenic.ui.window;
+
+import java.awt.Dimension;
+import javax.swing.JComponent;
+import javax.swing.JLayeredPane;
+
+/**
+ * The view with the welcome card above it, and over it what comes and goes: a banner at the top, how far loading is at
+ * the bottom.
+ */
+final class OverlayPane extends JLayeredPane {
+    private static final int MARGIN = 14;
+    private static final int BOTTOM_MARGIN = 34;
+    private static final int MAX_BANNER_WIDTH = 620;
+
+    private final JComponent view;
+    private final MessageBanner banner;
+    private final LoadingPanel loading;
+    private final WelcomePanel welcome;
+
+    OverlayPane(JComponent view, MessageBanner banner, LoadingPanel loading, WelcomePanel welcome) {
+        this.view = view;
+        this.banner = banner;
+        this.loading = loading;
+        this.welcome = welcome;
+        add(view, DEFAULT_LAYER);
+        add(welcome, PALETTE_LAYER);
+        add(loading, PALETTE_LAYER);
+        add(banner, MODAL_LAYER);
+        setMinimumSize(view.getMinimumSize());
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(640, 480);
+    }
+
+    @Override
+    public boolean isOptimizedDrawingEnabled() {
+        return false;
+    }
+
+    @Override
+    public void doLayout() {
+        int w = getWidth();
+        int h = getHeight();
+        int top = welcome.isVisible() ? welcome.getPreferredSize().height : 0;
+        welcome.setBounds(0, 0, w, top);
+        view.setBounds(0, top, w, Math.max(0, h - top));
+        Dimension b = banner.getPreferredSize();
+        int wide = Math.max(0, Math.min(Math.min(MAX_BANNER_WIDTH, b.width), w - 2 * MARGIN));
+        banner.setBounds((w - wide) / 2, top + MARGIN, wide, b.height);
+        Dimension l = loading.getPreferredSize();
+        wide = Math.max(0, Math.min(l.width, w - 2 * MARGIN));
+        loading.setBounds((w - wide) / 2, h - BOTTOM_MARGIN - l.height, wide, l.height);
+    }
+}

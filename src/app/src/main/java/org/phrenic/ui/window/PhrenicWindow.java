@@ -1,0 +1,314 @@
+package org.phrenic.ui.window;
+
+import java.awt.AWTError;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.style.SceneBackground;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.dock.ParameterDock;
+import org.phrenic.ui.session.FileOpener;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.WindowPreferences;
+import org.phrenic.ui.session.Workspace;
+import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.widget.AppIcon;
+import org.phrenic.ui.widget.Theme;
+import org.phrenic.ui.widget.ThemeUpdater;
+
+/** The window: the breathing thorax in the middle, docks about it. Made and used on the event dispatch thread. */
+public final class PhrenicWindow {
+    private static final int MAX_WIDTH = 1440;
+    private static final int MAX_HEIGHT = 900;
+    private static final double SCREEN_SHARE = 0.94;
+
+    private final JFrame frame = new JFrame("Phrenic");
+    private final WindowPreferences preferences;
+    private final Session session;
+    private final AppearanceModel appearance = new AppearanceModel();
+    private final SceneViewport view;
+    private final DockManager docks;
+    private final DockLayout layout;
+    private final MessageBanner banner = new MessageBanner();
+    private final LoadingPanel loading;
+    private final WelcomePanel welcome;
+    private final StatusBar statusBar = new StatusBar();
+    private final LogDialog log = new LogDialog();
+    private final ThemeUpdater themeUpdater = new ThemeUpdater();
+    private final WindowFiles files;
+    private final MenuActions commands;
+    private final MainToolBar toolBar;
+    private final CountDownLatch closed = new CountDownLatch(1);
+
+    /** Whether a window can be opened here. A display that is named but does not answer counts as none. */
+    public static boolean isPossible() {
+        if (GraphicsEnvironment.isHeadless()) {
+            return false;
+        }
+        try {
+            return GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError e) {
+            return false;
+        }
+    }
+
+    /**
+     * Opens the window and returns when it was closed.
+     *
+     * @param file scenario, thorax folder or trace to open; empty for a quiet breath of the virtual adult male
+     * @throws org.phrenic.format.BadInputException with one sentence, if the file is none of these
+     */
+    public static void open(Optional<Path> file) throws InterruptedException {
+        Scenario first = file.map(path -> FileOpener.readScenario(path, Scenario.defaults()))
+                .orElse(Scenario.defaults());
+        CountDownLatch[] closed = new CountDownLatch[1];
+        // The body is built while the window is.
+        Session session = new Session(first);
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                WindowPreferences preferences = WindowPreferences.ofUser();
+                file.ifPresent(preferences::addRecent);
+                PhrenicWindow window = new PhrenicWindow(preferences, session);
+                window.show();
+                closed[0] = window.closed;
+            });
+        } catch (java.lang.reflect.InvocationTargetException e) {
+            throw new IllegalStateException(
+                    "the window could not be opened: " + e.getCause().getMessage(), e);
+        }
+        closed[0].await();
+    }
+
+    public PhrenicWindow(WindowPreferences preferences, Session session) {
+        this.preferences = preferences;
+        this.session = session;
+        Theme.install(preferences.isDark());
+        SwingUtilities.updateComponentTreeUI(banner);
+        SwingUtilities.updateComponentTreeUI(statusBar);
+        SwingUtilities.updateComponentTreeUI(frame);
+        view = new SceneViewport(session, appearance);
+        loading = new LoadingPanel(() -> session.live().cancelLoading());
+        welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
+        files = new WindowFiles(frame, session, view, preferences, this::openExercise);
+        commands = new MenuActions(session, view, new WindowActions(this));
+        toolBar = new MainToolBar(commands, session, view, this::showWorkspace);
+        layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, welcome));
+        docks = new DockManager(session, appearance, view, layout, preferences);
+        view.setPickListener(statusBar::showPicked);
+        assemble();
+        session.addListener(new SessionListener());
+    }
+
+    private void assemble() {
+        applyBackground();
+        applyWorkspace(preferences.workspace());
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent e) {
+                close();
+            }
+        });
+        frame.setJMenuBar(new MainMenuBar(commands, preferences, session, files::open, this::showWorkspace));
+        frame.getContentPane().add(toolBar, BorderLayout.NORTH);
+        frame.getContentPane().add(layout, BorderLayout.CENTER);
+        frame.getContentPane().add(statusBar, BorderLayout.SOUTH);
+        frame.getRootPane()
+                .setTransferHandler(new FileDropHandler(
+                        files::open, text -> session.showMessage(Session.Message.Kind.REFUSED, text)));
+        NumericKeypad.bind(frame.getRootPane(), commands.views);
+        frame.setIconImages(AppIcon.images());
+        frame.setMinimumSize(new Dimension(760, 520));
+        restoreBounds();
+        toolBar.refresh(session);
+    }
+
+    /** Where it was, if that is still on a screen. */
+    private void restoreBounds() {
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        int w = Math.min(MAX_WIDTH, (int) (SCREEN_SHARE * screen.width));
+        int h = Math.min(MAX_HEIGHT, (int) (SCREEN_SHARE * screen.height));
+        Rectangle last = new Rectangle(
+                preferences.number("x", screen.x + (screen.width - w) / 2),
+                preferences.number("y", screen.y + (screen.height - h) / 2),
+                preferences.number("width", w),
+                preferences.number("height", h));
+        frame.setBounds(screen.intersects(last) ? last : new Rectangle(screen.x, screen.y, w, h));
+        if (preferences.flag("maximised", false)) {
+            frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
+        }
+    }
+
+    public void show() {
+        frame.setVisible(true);
+        view.requestFocusInWindow();
+    }
+
+    /** Goes through one of the doors. */
+    public void showWorkspace(Workspace arrangement) {
+        dismissWelcome();
+        preferences.setWorkspace(arrangement);
+        applyWorkspace(arrangement);
+    }
+
+    /** Opens a plan behind the clinician's door. */
+    void openExercise(RehearsalPlan plan) {
+        showWorkspace(Workspace.CLINICIAN);
+        docks.rehearsalController().open(plan);
+    }
+
+    private void applyWorkspace(Workspace arrangement) {
+        docks.arrange(arrangement);
+        toolBar.showWorkspace(arrangement);
+        statusBar.setNumericsVisible(arrangement == Workspace.RESEARCHER);
+        layout.revalidate();
+        layout.repaint();
+    }
+
+    private void dismissWelcome() {
+        welcome.setVisible(false);
+        welcome.getParent().revalidate();
+        view.requestFocusInWindow();
+    }
+
+    private void applyBackground() {
+        appearance.changeStyle(
+                style -> style.withBackground(Theme.isDark() ? SceneBackground.DARK : SceneBackground.LIGHT));
+    }
+
+    /** Changes between light and dark. */
+    void toggleTheme() {
+        boolean dark = !Theme.isDark();
+        preferences.setDark(dark);
+        Theme.install(dark);
+        themeUpdater.start(docks.components());
+        applyBackground();
+        toolBar.refresh(session);
+    }
+
+    /** Remembers what is to be remembered, and ends everything. */
+    public void close() {
+        boolean maximised = (frame.getExtendedState() & JFrame.MAXIMIZED_BOTH) == JFrame.MAXIMIZED_BOTH;
+        preferences.setFlag("maximised", maximised);
+        if (!maximised) {
+            preferences.setNumber("x", frame.getX());
+            preferences.setNumber("y", frame.getY());
+            preferences.setNumber("width", frame.getWidth());
+            preferences.setNumber("height", frame.getHeight());
+        }
+        layout.saveSizes();
+        frame.dispose();
+        log.close();
+        docks.rehearsalController().shutdown();
+        view.close();
+        // The simulation ends its step first; nobody needs to wait for that.
+        Thread end = new Thread(session::close, "phrenic-end");
+        end.start();
+        closed.countDown();
+    }
+
+    public JFrame frame() {
+        return frame;
+    }
+
+    Session session() {
+        return session;
+    }
+
+    public SceneViewport view() {
+        return view;
+    }
+
+    public DockManager docks() {
+        return docks;
+    }
+
+    MenuActions commands() {
+        return commands;
+    }
+
+    public WindowFiles files() {
+        return files;
+    }
+
+    LogDialog log() {
+        return log;
+    }
+
+    public MessageBanner banner() {
+        return banner;
+    }
+
+    /** Shows what the session says. */
+    private final class SessionListener implements Session.Listener {
+        private String limitSentence = "";
+
+        @Override
+        public void onLoading(String what, double share) {
+            if (view.frame().isEmpty() && !view.isUnavailable()) {
+                view.setPlaceholder("Building the thorax: " + what);
+            }
+            loading.show(what, share);
+            loading.getParent().revalidate();
+        }
+
+        @Override
+        public void onScene(LiveScene scene) {
+            statusBar.show(scene);
+            loading.setVisible(false);
+            frame.setTitle(scene.scenario().name() + " - Phrenic");
+            scene.notes().forEach(note -> System.getLogger(PhrenicWindow.class.getName())
+                    .log(System.Logger.Level.INFO, note));
+        }
+
+        @Override
+        public void onTick(RunStatus now) {
+            statusBar.show(now);
+            statusBar.showFrameRate(view.framesPerS());
+            if (!now.stabilityMessage().equals(limitSentence)) {
+                limitSentence = now.stabilityMessage();
+                if (!limitSentence.isEmpty()) {
+                    session.showMessage(Session.Message.Kind.NOTE, ParameterDock.limitInWords(now));
+                }
+            }
+        }
+
+        @Override
+        public void onChange() {
+            toolBar.refresh(session);
+        }
+
+        @Override
+        public void onScrub() {
+            toolBar.refresh(session);
+        }
+
+        @Override
+        public void onMessage(Session.Message message) {
+            System.getLogger(PhrenicWindow.class.getName()).log(System.Logger.Level.INFO, message.text());
+            if (message.kind() == Session.Message.Kind.DIVERGED) {
+                toolBar.refresh(session);
+                banner.show(message, Optional.of("Back to the last good state"), () -> {
+                    session.live().restoreLastGood();
+                    session.live().play();
+                });
+            } else {
+                banner.show(message);
+            }
+            loading.setVisible(loading.isVisible() && message.kind() == Session.Message.Kind.NOTE);
+        }
+    }
+}

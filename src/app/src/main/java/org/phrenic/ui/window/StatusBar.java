@@ -1,0 +1,114 @@
+package org.phrenic.ui.window;
+
+import java.awt.Font;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.widget.Theme;
+
+/**
+ * The line at the foot of the window: what was pointed at, and how far and how fast the simulation is. Always there;
+ * numbers keep their places.
+ */
+final class StatusBar extends JPanel {
+    private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
+    private final JLabel pickedLabel = new JLabel(" ");
+
+    StatusBar() {
+        super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
+        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.borderColour()));
+        pickedLabel.setName("pointed");
+        pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
+        add(pickedLabel, "growx, wmin 0");
+        addField("phase", "Phase of the breath", "post-expiratory");
+        addField("time", "Simulated time", "t 0000.00 s");
+        addField("step", "Steps since the start", "step 0 000 000");
+        addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
+        addField("steps", "Steps computed a second", "00 000 steps/s");
+        addField("realtime", "Simulated time over real time", "00.00x real time");
+        addField("frames", "Pictures drawn a second", "000 frames/s");
+        addField("nodes", "Nodes that springs move", "000 000 nodes");
+        for (String physics : new String[] {"dt", "steps", "step", "nodes"}) {
+            fields.get(physics).putClientProperty("physics", true);
+        }
+    }
+
+    private void addField(String name, String tip, String widest) {
+        JLabel label = new JLabel(" ");
+        label.setName("status." + name);
+        label.setToolTipText(tip);
+        label.getAccessibleContext().setAccessibleName(tip);
+        label.setForeground(Theme.secondaryText());
+        label.setHorizontalAlignment(JLabel.RIGHT);
+        label.setMinimumSize(new JLabel(widest).getPreferredSize());
+        fields.put(name, label);
+        add(label);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.borderColour()));
+        if (fields != null) {
+            fields.values().forEach(label -> label.setForeground(Theme.secondaryText()));
+        }
+    }
+
+    /** Shows the figures of the physics, or leaves them out. */
+    void setNumericsVisible(boolean shown) {
+        fields.values().stream()
+                .filter(label -> label.getClientProperty("physics") != null)
+                .forEach(label -> label.setVisible(shown));
+    }
+
+    void show(RunStatus s) {
+        set("phase", s.phaseLabel());
+        set("time", String.format(Locale.ROOT, "t %.2f s", s.timeS()));
+        set("step", "step " + withThousands(s.step()));
+        set(
+                "dt",
+                String.format(Locale.ROOT, "dt %s ms", trimmed(1000 * s.dtS()))
+                        + (s.substeps() > 1 ? " / " + s.substeps() : ""));
+        set("steps", withThousands(Math.round(s.stepsPerS())) + " steps/s");
+        set("realtime", String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()));
+        JLabel dt = fields.get("dt");
+        dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
+        dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.secondaryText() : Theme.warningText());
+    }
+
+    void show(LiveScene scene) {
+        set("nodes", withThousands(scene.nodes()) + " nodes");
+    }
+
+    void showFrameRate(double perSecond) {
+        set("frames", String.format(Locale.ROOT, "%.0f frames/s", perSecond));
+    }
+
+    /** What was pointed at. */
+    void showPicked(String text) {
+        pickedLabel.setText(text.isEmpty() ? " " : text);
+        pickedLabel.setFont(pickedLabel.getFont().deriveFont(text.isEmpty() ? Font.PLAIN : Font.BOLD));
+    }
+
+    private void set(String name, String text) {
+        JLabel label = fields.get(name);
+        if (!label.getText().equals(text)) {
+            label.setText(text);
+        }
+    }
+
+    private static String trimmed(double value) {
+        String text = String.format(Locale.ROOT, "%.3f", value);
+        return text.replaceFirst("\\.?0+$", "");
+    }
+
+    private static String withThousands(long value) {
+        return String.format(Locale.ROOT, "%,d", value).replace(',', ' ');
+    }
+}

@@ -1,0 +1,2 @@
+/** The window: menus, docks, files, preferences, status. */
+package org.phrenic.ui.window;

@@ -1,0 +1,155 @@
+package org.phrenic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.w3c.dom.Element;
+import org.w3c.dom.Node;
+import org.w3c.dom.NodeList;
+
+/**
+ * What a reader of the documents relies on: links lead somewhere, the list of dependencies is the build's, every
+ * package is introduced.
+ */
+class DocumentsTest {
+    private static final Pattern LINK = Pattern.compile("\\]\\(([^)\\s]+)\\)");
+    private static final Pattern HEADING = Pattern.compile("(?m)^#+ (.*)$");
+    private static final Pattern FENCE = Pattern.compile("(?ms)^```.*?^```$");
+    private static final Pattern ARTIFACT_ROW = Pattern.compile("(?m)^\\| `([^`]+)` \\| ([^ |]+) \\|");
+    private static final Pattern PROPERTY = Pattern.compile("\\$\\{(.*)}");
+
+    static Stream<Path> documents() throws IOException {
+        try (Stream<Path> docs = Files.list(Path.of("docs"))) {
+            List<Path> all = new ArrayList<>(
+                    docs.filter(p -> p.toString().endsWith(".md")).sorted().toList());
+            all.add(Path.of("README.md"));
+            return all.stream();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("documents")
+    void everyRelativeLinkLeadsToAFileAndAHeading(Path document) throws IOException {
+        for (String link : linksOf(document)) {
+            String[] parts = link.split("#", 2);
+            Path target = parts[0].isEmpty()
+                    ? document
+                    : document.toAbsolutePath().getParent().resolve(parts[0]);
+            assertThat(target).as("%s links to %s", document, link).exists();
+            if (parts.length == 2) {
+                assertThat(anchorsOf(target))
+                        .as("%s links to %s", document, link)
+                        .contains(parts[1]);
+            }
+        }
+    }
+
+    @Test
+    void everyDocumentIsReachedFromTheReadme() throws IOException {
+        List<String> links = linksOf(Path.of("README.md"));
+        assertThat(documents().filter(d -> d.startsWith("docs")))
+                .allMatch(d -> links.contains(d.toString().replace('\\', '/')));
+    }
+
+    @Test
+    void theListOfDependenciesIsThatOfTheBuild() throws Exception {
+        Map<String, String> listed = new TreeMap<>();
+        ARTIFACT_ROW
+                .matcher(Files.readString(Path.of("docs/dependencies.md")))
+                .results()
+                .forEach(row -> listed.put(row.group(1), row.group(2)));
+        assertThat(listed).isEqualTo(artifactsOfTheBuild());
+    }
+
+    @Test
+    void everyPackageIsIntroduced() throws IOException {
+        try (Stream<Path> sources = Files.walk(Path.of("src"))) {
+            assertThat(sources.filter(p -> p.toString().endsWith(".java"))
+                            .filter(p -> p.toString().contains("src" + File.separator + "main"))
+                            .map(Path::getParent)
+                            .distinct())
+                    .isNotEmpty()
+                    .allSatisfy(folder ->
+                            assertThat(folder.resolve("package-info.java")).exists());
+        }
+    }
+
+    private static List<String> linksOf(Path document) throws IOException {
+        return LINK.matcher(prose(document))
+                .results()
+                .map(link -> link.group(1))
+                .filter(link -> !link.contains("://") && !link.startsWith("mailto:"))
+                .toList();
+    }
+
+    /** Anchors as GitHub makes them of headings: lower case, spaces to hyphens, other punctuation dropped. */
+    private static List<String> anchorsOf(Path document) throws IOException {
+        return HEADING.matcher(prose(document))
+                .results()
+                .map(heading -> heading.group(1)
+                        .toLowerCase(Locale.ROOT)
+                        .replaceAll("[^\\p{L}\\p{N} _-]", "")
+                        .replace(' ', '-'))
+                .toList();
+    }
+
+    private static String prose(Path document) throws IOException {
+        return FENCE.matcher(Files.readString(document)).replaceAll("");
+    }
+
+    /** Artifact and version of every dependency, plugin and annotation processor in pom.xml. */
+    private static Map<String, String> artifactsOfTheBuild() throws Exception {
+        Element pom = DocumentBuilderFactory.newDefaultInstance()
+                .newDocumentBuilder()
+                .parse(Path.of("pom.xml").toFile())
+                .getDocumentElement();
+        Map<String, String> properties = new HashMap<>();
+        NodeList declared = pom.getElementsByTagName("properties").item(0).getChildNodes();
+        for (int i = 0; i < declared.getLength(); i++) {
+            properties.put(
+                    declared.item(i).getNodeName(),
+                    declared.item(i).getTextContent().strip());
+        }
+        Map<String, String> artifacts = new TreeMap<>();
+        NodeList found = pom.getElementsByTagName("artifactId");
+        for (int i = 0; i < found.getLength(); i++) {
+            String version = siblingText(found.item(i), "version");
+            if (found.item(i).getParentNode() != pom
+                    && version != null
+                    && !"org.phrenic".equals(siblingText(found.item(i), "groupId"))) {
+                MatchResult property =
+                        PROPERTY.matcher(version).results().findFirst().orElse(null);
+                artifacts.put(
+                        found.item(i).getTextContent().strip(),
+                        property == null ? version : properties.get(property.group(1)));
+            }
+        }
+        return artifacts;
+    }
+
+    private static String siblingText(Node node, String name) {
+        NodeList siblings = node.getParentNode().getChildNodes();
+        for (int i = 0; i < siblings.getLength(); i++) {
+            if (siblings.item(i).getNodeName().equals(name)) {
+                return siblings.item(i).getTextContent().strip();
+            }
+        }
+        return null;
+    }
+}

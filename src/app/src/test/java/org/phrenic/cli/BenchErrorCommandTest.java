@@ -1,0 +1,90 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.study.error.ErrorTable;
+
+class BenchErrorCommandTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void aQuickStudyLeavesTableReportChartAndRowsToChooseFrom() throws Exception {
+        Path table = folder.resolve("settings.csv");
+        CommandLineRun run = CommandLineRun.of(
+                "bench",
+                "error",
+                "--quick",
+                "--material",
+                "paper",
+                "--max-error",
+                "0.01",
+                "--write",
+                table.toString(),
+                "--out",
+                folder.toString());
+        assertThat(run.exitCode()).isZero();
+        assertThat(run.out()).contains("Reference: rk4", "front", "default", "For an error of at most 0.01 mm");
+        assertThat(Files.readString(folder.resolve("error.md"))).contains("## paper, low", "symplectic-euler");
+        assertThat(Files.readString(folder.resolve("error.json"))).contains("\"reference_halving_rms_mm\"");
+        assertThat(ErrorTable.read(folder.resolve("error.csv")).rows())
+                .isEqualTo(ErrorTable.read(table).rows())
+                .hasSizeGreaterThan(4);
+        BufferedImage chart = ImageIO.read(folder.resolve("error.png").toFile());
+        assertThat(chart.getWidth()).isEqualTo(1200);
+    }
+
+    @Test
+    void whatCannotBeMeasuredIsRefusedInASentenceBeforeAnythingRuns() {
+        assertRefused("expected any other key", "--set", "time_step_s=0.01");
+        assertRefused("expected one of", "--integrator", "leapfrog");
+        assertRefused("--sweeps", "--sweeps", "0");
+        assertRefused("--max-error", "--max-error", "none");
+    }
+
+    private static void assertRefused(String sentence, String... options) {
+        String[] all = new String[2 + options.length];
+        all[0] = "bench";
+        all[1] = "error";
+        System.arraycopy(options, 0, all, 2, options.length);
+        CommandLineRun run = CommandLineRun.of(all);
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains(sentence);
+    }
+
+    @Test
+    void aRunTakesTheCheapestSettingThatKeepsAnErrorAndSaysSo() throws Exception {
+        CommandLineRun run = CommandLineRun.of(
+                "run",
+                "--max-error",
+                "0.01",
+                "--material",
+                "paper",
+                "--resolution",
+                "low",
+                "--steps",
+                "2",
+                "--set",
+                "lungs=off",
+                "--out",
+                folder.toString());
+        assertThat(run.exitCode()).isZero();
+        assertThat(run.out()).contains("For an error of at most 0.01 mm");
+        assertThat(run.err()).contains("For an error of at most 0.01 mm");
+        assertThat(Files.readString(folder.resolve("summary.json"))).contains("\"chosen\": \"For an error");
+        assertThat(Files.readString(folder.resolve("scenario.yaml"))).contains("projection_sweeps:", "refresh_s:");
+    }
+
+    @Test
+    void anErrorThatNothingKeepsIsRefused() {
+        CommandLineRun run = CommandLineRun.of("run", "--max-error", "0.0001", "--material", "physical");
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("--max-error: found 0.0001 mm, expected at least");
+    }
+}

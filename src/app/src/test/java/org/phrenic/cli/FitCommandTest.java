@@ -1,0 +1,73 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+
+/** {@code phrenic fit}: what it refuses, in one sentence and before anything is written. */
+class FitCommandTest {
+    @TempDir
+    private Path folder;
+
+    private String mesh;
+
+    @BeforeEach
+    void write() {
+        Path file = folder.resolve("lung_R.ply");
+        MeshFiles.write(file, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9}, new int[] {
+            0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3
+        }));
+        mesh = file.toString();
+    }
+
+    private void assertBad(String sentence, String... more) {
+        Path out = folder.resolve("out");
+        String[] args = new String[more.length + 3];
+        args[0] = "fit";
+        System.arraycopy(more, 0, args, 1, more.length);
+        args[args.length - 2] = "--out";
+        args[args.length - 1] = out.toString();
+        CommandLineRun run = CommandLineRun.of(args);
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains(sentence).hasLineCount(1);
+        assertThat(out).doesNotExist();
+    }
+
+    @Test
+    void refusesWhatCannotBeFitted() throws IOException {
+        String body = "virtual/adult-male";
+        assertBad("found no THORAX, expected a body");
+        assertBad("found no --target, expected a body", body);
+        assertBad("found no folder 'nobody'", "nobody", "--target", mesh);
+        assertBad("no such file", body, "--target", "lungs=none.ply");
+        assertBad("found part 'spleen', expected PART=FILE with one of lungs,", body, "--target", "spleen=" + mesh);
+        assertBad(
+                "found an unknown parameter 'muscle_activatoin', did you mean",
+                body,
+                "--target",
+                mesh,
+                "--tune",
+                "muscle_activatoin");
+        assertBad("found bounds 1.0 to 0.5", body, "--target", mesh, "--tune", "rib_rotation=1:0.5");
+        assertBad("expected 0 to 1.5", body, "--target", mesh, "--tune", "rib_rotation=0:5");
+        assertBad("found no number", body, "--target", mesh, "--tune", "rib_rotation=0:x");
+        assertBad("that the breath which is held does not use", body, "--target", mesh, "--tune", "rate_per_min");
+        assertBad("found it a second time", body, "--target", mesh, "--tune", "depth,depth");
+        assertBad("--hold-out liver: found no such target", body, "--target", mesh, "--hold-out", "liver");
+        assertBad("found every target held out", body, "--target", mesh, "--hold-out", "lung_R");
+        assertBad("found preset 'sniff', expected preset deep", body, "--target", mesh, "--preset", "sniff");
+        assertBad("--evaluations: found 0", body, "--target", mesh, "--evaluations", "0");
+        assertBad("--synthetic: found 6, expected 1 to 5", "--synthetic", "6");
+        assertBad("found a body, a target", body, "--synthetic", "1");
+        Path points = folder.resolve("lungs.csv");
+        Files.writeString(points, "x_mm,y_mm,z_mm\n1,2,3\n");
+        assertBad("expected a column 'to_x_mm'", body, "--target", points.toString());
+    }
+}

@@ -1,0 +1,193 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.CliNotice;
+
+/** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
+class HeadlessTest {
+    private static final long PATIENCE_S = 120;
+
+    @TempDir
+    Path folder;
+
+    /** Starts the program and returns the classes it loaded. */
+    private List<String> loadedBy(String... args) throws IOException, InterruptedException {
+        Path log = folder.resolve("classes.log");
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xlog:class+load:file=" + log,
+                "-cp",
+                System.getProperty("java.class.path"),
+                Phrenic.class.getName()));
+        command.addAll(Arrays.asList(args));
+        Process process = new ProcessBuilder(command)
+                .redirectOutput(folder.resolve("stdout").toFile())
+                .redirectError(folder.resolve("stderr").toFile())
+                .start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        assertThat(process.exitValue())
+                .as(Files.readString(folder.resolve("stderr")))
+                .isZero();
+        return Files.readAllLines(log);
+    }
+
+    private static void assertNoScreen(List<String> classes) {
+        assertThat(classes).anyMatch(line -> line.contains("org.phrenic.cli.Phrenic"));
+        assertThat(classes)
+                .noneMatch(line -> line.matches(".*\\b(java\\.awt|javax\\.swing|sun\\.awt|com\\.jogamp)\\..*"));
+    }
+
+    @Test
+    void aRunLoadsNoClassOfTheScreenAndLeavesItsFiles() throws Exception {
+        Path out = folder.resolve("out");
+        assertNoScreen(loadedBy(
+                "run",
+                "--resolution",
+                "low",
+                "--duration",
+                "0.02",
+                "--threads",
+                "1",
+                "--out",
+                out.toString(),
+                "--json"));
+        String summary = Files.readString(folder.resolve("stdout"));
+        // the keys that scripts rely on
+        for (String key : List.of(
+                "nodes",
+                "springs",
+                "rigid_links",
+                "attachments",
+                "steps",
+                "dt_s",
+                "wall_s",
+                "steps_per_s",
+                "realtime_factor",
+                "max_rigid_link_error",
+                "dome_excursion_right_mm",
+                "dome_excursion_left_mm",
+                "central_tendon_excursion_mm",
+                "lung_volume_change_ml",
+                "ap_change_mm",
+                "transverse_change_mm",
+                "sternum_cranial_mm",
+                "sternum_ventral_mm",
+                "fibre_shortening_percent",
+                "liver_si_mm",
+                "liver_ap_mm",
+                "liver_lr_mm",
+                "threads",
+                "state_sha256")) {
+            assertThat(summary).contains("\"" + key + "\": ");
+        }
+        String hash = summary.lines()
+                .filter(line -> line.contains("state_sha256"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(out.resolve("summary.json")).content().contains(hash);
+        assertThat(Files.readAllLines(out.resolve("observables.csv")).get(0)).startsWith("time_s,");
+        CommandLineRun again =
+                CommandLineRun.of("info", out.resolve("scenario.yaml").toString());
+        assertThat(again.out()).containsPattern("resolution +low +file");
+    }
+
+    @Test
+    void infoLoadsNoClassOfTheScreen() throws Exception {
+        assertNoScreen(loadedBy("info", "data/scenarios/quiet.yaml"));
+    }
+
+    /** Starts {@code render} in a process without a display and returns its exit code. */
+    private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Phrenic.class.getName(),
+                "render",
+                "--resolution",
+                "low",
+                "--set",
+                "lungs=embedded"));
+        command.addAll(Arrays.asList(options));
+        ProcessBuilder builder = new ProcessBuilder(command)
+                .redirectOutput(folder.resolve("stdout").toFile())
+                .redirectError(folder.resolve("stderr").toFile());
+        builder.environment().remove("DISPLAY");
+        builder.environment().putAll(environment);
+        Process process = builder.start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        return process.exitValue();
+    }
+
+    @Test
+    void picturesNeedNoDisplay() throws Exception {
+        Path out = folder.resolve("pictures");
+        int code = render(Map.of(), "--out", out.toString(), "--view", "left,superior", "--size", "200x150", "--json");
+        assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(code).as(Files.readString(folder.resolve("stderr"))).isZero();
+        assertThat(Files.readString(folder.resolve("stdout")))
+                .contains("superior.png", "\"graphics\": ", CliNotice.TEXT);
+        try (Stream<Path> files = Files.list(out)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("left.png", "superior.png");
+        }
+    }
+
+    @Test
+    void amongThingsThatAreOnlyKnownOfTheBodyAWrongOneIsToldAndNothingIsWritten() throws Exception {
+        Path out = folder.resolve("pictures");
+        List<String> coarse =
+                List.of("render", "--resolution", "low", "--set", "lungs=embedded", "--out", out.toString());
+        CommandLineRun hidden = CommandLineRun.of(with(coarse, "--hide", "livre"));
+        assumeThat(hidden.exitCode()).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(hidden.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(hidden.err()).contains("did you mean 'liver'?");
+        CommandLineRun late = CommandLineRun.of(with(coarse, "--at", "1e6"));
+        assertThat(late.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(late.err()).contains("--at: found 1000000.0 s, expected 0 to 8");
+        assertThat(out).doesNotExist();
+    }
+
+    private static String[] with(List<String> first, String... more) {
+        return Stream.concat(first.stream(), Arrays.stream(more)).toArray(String[]::new);
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void whereNothingDrawsOneSentenceSaysSo() throws Exception {
+        Path out = folder.resolve("pictures");
+        int code = render(
+                Map.of(
+                        "__EGL_VENDOR_LIBRARY_FILENAMES",
+                        folder.resolve("none.json").toString()),
+                "--out",
+                out.toString());
+        assertThat(code).isEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(Files.readString(folder.resolve("stdout"))).isEmpty();
+        assertThat(Files.readAllLines(folder.resolve("stderr")).stream().filter(line -> line.startsWith("phrenic: ")))
+                .singleElement()
+                .asString()
+                .contains("No pictures can be made here");
+        assertThat(out).doesNotExist();
+    }
+}

@@ -1,0 +1,103 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.CliNotice;
+import org.phrenic.patient.ScanSamples;
+
+/** {@code phrenic import} and {@code phrenic info} on a small volume of two lungs and a liver. */
+class ImportCommandTest {
+    @TempDir
+    private Path folder;
+
+    private Path volume;
+    private Path map;
+
+    @BeforeEach
+    void write() throws IOException {
+        String header = "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: "
+                + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " " + ScanSamples.SLICES
+                + "\nspace directions: (4,0,0) (0,4,0) (0,0,4)\nencoding: raw\n"
+                + "Segment0_Name:=lungs\nSegment0_LabelValue:=1\nSegment1_Name:=liver\nSegment1_LabelValue:=5\n\n";
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.write(header.getBytes(StandardCharsets.UTF_8));
+        bytes.write(ScanSamples.voxels());
+        volume = Files.write(folder.resolve("scan.seg.nrrd"), bytes.toByteArray());
+        map = Files.writeString(folder.resolve("map.csv"), "label,structure\n1,lungs\n");
+    }
+
+    @Test
+    void aFolderOfMeshesIsWrittenAndSaidWhatIsInIt() throws IOException {
+        Path out = folder.resolve("patient");
+        CommandLineRun run =
+                CommandLineRun.of("import", volume.toString(), "--complete", "none", "--out", out.toString());
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out())
+                .contains("lung_L", "lung_R", "liver", "rib_01_R to rib_12_R", "cannot breathe", CliNotice.TEXT);
+        assertThat(run.err()).contains("3 of 3 structures meshed");
+        assertThat(out.resolve("lung_R.vtp")).exists();
+        assertThat(Files.readString(out.resolve("thorax.yaml"))).contains("axes: LPS", "lung_R: lung_R.vtp");
+        assertThat(Files.readString(out.resolve("import.json")))
+                .contains("\"source\": \"scan\"", "off_label_mean_mm", "\"can_breathe\": false");
+    }
+
+    @Test
+    void aTableSaysWhichLabelsCount() {
+        Path out = folder.resolve("two");
+        CommandLineRun run = CommandLineRun.of(
+                "import",
+                volume.toString(),
+                "--labels",
+                map.toString(),
+                "--out",
+                out.toString(),
+                "--json",
+                "--complete",
+                "none",
+                "--edge",
+                "8");
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out()).contains("\"structure\": \"lung_R\"").doesNotContain("\"structure\": \"liver\"");
+    }
+
+    @Test
+    void infoSaysWhatAVolumeHolds() {
+        CommandLineRun run = CommandLineRun.of("info", volume.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out()).contains("label volume", "60  40  50", "1 lungs", "5 liver");
+    }
+
+    @Test
+    void badInputIsOneSentenceAndWritesNothing() throws IOException {
+        Path bad = Files.writeString(folder.resolve("bad.csv"), "label,structure\n1,heart\n");
+        Path text = Files.writeString(folder.resolve("text.nii"), "no volume");
+        assertBad("line 2, column 'structure': found 'heart'", volume, "--labels", bad.toString());
+        assertBad("no such file", folder.resolve("none.nii"), "--labels", map.toString());
+        assertBad("348 bytes", text, "--labels", map.toString());
+        assertBad("another ending", map, "--labels", map.toString());
+        assertBad("--edge", volume, "--edge", "-1");
+        assertBad("three letters", volume, "--axes", "up");
+        assertBad("virtual/giant", volume, "--complete", "virtual/giant");
+    }
+
+    private void assertBad(String part, Path file, String... more) {
+        String[] args = new String[4 + more.length];
+        args[0] = "import";
+        args[1] = file.toString();
+        args[2] = "--out";
+        args[3] = folder.resolve("nothing").toString();
+        System.arraycopy(more, 0, args, 4, more.length);
+        CommandLineRun run = CommandLineRun.of(args);
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err().strip()).contains(part).doesNotContain("\n");
+        assertThat(folder.resolve("nothing")).doesNotExist();
+    }
+}

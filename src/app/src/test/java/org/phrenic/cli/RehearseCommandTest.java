@@ -1,0 +1,154 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.access.plan.RehearsalPlan;
+
+/**
+ * A planned attempt from the command line: its report, the same every time, and what is said of a plan that cannot be.
+ */
+class RehearseCommandTest {
+    /** Fast breaths of the coarse body without what an attempt does not need. */
+    private static final String BODY =
+            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic}\n"
+                    + "phases: 4\n";
+
+    private static final String TARGET = "target: {rest_mm: [-90, 0, 50], diameter_mm: 30}\n";
+    private static final String STEPS = "steps:\n"
+            + "  - wait: end-expiration of breath 1\n"
+            + "  - place: {entry: best-at-end-expiration, aim: target}\n"
+            + "  - advance: {speed_mm_per_s: 300}\n"
+            + "  - sample: now\n";
+
+    @TempDir
+    Path folder;
+
+    private CommandLineRun rehearse(String out, String plan) throws IOException {
+        Path file = Files.writeString(folder.resolve("plan.yaml"), plan);
+        return CommandLineRun.of(
+                "rehearse",
+                file.toString(),
+                "--no-pictures",
+                "--out",
+                folder.resolve(out).toString());
+    }
+
+    @Test
+    void theSamePlanGivesTheSameReportOnAnyNumberOfThreadsAndWhatIsNotReachedIsExitCodeThree() throws IOException {
+        String reached = "done_when: {hit: true, lung_s_at_most: 0}\n";
+        String unreached = "done_when: {hit: true, attempts_at_most: 0}\n";
+        CommandLineRun one = rehearse("one", onThreads(1) + TARGET + reached + STEPS);
+        CommandLineRun two = rehearse("two", onThreads(2) + TARGET + unreached + STEPS);
+        assertThat(one.exitCode()).as(one.err()).isZero();
+        assertThat(two.exitCode()).as(two.err()).isEqualTo(3);
+        assertThat(one.out()).contains("hit", "Not for clinical use");
+        assertThat(two.out()).contains("not done");
+        String first = Files.readString(folder.resolve("one/report.json"));
+        String second = Files.readString(folder.resolve("two/report.json"));
+        assertThat(first).contains("\"done\": true", "capsule_puncture", "not validated", "Not for clinical use");
+        assertThat(second).contains("\"done\": false");
+        assertThat(attempt(first.replace("\"threads\": 1", "\"threads\": 2"))).isEqualTo(attempt(second));
+        assertThat(Files.readString(folder.resolve("one/report.html")))
+                .contains("Not for clinical use", "not validated", "The path over a breath");
+    }
+
+    private static String onThreads(int count) {
+        return BODY.replace("resolution: low", "resolution: low, threads: " + count);
+    }
+
+    private static String attempt(String report) {
+        return report.substring(report.indexOf("\"attempt\""));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "speed: 3 | unknown key",
+                "steps: [{jump: 1}] | unknown key",
+                "steps: [{wait: end-of-the-world}] | expected seconds or one of",
+                "steps: [{wait: -1}] | expected 0 or more",
+                "steps: [{place: {entry: worst}}] | expected 'best'",
+                "steps: [{place: {entry: [1, 2]}}] | expected three",
+                "steps: [{advance: {speed_mm_per_s: 0}}] | more than 0",
+                "steps: [{sample: later}] | expected 'now'",
+                "steps: [{sample: now, wait: 1}] | found 2 keys",
+                "needle: {gauge: 3} | expected 14 to 22 G",
+                "needle: {length_mm: 3} | expected 20",
+                "avoid: [air] | expected lung",
+                "phases: 1 | expected 2",
+                "done_when: {glory: 1} | unknown key",
+                "set: {preset: none} | expected",
+            })
+    void aBadPlanIsToldInOneSentenceAndNothingIsWritten(String line, String expected) throws IOException {
+        told(rehearse("bad", TARGET + line + "\n"), expected);
+    }
+
+    @Test
+    void aPlanWithoutATargetOrWithTwoIsTold() throws IOException {
+        told(rehearse("bad", "title: none\n"), "target");
+        told(rehearse("bad", "target: {diameter_mm: 10}\n"), "neither of rest_mm and seed");
+        told(rehearse("bad", "target: {rest_mm: [0, 0, 0], seed: 1}\n"), "both of rest_mm and seed");
+    }
+
+    @Test
+    void aTargetOutsideTheLiverAndAnEntryInsideTheBodyAreTold() throws IOException {
+        told(rehearse("bad", BODY + TARGET.replace("-90, 0, 50", "90, 0, 50") + STEPS), "outside of the liver");
+        String entry = STEPS.replace("best-at-end-expiration", "[-100, 0, 50]");
+        told(rehearse("bad", BODY + TARGET + entry), "inside the body");
+    }
+
+    @Test
+    void aNeedleThatIsTooShortAndABreathThatNeverComesAreTold() throws IOException {
+        told(rehearse("bad", BODY + TARGET + "needle: {length_mm: 20}\n" + STEPS), "too short");
+        String waits = "give_up_after_s: 1\nsteps: [{wait: end-inspiration of breath 90}]\n";
+        told(rehearse("bad", BODY + TARGET + waits), "there was no end-inspiration of breath 90");
+    }
+
+    @Test
+    void aBodyWhoseLiverOrLungsStandStillIsTold() throws IOException {
+        told(
+                rehearse("bad", BODY.replace("resolution: low", "resolution: low, liver: false") + TARGET + STEPS),
+                "liver: false");
+        told(rehearse("bad", BODY.replace("lungs: embedded", "lungs: off") + TARGET + STEPS), "lungs: off");
+    }
+
+    @Test
+    void aFolderThatCannotBeWrittenIsToldBeforeAnythingIsSimulated() throws IOException {
+        Path file = Files.writeString(folder.resolve("taken"), "a file");
+        CommandLineRun run = rehearse("taken/below", BODY + TARGET + STEPS);
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err().lines().filter(l -> l.startsWith("phrenic: ")))
+                .singleElement()
+                .asString()
+                .contains("taken");
+        assertThat(file).hasContent("a file");
+    }
+
+    private void told(CommandLineRun run, String expected) {
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(2);
+        assertThat(run.err().lines().filter(l -> l.startsWith("phrenic: ")))
+                .singleElement()
+                .asString()
+                .contains(expected);
+        assertThat(run.out()).isEmpty();
+        assertThat(folder.resolve("bad")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1-large-target", "2-dome-target", "3-held-breath"})
+    void theShippedExercisesCanBeRead(String name) {
+        RehearsalPlan plan = RehearsalPlan.read(Path.of("data/exercises", name + ".yaml"));
+        assertThat(plan.goals().hit()).isTrue();
+        assertThat(plan.steps()).isNotEmpty();
+        assertThat(plan.description()).isNotEmpty();
+    }
+}

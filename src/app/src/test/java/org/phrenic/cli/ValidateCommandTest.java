@@ -1,0 +1,121 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.CliNotice;
+
+/** {@code phrenic validate}: exit codes and files. */
+class ValidateCommandTest {
+    /** A breath of one second of the sheet alone. */
+    private static final String[] FAST = {
+        "validate",
+        "--resolution",
+        "low",
+        "--set",
+        "lungs=embedded",
+        "--set",
+        "sternum=kinematic",
+        "--set",
+        "rate_per_min=60"
+    };
+
+    private static final String TABLE =
+            """
+            rows:
+              - key: dome_falls
+                preset: quiet
+                observable: dome_right_mm
+                reduction: fall
+                low: %s
+                unit: mm
+                confidence: S
+                source: "people's domes go down"
+                missed_because: nothing moves a dome so far
+              - key: full_exhale
+                preset: none
+                low: 1
+                unit: mm
+                confidence: S
+                source: someone
+                note: nothing is driven below end-expiration
+            """;
+
+    @TempDir
+    Path folder;
+
+    private static CommandLineRun run(String... more) {
+        String[] all = java.util.Arrays.copyOf(FAST, FAST.length + more.length);
+        System.arraycopy(more, 0, all, FAST.length, more.length);
+        return CommandLineRun.of(all);
+    }
+
+    private String table(String low) throws IOException {
+        Path file = folder.resolve("table.yaml");
+        Files.writeString(file, TABLE.formatted(low));
+        return file.toString();
+    }
+
+    @Test
+    void rangesThatAreMetGiveExitCode0AndTheReports() throws IOException {
+        Path out = folder.resolve("out");
+        CommandLineRun run = run("--table", table("1"), "--out", out.toString());
+        assertThat(run.err()).isEqualTo("1 of 1 runs done: virtual/adult-male, quiet" + System.lineSeparator());
+        assertThat(run.exitCode()).isZero();
+        assertThat(run.out())
+                .contains("dome_falls", "within", "not measurable here: nothing is driven", "passed", CliNotice.TEXT);
+        assertThat(out.resolve("validation.md")).content().contains("**passed**", CliNotice.TEXT, "dome_falls");
+        assertThat(out.resolve("validation.json")).content().contains("\"passes\": true", CliNotice.TEXT);
+        assertThat(run.out()).as("a stated reason of a row that is met").doesNotContain("nothing moves");
+        assertThat(out.resolve("validation.md")).content().doesNotContain("nothing moves");
+        assertThat(out.resolve("validation.json")).content().doesNotContain("nothing moves");
+    }
+
+    @Test
+    void aDoctoredRangeGivesExitCode3() throws IOException {
+        Path out = folder.resolve("out");
+        CommandLineRun run = run("--table", table("1000"), "--json", "--out", out.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(run.out())
+                .contains(
+                        "\"verdict\": \"out\"",
+                        "\"passes\": false",
+                        "\"missed_because\": \"nothing moves a dome so far\"");
+        assertThat(out.resolve("validation.md")).content().contains("**out**: nothing moves a dome so far");
+    }
+
+    @Test
+    void aMissSaysItsReasonOrThatNoneIsKnown() throws IOException {
+        CommandLineRun told = run("--table", table("1000"));
+        assertThat(told.exitCode()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(told.out()).contains("OUT: nothing moves a dome so far");
+        Path file = folder.resolve("untold.yaml");
+        Files.writeString(file, TABLE.formatted("1000").replaceFirst(" *missed_because.*\n", ""));
+        CommandLineRun untold = run("--table", file.toString());
+        assertThat(untold.exitCode()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(untold.out()).contains("OUT: no reason is known yet");
+    }
+
+    @Test
+    void badInputGivesExitCode2BeforeAnythingIsRun() throws IOException {
+        for (String[] bad : new String[][] {
+            {"--table", "no-such.yaml"},
+            {"--table", table("many")},
+            {"--resolution", "lwo"},
+            {"--preset", "quiet,depe"},
+            {"--set", "preset=deep"},
+            {"--set", "dept=1"},
+            {"--threads", "0"},
+            {"--anatomy", "no/such/body"},
+        }) {
+            CommandLineRun run = CommandLineRun.of("validate", bad[0], bad[1]);
+            assertThat(run.exitCode()).as(String.join(" ", bad)).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(run.err().lines()).as(run.err()).hasSize(1);
+            assertThat(run.out()).isEmpty();
+        }
+    }
+}

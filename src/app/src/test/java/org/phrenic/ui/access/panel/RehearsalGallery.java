@@ -1,0 +1,99 @@
+package org.phrenic.ui.access.panel;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
+import javax.imageio.ImageIO;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.RehearsalStage;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.WindowPreferences;
+import org.phrenic.ui.session.Workspace;
+import org.phrenic.ui.window.PhrenicWindow;
+
+/**
+ * Leaves pictures of liver access being rehearsed, light and dark, large and small. {@code light-small-in} is
+ * {@code rehearse-light.png} of the documentation. Needs a display. Arguments: folder, then those of {@code light-large
+ * light-small dark-large dark-small} that are wanted.
+ */
+public final class RehearsalGallery {
+    private RehearsalGallery() {}
+
+    public static void main(String[] arguments) throws Exception {
+        int code = 1;
+        try {
+            Path folder = Files.createDirectories(Path.of(arguments[0]));
+            for (int i = 1; i < arguments.length; i++) {
+                boolean large = arguments[i].endsWith("large");
+                show(folder, arguments[i], large ? 1600 : 1280, large ? 1000 : 800, arguments[i].startsWith("dark"));
+            }
+            code = 0;
+        } finally {
+            System.exit(code);
+        }
+    }
+
+    private static void show(Path folder, String name, int width, int height, boolean dark) throws Exception {
+        java.util.prefs.Preferences node =
+                java.util.prefs.Preferences.userRoot().node("org/phrenic/rehearsal-gallery");
+        node.clear();
+        node.putInt("width", width);
+        node.putInt("height", height);
+        node.putInt("x", 0);
+        node.putInt("y", 0);
+        node.putBoolean("dark", dark);
+        Session session = new Session(Scenario.defaults());
+        PhrenicWindow window = EventThread.get(() -> {
+            PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
+            made.show();
+            made.showWorkspace(Workspace.CLINICIAN);
+            return made;
+        });
+        RehearsalController door = window.docks().rehearsalController();
+        until(() -> door.stage() == RehearsalStage.READY && door.state().isPresent());
+        EventThread.run(() -> door.open(RehearsalPlan.exercises().get(0)));
+        until(() -> door.stage() != RehearsalStage.READY);
+        until(() -> door.stage() == RehearsalStage.READY && door.state().isPresent());
+        EventThread.run(() -> door.entrySelection().selectBest(false));
+        until(() ->
+                door.entrySelection().advice().isPresent() && door.state().get().hasNeedle());
+        Thread.sleep(1500);
+        picture(window, folder.resolve(name + "-entry.png"));
+        EventThread.run(() -> door.needle().moveTo(58));
+        until(() -> door.state().get().depthMm() > 57);
+        Thread.sleep(1200);
+        picture(window, folder.resolve(name + "-in.png"));
+        EventThread.run(door.needle()::moveToTarget);
+        Thread.sleep(1000);
+        EventThread.run(door.needle()::takeSample);
+        until(() -> door.state().get().samples() > 0);
+        EventThread.run(() -> door.needle().moveTo(0));
+        until(() -> !window.docks().attempts().attempts().isEmpty());
+        Thread.sleep(1500);
+        picture(window, folder.resolve(name + "-report.png"));
+        EventThread.run(window::close);
+        node.removeNode();
+    }
+
+    private static void until(BooleanSupplier holds) {
+        EventThread.until("the door is so far", holds);
+    }
+
+    private static void picture(PhrenicWindow window, Path file) {
+        EventThread.run(() -> {
+            java.awt.image.BufferedImage image = new java.awt.image.BufferedImage(
+                    window.frame().getRootPane().getWidth(),
+                    window.frame().getRootPane().getHeight(),
+                    java.awt.image.BufferedImage.TYPE_INT_RGB);
+            window.frame().getRootPane().paint(image.createGraphics());
+            try {
+                ImageIO.write(image, "png", file.toFile());
+            } catch (java.io.IOException e) {
+                throw new java.io.UncheckedIOException(e);
+            }
+        });
+    }
+}

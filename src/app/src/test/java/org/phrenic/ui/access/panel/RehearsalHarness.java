@@ -1,0 +1,100 @@
+package org.phrenic.ui.access.panel;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.RehearsalStage;
+import org.phrenic.ui.session.PlaybackSpeed;
+import org.phrenic.ui.window.WindowHarness;
+
+/** A window under test whose clinician's door is open, on the virtual body at low resolution, breathing fast. */
+final class RehearsalHarness {
+    private final WindowHarness window;
+
+    RehearsalHarness(String name) throws Exception {
+        window = new WindowHarness(
+                name,
+                Scenario.defaults()
+                        .with(
+                                "preset=rapid-shallow",
+                                "rate_per_min=70",
+                                "resolution=low",
+                                "lungs=embedded",
+                                "sternum=kinematic",
+                                "threads=1"));
+        WindowHarness.doOnEdt(() -> {
+            window.control(JButton.class, "Rehearse liver access").doClick();
+            window.control(JComboBox.class, "Speed").setSelectedItem(PlaybackSpeed.FLAT_OUT);
+        });
+        ready();
+    }
+
+    WindowHarness window() {
+        return window;
+    }
+
+    RehearsalController door() {
+        return window.window().docks().rehearsalController();
+    }
+
+    AttemptsDock attempts() {
+        return window.window().docks().attempts();
+    }
+
+    void until(String what, BooleanSupplier holds) throws InterruptedException {
+        WindowHarness.await(what, () -> WindowHarness.onEdt(holds::getAsBoolean));
+    }
+
+    void ready() throws InterruptedException {
+        until(
+                "the needle",
+                () -> door().stage() == RehearsalStage.READY && door().state().isPresent());
+    }
+
+    NeedleState state() {
+        return door().state().orElseThrow();
+    }
+
+    /** Says whether the tip rests within half a millimetre of a depth. */
+    boolean isAt(double depthMm) {
+        Optional<NeedleState> now = door().state();
+        return now.isPresent() && !now.get().moving() && Math.abs(now.get().depthMm() - depthMm) < 0.5;
+    }
+
+    /** A new attempt from the best entry. */
+    void begin() throws InterruptedException {
+        WindowHarness.doOnEdt(() -> {
+            door().retry();
+            door().entrySelection().selectBest(false);
+        });
+        until("an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
+        until("advice", () -> door().entrySelection().advice().isPresent());
+    }
+
+    /** Takes the needle out; the attempt that ends with that. */
+    Rehearsal ended() throws InterruptedException {
+        int before = WindowHarness.onEdt(() -> attempts().attempts().size());
+        window.key("O");
+        until("a report", () -> attempts().attempts().size() > before);
+        return WindowHarness.onEdt(() -> attempts().attempts().get(before));
+    }
+
+    /** Lets the run stand still, which flat out would take the processor from what works on a finished attempt. */
+    void rest() {
+        WindowHarness.doOnEdt(() -> window.session().live().pause());
+    }
+
+    /** Lets the run go on after a rest. */
+    void goOn() {
+        WindowHarness.doOnEdt(() -> window.session().live().play());
+    }
+
+    void close() throws Exception {
+        window.close();
+    }
+}

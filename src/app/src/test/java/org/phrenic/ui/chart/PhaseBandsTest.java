@@ -1,0 +1,63 @@
+package org.phrenic.ui.chart;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.simulation.observe.Observation;
+
+class PhaseBandsTest {
+    private static final double STEP_S = 0.02;
+
+    private static SampleRingBuffer recorded(String preset, double seconds) throws Exception {
+        BreathingPattern pattern = BreathingPreset.named(preset).pattern();
+        BreathState state = new BreathState();
+        SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), 5000);
+        for (int i = 0; i * STEP_S <= seconds; i++) {
+            pattern.at(i * STEP_S, state);
+            double[] values = new double[Observation.COLUMNS.size()];
+            values[Observation.COLUMNS.indexOf("breath")] = state.breath;
+            values[Observation.COLUMNS.indexOf("activation")] = state.activation;
+            values[Observation.COLUMNS.indexOf("rib_turn")] = state.ribTurn;
+            ring.add(i * STEP_S, values);
+        }
+        return ring;
+    }
+
+    @Test
+    void twoQuietBreathsAreInspirationExpirationAndPauseTwice() throws Exception {
+        List<PhaseBands.Band> bands = PhaseBands.of(recorded("quiet", 7.9), 0, 7.9);
+        assertThat(bands.stream().map(PhaseBands.Band::label).filter(l -> l != RespiratoryPhase.PAUSE))
+                .containsExactly(
+                        RespiratoryPhase.INSPIRATION,
+                        RespiratoryPhase.EXPIRATION,
+                        RespiratoryPhase.INSPIRATION,
+                        RespiratoryPhase.EXPIRATION);
+        // Quiet: 4 s, of which inspiration takes 0.4.
+        PhaseBands.Band first = bands.stream()
+                .filter(b -> b.label() == RespiratoryPhase.EXPIRATION)
+                .findFirst()
+                .orElseThrow();
+        assertThat(first.from()).isCloseTo(1.6, within(0.1));
+        for (int i = 1; i < bands.size(); i++) {
+            assertThat(bands.get(i).from()).isEqualTo(bands.get(i - 1).to());
+        }
+    }
+
+    @Test
+    void aBreathHeldAtInspirationIsAHold() throws Exception {
+        assertThat(PhaseBands.of(recorded("hold-inspiration", 20), 0, 20))
+                .anyMatch(b -> b.label() == RespiratoryPhase.HOLD && b.to() - b.from() > 4);
+    }
+
+    @Test
+    void nothingRecordedHasNoBands() {
+        assertThat(PhaseBands.of(new SampleRingBuffer(Observation.COLUMNS.size(), 10), 0, 1))
+                .isEmpty();
+    }
+}

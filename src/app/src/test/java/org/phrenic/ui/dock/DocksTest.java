@@ -1,0 +1,407 @@
+package org.phrenic.ui.dock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Percentage.withPercentage;
+
+import java.awt.Paint;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
+import javax.swing.JComboBox;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.IntervalMarker;
+import org.jfree.chart.ui.Layer;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.style.ColourField;
+import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.chart.PhaseColours;
+import org.phrenic.ui.chart.PlotDock;
+import org.phrenic.ui.chart.TimelineDock;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.ScenarioStore;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.widget.SliderScale;
+import org.phrenic.ui.window.WindowHarness;
+
+/**
+ * The docks over a simulation that really runs: the coarse sheet alone, which breathes as the whole scene does. Needs
+ * no display.
+ */
+class DocksTest {
+    private static final Scenario FIRST = Scenario.defaults()
+            .with("resolution=low", "lungs=embedded", "sternum=kinematic", "liver=false", "rate_per_min=40");
+    private static final int DOME = Observation.COLUMNS.indexOf("dome_right_mm");
+
+    private static Session session;
+
+    @BeforeAll
+    static void begin() {
+        session = EventThread.get(() -> new Session(FIRST));
+        EventThread.until("the scene is there", () -> session.scene().isPresent());
+        session.live().setSpeed(Double.POSITIVE_INFINITY);
+    }
+
+    @AfterAll
+    static void end() {
+        EventThread.run(session::close);
+    }
+
+    @BeforeEach
+    void asAtFirst() {
+        EventThread.run(() -> {
+            session.returnToLive();
+            session.live().play();
+            while (session.edits().undoPresentationName().isPresent()) {
+                session.edits().undo();
+            }
+        });
+        EventThread.until(
+                "the first settings are back", () -> session.scenario().equals(FIRST));
+    }
+
+    private static <T> T on(Callable<T> what) {
+        return EventThread.get(what);
+    }
+
+    private static SliderRow row(ParameterDock dock, String key) {
+        return (SliderRow)
+                dock.rows().stream().filter(r -> r.isFor(key)).findFirst().orElseThrow();
+    }
+
+    @Test
+    void everyParameterHasARowAndNothingElseHas() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        List<String> choices = Stream.of(
+                        Choice.MATERIAL,
+                        Choice.ANATOMY,
+                        Choice.RESOLUTION,
+                        Choice.TIME_STEP,
+                        Choice.INTEGRATOR,
+                        Choice.THREADS)
+                .map(Choice::key)
+                .toList();
+        List<String> keys =
+                Stream.concat(choices.stream(), Parameter.keys().stream()).toList();
+        assertThat(dock.rows()).hasSameSizeAs(keys);
+        assertThat(keys).allSatisfy(key -> assertThat(dock.rows()).anyMatch(row -> row.isFor(key)));
+    }
+
+    @Test
+    void rowsOfTheMaterialAreShownAndASearchNarrowsThem() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        for (Parameter parameter : Parameter.values()) {
+            assertThat(row(dock, parameter.key()).isVisible()).isEqualTo(parameter.isUsedBy(TissueMaterial.PHYSICAL));
+        }
+        EventThread.run(() -> dock.search().setText("tendon stiff"));
+        assertThat(dock.rows().stream().filter(SettingRow::isVisible))
+                .hasSizeBetween(1, 3)
+                .contains(row(dock, "tendon_stiffness_ratio"));
+    }
+
+    @Test
+    void aRowNamesItselfForScreenReaders() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        for (Parameter parameter : Parameter.values()) {
+            SliderRow row = row(dock, parameter.key());
+            assertThat(row.field().getAccessibleContext().getAccessibleName()).isEqualTo(parameter.label());
+            assertThat(row.slider().getAccessibleContext().getAccessibleName()).isEqualTo(parameter.label());
+            assertThat(row.field().getToolTipText()).contains(parameter.key());
+        }
+    }
+
+    @Test
+    void whatIsTypedBeyondTheRangeIsSetToItsEndAndSaidSo() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        SliderRow row = row(dock, "muscle_stiffness_n_per_m");
+        EventThread.run(() -> {
+            row.field().setText("9000");
+            row.field().postActionEvent();
+        });
+        assertThat(on(() -> session.scenario().value(Parameter.MUSCLE_STIFFNESS)))
+                .isEqualTo(3000);
+        assertThat(row.field().getText()).isEqualTo("3000");
+        // So stiff a sheet splits steps, which the row has to say too; what was typed comes first.
+        EventThread.until("steps are split", () -> session.live().status().substeps() > 1);
+        EventThread.run(() -> {
+            dock.onTick(session.live().status());
+            dock.onChange();
+        });
+        assertThat(row.hintText()).isEqualTo("9000 N/m is out of range; the largest, 3000 N/m, is taken.");
+        EventThread.run(() -> {
+            row.field().setText("stiff");
+            row.field().postActionEvent();
+        });
+        assertThat(row.field().getText()).isEqualTo("3000");
+        assertThat(row.hintText()).isEqualTo("Found 'stiff', expected a number from 30 to 3000 N/m.");
+        EventThread.run(() -> row.resetButton().doClick());
+        assertThat(on(() -> session.scenario().value(Parameter.MUSCLE_STIFFNESS)))
+                .isEqualTo(300);
+        assertThat(row.resetButton().isEnabled()).isFalse();
+        assertThat(row.hintText()).doesNotContain("stiff'");
+    }
+
+    @Test
+    void draggingIsOneChangeToUndo() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        SliderRow row = row(dock, "depth");
+        EventThread.run(() -> {
+            row.slider().setValueIsAdjusting(true);
+            for (int place = SliderScale.POSITIONS / 2; place <= SliderScale.POSITIONS; place++) {
+                row.slider().setValue(place);
+            }
+            row.slider().setValueIsAdjusting(false);
+        });
+        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(2);
+        assertThat(on(() -> session.edits().undoPresentationName())).hasValue("Undo Depth 1 -> 2");
+        EventThread.run(() -> session.edits().undo());
+        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1);
+        EventThread.until("the row shows it", () -> row.field().getText().equals("1"));
+    }
+
+    @Test
+    void resetAllIsOneChange() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        EventThread.run(() -> session.change(
+                "Two at once", new Assignment("test", "depth", "1.5"), new Assignment("test", "rib_rotation", "0.5")));
+        EventThread.run(dock::resetAll);
+        Scenario now = on(() -> session.scenario());
+        assertThat(now.value(Parameter.DEPTH)).isEqualTo(1);
+        assertThat(now.value(Parameter.RIB_ROTATION)).isEqualTo(1);
+        assertThat(now.value(Parameter.RATE)).isEqualTo(15);
+        EventThread.run(() -> session.edits().undo());
+        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1.5);
+    }
+
+    /** Deepest that the right dome goes in the next two breaths after half a second, mm. */
+    private static double excursion() {
+        double from = session.live().status().timeS() + 0.5;
+        EventThread.until(
+                "two breaths have passed", () -> session.live().status().timeS() > from + 3.2);
+        RunHistory history = session.live().history();
+        double least = 0;
+        for (int i = 0; i < history.size(); i++) {
+            if (history.time(i) > from) {
+                least = Math.min(least, history.values(i)[DOME]);
+            }
+        }
+        return -least;
+    }
+
+    @Test
+    void undoRestoresHowTheDomeMoves() {
+        double before = excursion();
+        EventThread.run(() -> session.change("Depth 1 -> 0.3", new Assignment("test", "depth", "0.3")));
+        double shallow = excursion();
+        EventThread.run(() -> session.edits().undo());
+        double after = excursion();
+        assertThat(before).isGreaterThan(5);
+        assertThat(shallow).isLessThan(0.6 * before);
+        assertThat(after).isCloseTo(before, withPercentage(5));
+    }
+
+    @Test
+    void aPresetButtonBreathesByItAndHoldsStopTheBreath() {
+        BreathDock dock = on(() -> new BreathDock(session));
+        for (String name : BreathingPreset.names()) {
+            assertThat(dock.presetButton(name).getToolTipText()).contains(name);
+        }
+        EventThread.run(() -> dock.presetButton("deep").doClick());
+        Scenario deep = on(() -> session.scenario());
+        assertThat(deep.preset()).isEqualTo("deep");
+        // The rate that was set by hand gives way to that of the preset.
+        assertThat(deep.value(Parameter.RATE))
+                .isEqualTo(deep.breathing().parameters().ratePerMin());
+        EventThread.run(() -> dock.holdButton().doClick());
+        assertThat(on(() -> session.scenario().hold())).isTrue();
+        EventThread.run(() -> session.edits().undo());
+        EventThread.run(() -> session.edits().undo());
+        assertThat(on(() -> session.scenario())).isEqualTo(FIRST);
+        EventThread.until("the button is up", () -> !dock.holdButton().isSelected());
+    }
+
+    @Test
+    void aFileThatIsNoTraceIsRefusedInOneSentence(@TempDir Path folder) throws Exception {
+        Path bad = Files.writeString(folder.resolve("bad.csv"), "hello,world\n1,2\n");
+        AtomicReference<String> said = new AtomicReference<>();
+        Session.Listener ear = new Session.Listener() {
+            @Override
+            public void onMessage(Session.Message message) {
+                said.set(message.text());
+            }
+        };
+        EventThread.run(() -> {
+            session.addListener(ear);
+            new BreathDock(session).openTrace(bad);
+            session.removeListener(ear);
+        });
+        assertThat(said.get()).contains("bad.csv").contains("time_s,amplitude");
+        assertThat(on(() -> session.scenario().trace())).isEmpty();
+    }
+
+    @Test
+    void aForceIsSwitchedOffAndOn() {
+        ForcesDock dock = on(() -> new ForcesDock(session));
+        EventThread.run(() -> dock.checkBox(Choice.MUSCLE).doClick());
+        assertThat(on(() -> session.scenario().muscle())).isFalse();
+        assertThat(on(() -> session.edits().undoPresentationName())).hasValue("Undo Muscle off");
+        EventThread.run(() -> session.edits().undo());
+        EventThread.until(
+                "the box is ticked", () -> dock.checkBox(Choice.MUSCLE).isSelected());
+    }
+
+    @Test
+    void thePlotSavesTheColumnsOfARun(@TempDir Path folder) throws Exception {
+        PlotDock dock = on(() -> new PlotDock(session));
+        EventThread.run(() -> dock.trackPoint(0, 100));
+        double from = session.live().status().timeS();
+        EventThread.until("something was plotted", () -> session.live().status().timeS() > from + 0.5);
+        EventThread.run(() -> {
+            dock.onTick(session.live().status());
+            dock.saveCsv(folder.resolve("samples.csv"));
+        });
+        List<String> lines = Files.readAllLines(folder.resolve("samples.csv"));
+        List<String> header = Arrays.asList(lines.get(0).split(","));
+        assertThat(header.subList(0, Observation.COLUMNS.size())).isEqualTo(Observation.COLUMNS);
+        assertThat(header).hasSize(Observation.COLUMNS.size() + 1).endsWith("point_1_up_mm");
+        assertThat(lines).hasSizeGreaterThan(20);
+    }
+
+    @Test
+    void theBreathIsShadedBehindTheCurves() {
+        PlotDock dock = on(() -> new PlotDock(session));
+        double from = session.live().status().timeS();
+        EventThread.until("a breath and more", () -> session.live().status().timeS() > from + 2.5);
+        EventThread.run(() -> dock.onTick(session.live().status()));
+        EventThread.run(dock::draw);
+        CombinedDomainXYPlot plots = (CombinedDomainXYPlot) dock.chart().getXYPlot();
+        List<Paint> shades = new ArrayList<>();
+        EventThread.run(() -> {
+            for (Object marker : plots.getSubplots().get(0).getDomainMarkers(Layer.BACKGROUND)) {
+                shades.add(((IntervalMarker) marker).getPaint());
+            }
+        });
+        assertThat(shades)
+                .contains(PhaseColours.of(RespiratoryPhase.INSPIRATION), PhaseColours.of(RespiratoryPhase.EXPIRATION))
+                .doesNotContain(PhaseColours.of(RespiratoryPhase.PAUSE));
+    }
+
+    @Test
+    void scrubbingStandsStillAndLiveGoesOn() {
+        TimelineDock dock = on(() -> new TimelineDock(session));
+        EventThread.until(
+                "some frames are recorded", () -> session.live().history().frames() > 5);
+        EventThread.run(() -> dock.stepFrames(-3));
+        assertThat(on(() -> session.historyFrame())).isPresent();
+        assertThat(session.live().isPlaying()).isFalse();
+        EventThread.run(() -> dock.stepFrames(Integer.MAX_VALUE));
+        assertThat(on(() -> session.historyFrame())).isEmpty();
+        assertThat(session.live().isPlaying()).isTrue();
+    }
+
+    @Test
+    void settingsAreStoredRestoredAndComparedWhileItBreathes(@TempDir Path folder) {
+        ScenarioStore store = new ScenarioStore(folder);
+        String[] name = {"as it was"};
+        SettingsDock dock = on(() -> new SettingsDock(session, store, () -> Optional.of(name[0])));
+        EventThread.run(dock::save);
+        long scene = on(() -> session.scene().orElseThrow().id());
+        EventThread.run(() -> session.change("Depth", new Assignment("test", "depth", "1.3")));
+        name[0] = "deeper";
+        EventThread.run(dock::save);
+        assertThat(store.names()).containsExactly("as it was", "deeper");
+        EventThread.run(dock::swap);
+        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1);
+        EventThread.run(dock::swap);
+        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1.3);
+        assertThat(on(() -> session.scene().orElseThrow().id())).isEqualTo(scene);
+    }
+
+    @Test
+    void beyondTheStabilityLimitTheRowsSaySoInWords() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        SliderRow row = row(dock, "time_step_s");
+        assertThat(row.hintText()).isEmpty();
+        EventThread.run(() -> {
+            row.field().setText("0.02");
+            row.field().postActionEvent();
+        });
+        EventThread.until("steps are split", () -> session.live().status().substeps() > 1);
+        EventThread.run(() -> dock.onTick(session.live().status()));
+        assertThat(row.hintText())
+                .startsWith("Runs with ")
+                .contains("because the time step 0.02 s is beyond the stability limit");
+    }
+
+    private static DisplayDock showDock(AppearanceModel looks, Path file) {
+        DisplayDock dock = new DisplayDock(session, looks, () -> Optional.ofNullable(file));
+        session.scene().ifPresent(scene -> looks.setSurfaces(scene.surfaces()));
+        return dock;
+    }
+
+    @SuppressWarnings("unchecked")
+    private static JComboBox<String> colours(DisplayDock dock) {
+        return WindowHarness.find(dock, JComboBox.class, "Colours show").orElseThrow();
+    }
+
+    @Test
+    void distancesAreMeasuredFromTheSurfaceThatIsChosen(@TempDir Path folder) {
+        Path scan = folder.resolve("scan.stl");
+        MeshFiles.write(scan, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0}, new int[] {0, 1, 2}));
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, scan));
+        EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        EventThread.until("the surface is read", () -> looks.style().field() == ColourField.DISTANCE);
+        assertThat(looks.reference()).isPresent();
+        assertThat(looks.style().scale().unit()).isEqualTo("mm");
+    }
+
+    @Test
+    void aSurfaceThatCannotBeReadIsRefusedInOneSentenceAndNothingIsColoured(@TempDir Path folder) throws Exception {
+        Path broken = Files.writeString(folder.resolve("scan.stl"), "solid nothing");
+        List<String> told = new ArrayList<>();
+        Session.Listener listener = new Session.Listener() {
+            @Override
+            public void onMessage(Session.Message message) {
+                told.add(message.text());
+            }
+        };
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, broken));
+        EventThread.run(() -> session.addListener(listener));
+        EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        EventThread.until("it is refused", () -> !told.isEmpty());
+        assertThat(told).singleElement().asString().contains("scan.stl");
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
+        assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
+        EventThread.run(() -> session.removeListener(listener));
+    }
+
+    @Test
+    void whoChoosesNoSurfaceSeesNoColours() {
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, null));
+        EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
+    }
+}

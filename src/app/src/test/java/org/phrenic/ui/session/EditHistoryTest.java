@@ -1,0 +1,132 @@
+package org.phrenic.ui.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+
+class EditHistoryTest {
+    private static final long LONG_NS = 10 * EditHistory.COALESCE_NS;
+
+    private final AtomicLong clock = new AtomicLong(1);
+    private Scenario scenario = Scenario.defaults();
+    private final EditHistory history = new EditHistory(this::apply, clock::get);
+
+    private void apply(EditHistory.Step step) {
+        if (step instanceof EditHistory.Step.Set set) {
+            scenario = scenario.with(set.assignments());
+        } else if (step instanceof EditHistory.Step.Load load) {
+            scenario = load.scenario();
+        }
+    }
+
+    private void change(String name, String... texts) {
+        List<Assignment> list = Arrays.stream(texts).map(Assignment::parse).toList();
+        EditHistory.Step back = EditHistory.inverse(scenario, list);
+        apply(new EditHistory.Step.Set(list));
+        history.add(name, back, new EditHistory.Step.Set(list));
+    }
+
+    private void pass(long ns) {
+        clock.addAndGet(ns);
+    }
+
+    @Test
+    void undoNamesTheChangeAndRestoresTheValue() {
+        change("Muscle stiffness 300 -> 450 N/m", "muscle_stiffness_n_per_m=450");
+        assertThat(history.undoPresentationName()).hasValue("Undo Muscle stiffness 300 -> 450 N/m");
+        history.undo();
+        assertThat(scenario).isEqualTo(Scenario.defaults());
+        assertThat(history.undoPresentationName()).isEmpty();
+        assertThat(history.redoPresentationName()).hasValue("Redo Muscle stiffness 300 -> 450 N/m");
+        history.redo();
+        assertThat(scenario.value(Parameter.MUSCLE_STIFFNESS)).isEqualTo(450);
+    }
+
+    @Test
+    void aDraggedSliderIsOneChange() {
+        change("Depth 1 -> 1.1", "depth=1.1");
+        pass(EditHistory.COALESCE_NS / 2);
+        change("Depth 1.1 -> 1.4", "depth=1.4");
+        assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.4");
+        history.undo();
+        assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(1);
+        history.redo();
+        assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(1.4);
+    }
+
+    @Test
+    void changesOfOtherKeysOrAfterAWhileOrAfterTheSliderWasLetGoAreTheirOwn() {
+        change("Depth 1 -> 1.1", "depth=1.1");
+        change("Rib rotation 1 -> 1.2", "rib_rotation=1.2");
+        pass(LONG_NS);
+        change("Rib rotation 1.2 -> 1.3", "rib_rotation=1.3");
+        history.endMerging();
+        change("Rib rotation 1.3 -> 1.4", "rib_rotation=1.4");
+        history.undo();
+        history.undo();
+        history.undo();
+        assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.1");
+        assertThat(scenario.value(Parameter.RIB_ROTATION)).isEqualTo(1);
+    }
+
+    @Test
+    void aValueThatThePresetGaveComesBackThoughTheScenarioDidNotStateIt() {
+        change("Rate 15 -> 22 1/min", "rate_per_min=22");
+        history.undo();
+        assertThat(scenario.value(Parameter.RATE)).isEqualTo(15);
+    }
+
+    @Test
+    void whatHadNoValueBringsTheWholeScenarioBack() {
+        change("Duration 3 s", "duration_s=3");
+        history.undo();
+        assertThat(scenario.durationS()).isNaN();
+    }
+
+    @Test
+    void aStructuralChangeAndALoadedScenarioAreUndoneToo() {
+        change("Resolution medium -> low", "resolution=low");
+        pass(LONG_NS);
+        Scenario deep = scenario.with("preset=deep");
+        EditHistory.Step back = new EditHistory.Step.Load(scenario);
+        apply(new EditHistory.Step.Load(deep));
+        history.add("Settings 'deep'", back, new EditHistory.Step.Load(deep));
+        assertThat(scenario).isEqualTo(deep);
+        history.undo();
+        history.undo();
+        assertThat(scenario).isEqualTo(Scenario.defaults());
+    }
+
+    @Test
+    void aNewChangeForgetsWhatWasTakenBack() {
+        change("Depth 1 -> 1.1", "depth=1.1");
+        history.undo();
+        change("Depth 1 -> 1.2", "depth=1.2");
+        assertThat(history.redoPresentationName()).isEmpty();
+    }
+
+    @Test
+    void theHistoryIsBoundedAndTellsItsListeners() {
+        AtomicLong told = new AtomicLong();
+        history.addListener(told::incrementAndGet);
+        for (int i = 0; i < EditHistory.MAX_EDITS + 50; i++) {
+            change("Depth", "depth=" + (1 + i % 2));
+            pass(LONG_NS);
+        }
+        int undone = 0;
+        while (history.undoPresentationName().isPresent()) {
+            history.undo();
+            undone++;
+        }
+        assertThat(undone).isEqualTo(EditHistory.MAX_EDITS);
+        assertThat(told).hasValue(2L * EditHistory.MAX_EDITS + 50);
+        history.undo();
+        assertThat(told).hasValue(2L * EditHistory.MAX_EDITS + 50);
+    }
+}

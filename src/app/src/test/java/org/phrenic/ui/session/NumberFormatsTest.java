@@ -1,0 +1,58 @@
+package org.phrenic.ui.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class NumberFormatsTest {
+    @ParameterizedTest
+    @CsvSource({
+        "300, 300",
+        "0.64, 0.64",
+        "0.1666666, 0.1667",
+        "0, 0",
+        "-0.0, 0",
+        "-12.3456, -12.35",
+        "123456, 123500",
+        "0.00001, 1e-5",
+        "-0.00002345, -2.345e-5",
+        "0.001, 0.001",
+        "12345678, 1.235e7",
+        "NaN, -"
+    })
+    void aNumberHasFourDigitsAndNoZerosThatSayNothing(double value, String text) {
+        assertThat(NumberFormats.format(value)).isEqualTo(text);
+    }
+
+    @Test
+    void aPlainNumberHasNoUnit() {
+        assertThat(NumberFormats.withUnit(450, "N/m")).isEqualTo("450 N/m");
+        assertThat(NumberFormats.withUnit(1.12, "1")).isEqualTo("1.12");
+    }
+
+    @Test
+    void aChangingNumberKeepsItsWidthAndHasNoNegativeZero() {
+        assertThat(NumberFormats.fixedDecimals(-12.04, 1)).isEqualTo("-12.0");
+        assertThat(NumberFormats.fixedDecimals(-0.01, 1)).isEqualTo("0.0");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"450, 450", "0.5, 0.5", "' 450 N/m', 450", "15/min, 15", "1e-3, 0.001", "1e-3 s, 0.001", "-2.5, -2.5"})
+    void whatIsTypedMayCarryItsUnit(String typed, double value) {
+        assertThat(NumberFormats.parse(typed)).hasValue(value);
+    }
+
+    @Test
+    void aDecimalCommaIsAPoint() {
+        assertThat(NumberFormats.parse("0,5")).hasValue(0.5);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "abc", "NaN", "Infinity", "1..2", "1e999", "--3"})
+    void whatIsNoNumberIsRefused(String typed) {
+        assertThat(NumberFormats.parse(typed)).isEmpty();
+    }
+}

@@ -1,0 +1,85 @@
+package org.phrenic.ui.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Scenario;
+
+class ScenarioStoreTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void whatWasSavedComesBack() {
+        ScenarioStore store = new ScenarioStore(folder.resolve("new"));
+        assertThat(store.names()).isEmpty();
+        Scenario stiff = Scenario.defaults().with("muscle_stiffness_n_per_m=450", "preset=deep", "rate_per_min=7");
+        store.save("Stiff, deep", stiff);
+        store.save("another", Scenario.defaults());
+        assertThat(store.names()).containsExactly("another", "Stiff, deep");
+        Scenario back = store.load("Stiff, deep");
+        assertThat(back.name()).isEqualTo("Stiff, deep");
+        assertThat(ScenarioValues.liveDifference(back, stiff))
+                .hasValueSatisfying(d -> assertThat(d).isEmpty());
+        store.delete("another");
+        assertThat(store.names()).containsExactly("Stiff, deep");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  ", "../escape", "a/b", ".hidden", "what?"})
+    void aNameThatNoFileCanHaveIsRefused(String name) {
+        ScenarioStore store = new ScenarioStore(folder);
+        assertThatThrownBy(() -> store.save(name, Scenario.defaults()))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("name of settings: found '" + name + "'");
+    }
+
+    @Test
+    void settingsLieWhereThePlatformKeepsAnApplicationsData() {
+        Path home = Path.of("home");
+        assertThat(ScenarioStore.folderOf("Linux", name -> null, home))
+                .isEqualTo(home.resolve(".local/share/phrenic/settings"));
+        assertThat(ScenarioStore.folderOf("Linux", Map.of("XDG_DATA_HOME", "data")::get, home))
+                .isEqualTo(Path.of("data/phrenic/settings"));
+        assertThat(ScenarioStore.folderOf("Mac OS X", name -> null, home))
+                .isEqualTo(home.resolve("Library/Application Support/Phrenic/settings"));
+        assertThat(ScenarioStore.folderOf("Windows 11", Map.of("APPDATA", "roaming")::get, home))
+                .isEqualTo(Path.of("roaming/Phrenic/settings"));
+    }
+
+    @Test
+    void anotherMaterialKeepsWhatItUses() {
+        Scenario physical = Scenario.defaults()
+                .with("muscle_stiffness_n_per_m=450", "rib_rotation=0.5", "rate_per_min=20", "resolution=low");
+        Scenario paper = ScenarioValues.ofMaterial(physical, TissueMaterial.PAPER);
+        assertThat(paper.material()).isEqualTo(TissueMaterial.PAPER);
+        assertThat(paper.states(Parameter.MUSCLE_STIFFNESS)).isFalse();
+        assertThat(paper.value(Parameter.RIB_ROTATION)).isEqualTo(0.5);
+        assertThat(paper.value(Parameter.RATE)).isEqualTo(20);
+        assertThat(paper.resolution()).isEqualTo(physical.resolution());
+        // The step goes to that of the paper, 0.01 s, for the scenario stated none.
+        assertThat(paper.timeStepS()).isEqualTo(0.01);
+        assertThat(paper.pressure()).isFalse();
+        assertThat(ScenarioValues.ofMaterial(paper, TissueMaterial.PHYSICAL).timeStepS())
+                .isEqualTo(0.00125);
+    }
+
+    @Test
+    void onlyWhatCanChangeWhileItBreathesIsALiveDifference() {
+        Scenario quiet = Scenario.defaults();
+        assertThat(ScenarioValues.liveDifference(quiet, quiet.with("depth=1.2", "rate_per_min=20")))
+                .hasValueSatisfying(
+                        list -> assertThat(list).extracting("key").containsExactlyInAnyOrder("depth", "rate_per_min"));
+        assertThat(ScenarioValues.liveDifference(quiet, quiet.with("resolution=low")))
+                .isEmpty();
+    }
+}

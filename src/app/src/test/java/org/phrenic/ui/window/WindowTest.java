@@ -1,0 +1,461 @@
+package org.phrenic.ui.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.awt.Component;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JSlider;
+import javax.swing.JTextField;
+import javax.swing.TransferHandler;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.widget.Theme;
+
+/**
+ * The window on the virtual body at low resolution with the paper's material, whose steps are long: what its controls
+ * do is looked for in the observables of the run.
+ */
+@Timeout(120)
+class WindowTest {
+    /**
+     * A window is there in 5 s on two cores that do nothing else. Machines that test share their cores, so what is held
+     * is the processor time that those have in 5 s.
+     */
+    private static final double FIRST_PICTURE_CPU_S = 10;
+
+    /** By this time the first quiet breath is in, s. */
+    private static final double IN_S = 2.2;
+
+    /** Any preset has breathed in once more within this time, s. */
+    private static final double NEXT_BREATH_S = 8.4;
+
+    /** Longest that an event may keep the window, ms of processor time. */
+    private static final double LONGEST_EVENT_MS = 50;
+
+    /** Phase and turn of what stands still, but for rounding of the clock. */
+    private static final double STILL = 1e-9;
+
+    private static WindowHarness window;
+
+    @TempDir
+    Path folder;
+
+    @BeforeAll
+    static void open() throws Exception {
+        WindowHarness.assumeDisplay();
+        window = new WindowHarness("window", start());
+    }
+
+    private static Scenario start() {
+        return Scenario.read(Path.of("data", "scenarios", "paper-quiet.yaml")).with("resolution=low", "threads=1");
+    }
+
+    @AfterAll
+    static void close() throws Exception {
+        if (window != null) {
+            window.close();
+        }
+    }
+
+    /** The first scene from its beginning, flat out; it is loaded anew only where another one runs. */
+    private static void asAtFirst() throws Exception {
+        Scenario first = start();
+        long before = id();
+        boolean same = WindowHarness.onEdt(() -> {
+            Map<String, Object> has =
+                    new LinkedHashMap<>(window.session().scenario().toMap());
+            Map<String, Object> wanted = first.toMap();
+            List<Assignment> back = wanted.keySet().stream()
+                    .filter(key -> !wanted.get(key).equals(has.get(key)))
+                    .map(key -> new Assignment("test", key, String.valueOf(wanted.get(key))))
+                    .toList();
+            boolean live =
+                    has.keySet().equals(wanted.keySet()) && back.stream().allMatch(a -> Simulation.isLive(a.key()));
+            if (!live) {
+                window.session().open("Start", first);
+            } else if (!back.isEmpty()) {
+                window.session().change("Start", back.toArray(Assignment[]::new));
+            }
+            return live;
+        });
+        if (same) {
+            window.session().live().pause();
+            window.session().live().reset();
+            WindowHarness.await(
+                    "the beginning", () -> window.session().live().status().step() == 0);
+        } else {
+            reloaded("low", before);
+        }
+        WindowHarness.doOnEdt(() -> {
+            window.session().live().setSpeed(Double.POSITIVE_INFINITY);
+            window.session().live().play();
+        });
+        window.breathe(0.05);
+    }
+
+    /** Waits until a scene of this resolution runs from its beginning. */
+    private static void reloaded(String resolution, long before) throws InterruptedException {
+        WindowHarness.await(
+                "a scene of resolution " + resolution,
+                () -> id() != before && resolution.equals(running().toMap().get("resolution")));
+    }
+
+    private static long id() {
+        return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().id());
+    }
+
+    private static Scenario running() {
+        return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().scenario());
+    }
+
+    @Test
+    void theThoraxBreathesAtOnce() throws Exception {
+        assertThat(window.firstPictureCpuS()).isLessThan(FIRST_PICTURE_CPU_S);
+        double step = WindowHarness.onEdt(() -> (double) window.window().view().shownStep());
+        window.breathe(0.3);
+        if (!window.window().view().isUnavailable()) {
+            WindowHarness.await("a newer picture", () -> window.window().view().shownStep() > step);
+            BufferedImage picture = WindowHarness.onEdt(
+                    () -> window.window().view().frame().orElseThrow().image());
+            assertThat(reds(picture))
+                    .as("share of the view that is red, as muscle is")
+                    .isGreaterThan(0.005);
+            window.screenshot("first-minute");
+        }
+        assertThat(window.control(JComponent.class, "Welcome").isVisible()).isTrue();
+    }
+
+    private static double reds(BufferedImage picture) {
+        int all = picture.getWidth() * picture.getHeight();
+        long red = IntStream.range(0, all)
+                .map(i -> picture.getRGB(i % picture.getWidth(), i / picture.getWidth()))
+                .filter(rgb -> (rgb >> 16 & 0xff) > 1.5 * (rgb >> 8 & 0xff) && (rgb >> 16 & 0xff) > 80)
+                .count();
+        return (double) red / all;
+    }
+
+    private static void slide(String name, double share) {
+        JSlider slider = window.control(JSlider.class, name);
+        WindowHarness.doOnEdt(() -> slider.setValue((int) Math.round(share * slider.getMaximum())));
+    }
+
+    @Test
+    void slidersChangeWhatIsSetAndUndoTakesItBack() throws Exception {
+        asAtFirst();
+        for (String[] row : new String[][] {
+            {"Damping", "damping_ns_per_m"},
+            {"Spring stiffness", "spring_stiffness_n_per_m"},
+            {"Muscle force", "muscle_force_mn"},
+            {"Rib rotation", "rib_rotation"}
+        }) {
+            Object before = window.set(row[1]);
+            slide(row[0], 0.55);
+            WindowHarness.await(row[0], () -> !window.set(row[1]).equals(before));
+            // Changes of one slider are one change until it rests.
+            WindowHarness.doOnEdt(() -> window.session().edits().endMerging());
+            window.command("Undo");
+            assertThat(window.set(row[1])).as(row[0] + " after undo").isEqualTo(before);
+        }
+    }
+
+    @Test
+    void moreMuscleForcePullsTheDomesDeeper() throws Exception {
+        asAtFirst();
+        window.breathe(IN_S);
+        double usual = window.lowest("dome_right_mm", 0);
+        slide("Muscle force", 1);
+        assertComesBelow(usual - 2);
+    }
+
+    /** Says that within the next breath the right dome comes below a height, mm; waits no longer than that takes. */
+    private static void assertComesBelow(double height) throws Exception {
+        double from = window.nowS();
+        WindowHarness.await(
+                "the next breath",
+                () -> window.lowest("dome_right_mm", from) < height || window.nowS() > from + NEXT_BREATH_S);
+        assertThat(window.lowest("dome_right_mm", from)).isLessThan(height);
+    }
+
+    @Test
+    void deepIsDeeperThanQuiet() throws Exception {
+        asAtFirst();
+        window.breathe(IN_S);
+        double quiet = window.lowest("dome_right_mm", 0);
+        window.command("Deep");
+        assertComesBelow(quiet - 2);
+        window.screenshot("deep");
+    }
+
+    @Test
+    void aHeldBreathStaysWhereItIs() throws Exception {
+        asAtFirst();
+        window.breathe(1);
+        window.command("Hold");
+        window.breathe(2);
+        double held = window.observed("phase");
+        double turned = window.observed("rib_turn");
+        window.breathe(1);
+        assertThat(window.observed("phase")).isCloseTo(held, within(STILL));
+        assertThat(window.observed("rib_turn")).isCloseTo(turned, within(STILL));
+        window.command("Hold");
+        window.breathe(0.5);
+        assertThat(window.observed("phase")).isNotCloseTo(held, within(STILL));
+    }
+
+    @Test
+    void anotherResolutionIsAnotherScene() throws Exception {
+        asAtFirst();
+        int nodes =
+                WindowHarness.onEdt(() -> window.session().scene().orElseThrow().nodes());
+        long before = id();
+        JComboBox<?> box = window.control(JComboBox.class, "Resolution");
+        WindowHarness.doOnEdt(() -> box.setSelectedIndex(1));
+        reloaded("medium", before);
+        assertThat(WindowHarness.onEdt(
+                        () -> window.session().scene().orElseThrow().nodes()))
+                .isGreaterThan(nodes);
+    }
+
+    private static boolean drop(Path file) {
+        Transferable files = new Transferable() {
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+            }
+
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor flavor) {
+                return flavor.equals(DataFlavor.javaFileListFlavor);
+            }
+
+            @Override
+            public List<File> getTransferData(DataFlavor flavor) {
+                return List.of(file.toFile());
+            }
+        };
+        return WindowHarness.onEdt(() -> {
+            JComponent root = window.window().frame().getRootPane();
+            return root.getTransferHandler().importData(new TransferHandler.TransferSupport(root, files));
+        });
+    }
+
+    @Test
+    void aDroppedScenarioIsOpened() throws Exception {
+        Path file = folder.resolve("dropped.yaml");
+        Files.writeString(file, "preset: deep\nmaterial: paper\nresolution: low\nlungs: off\nrib_rotation: 0.5\n");
+        assertThat(drop(file)).isTrue();
+        WindowHarness.await("the dropped scene", () -> running().name().equals("dropped"));
+        assertThat(window.set("rib_rotation")).isEqualTo(0.5);
+        window.breathe(0.1);
+    }
+
+    @Test
+    void aFileOfAnotherKindIsRefusedInOneSentenceAndChangesNothing() throws Exception {
+        Path file = folder.resolve("wrong.yaml");
+        Files.writeString(file, "presett: deep\n");
+        Object before = WindowHarness.onEdt(() -> window.session().scenario().toMap());
+        drop(file);
+        WindowHarness.await(
+                "the sentence",
+                () -> WindowHarness.onEdt(
+                        () -> window.window().banner().message().contains("presett")));
+        assertThat(WindowHarness.onEdt(() -> window.session().scenario().toMap()))
+                .isEqualTo(before);
+        window.screenshot("refused");
+    }
+
+    @Test
+    void theWindowStaysResponsiveWhileItRunsFlatOutAndLoads() throws Exception {
+        window.breathe(0.5);
+        window.forgetDispatches();
+        WindowHarness.doOnEdt(() -> window.session().open("Again", start()));
+        window.breathe(1);
+        slide("Damping", 0.4);
+        window.breathe(1);
+        List<Double> took = window.dispatches();
+        // One in a hundred may be the first of its kind, before Java has made it fast.
+        assertThat(took.get(took.size() * 99 / 100 - 1)).isLessThan(LONGEST_EVENT_MS);
+    }
+
+    /**
+     * Light nodes on soft springs without damping, thrown by a breath of jumps, stay within bounds while the muscle is
+     * weak.
+     */
+    private Scenario brittle() throws Exception {
+        Path trace = folder.resolve("jumps.csv");
+        Files.writeString(
+                trace,
+                "time_s,amplitude\n0,0\n0.5,0\n0.5001,1\n0.9,1\n0.9001,0\n1,0\n1.5,0\n1.5001,1\n1.9,1\n1.9001,0\n");
+        return start().with(
+                        "trace=" + trace,
+                        "depth=2",
+                        "node_mass_kg=0.001",
+                        "spring_stiffness_n_per_m=1",
+                        "damping_ns_per_m=0",
+                        "muscle_force_mn=1");
+    }
+
+    @Test
+    void aDivergenceIsNamedAndTakenBackAndNeverSeen() throws Exception {
+        long before = id();
+        Scenario brittle = brittle();
+        WindowHarness.doOnEdt(() -> window.session().open("Brittle", brittle));
+        reloaded("low", before);
+        WindowHarness.doOnEdt(() -> window.session().live().setSpeed(Double.POSITIVE_INFINITY));
+        slide("Muscle force", 1);
+        WindowHarness.await(
+                "the banner",
+                () -> WindowHarness.onEdt(
+                        () -> window.window().banner().message().contains("diverged")));
+        assertThat(WindowHarness.onEdt(() -> window.window().banner().message()))
+                .contains("restored")
+                .contains("the last change was muscle_force_mn");
+        assertThat(window.session().live().isPlaying()).isFalse();
+        Frame shown = WindowHarness.onEdt(
+                () -> window.session().scene().orElseThrow().newFrame().get());
+        window.session().live().copyNewestFrame(shown);
+        assertThat(shown.isFinite()).as("what the view draws is a number").isTrue();
+        window.screenshot("diverged");
+        JButton back = window.control(JButton.class, "Back to the last good state");
+        WindowHarness.doOnEdt(back::doClick);
+        WindowHarness.await(
+                "the force before", () -> window.set("muscle_force_mn").equals(1.0));
+        assertThat(WindowHarness.onEdt(() -> window.window().banner().isVisible()))
+                .isFalse();
+        window.breathe(0.5);
+        assertThat(window.session().live().isPlaying()).isTrue();
+    }
+
+    @Test
+    void beyondTheStabilityLimitTheWindowSaysSoAndGoesOn() throws Exception {
+        asAtFirst();
+        JLabel dt = window.control(JLabel.class, "Time step, and the substeps it is split into");
+        JTextField field = window.control(JTextField.class, "Time step");
+        WindowHarness.doOnEdt(() -> {
+            field.setText("0.09");
+            field.postActionEvent();
+        });
+        slide("Spring stiffness", 1);
+        WindowHarness.await(
+                "split steps", () -> WindowHarness.onEdt(() -> dt.getText().contains(" / ")));
+        String why = WindowHarness.onEdt(dt::getToolTipText);
+        assertThat(why).contains("beyond the stability limit");
+        window.breathe(0.5);
+    }
+
+    @Test
+    void aClickNamesTheStructureAndItsPlace() throws Exception {
+        assumeThat(window.window().view().isUnavailable()).isFalse();
+        asAtFirst();
+        SceneViewport view = window.window().view();
+        WindowHarness.doOnEdt(() -> view.pick(view.getWidth() / 2, view.getHeight() / 2, false));
+        JLabel pointed = window.control(JLabel.class, "Structure and place pointed at");
+        WindowHarness.await(
+                "a name", () -> !WindowHarness.onEdt(pointed::getText).isBlank());
+        assertThat(WindowHarness.onEdt(pointed::getText)).matches("[A-Z][a-z].* [LR] \\d+ [AP] \\d+ [SI] \\d+ mm");
+        // The way of that point is plotted at a key.
+        window.command("Plot this point");
+        window.control(JCheckBox.class, "Point 1");
+    }
+
+    @Test
+    void lookingBackShowsTheRecordedFrame() throws Exception {
+        assumeThat(window.window().view().isUnavailable()).isFalse();
+        asAtFirst();
+        window.breathe(1);
+        WindowHarness.await("frames", () -> window.session().live().history().frames() > 3);
+        WindowHarness.doOnEdt(() -> window.session().showHistoryFrame(0));
+        Frame first = WindowHarness.onEdt(
+                () -> window.session().scene().orElseThrow().newFrame().get());
+        window.session().live().history().frame(0, first);
+        WindowHarness.await(
+                "the frame in the view",
+                () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) == first.step());
+        assertThat(window.session().live().isPlaying()).isFalse();
+        WindowHarness.doOnEdt(() -> window.session().returnToLive());
+        WindowHarness.await(
+                "the present",
+                () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) > first.step() + 1);
+        assertThat(window.session().live().isPlaying()).isTrue();
+    }
+
+    @Test
+    void lightAndDarkChangeWithoutKeepingTheWindowAndReachWhatIsPutAway() throws Exception {
+        boolean dark = WindowHarness.onEdt(Theme::isDark);
+        // Once each way, for Java to know what there is to do.
+        for (int i = 0; i < 2; i++) {
+            boolean wanted = i == 0 ? !dark : dark;
+            window.command("Light or dark");
+            WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(wanted)));
+        }
+        window.forgetDispatches();
+        window.command("Light or dark");
+        WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(!dark)));
+        List<Double> took = window.dispatches();
+        // The longest may be the first of its kind, before Java has made it fast.
+        assertThat(took.get(took.size() - 2)).isLessThan(LONGEST_EVENT_MS);
+        window.command("Light or dark");
+        WindowHarness.await("the look", () -> WindowHarness.onEdt(() -> isAllOf(dark)));
+    }
+
+    private static boolean isAllOf(boolean dark) {
+        java.awt.Color background = javax.swing.UIManager.getColor("Panel.background");
+        return Theme.isDark() == dark
+                && window.window().docks().components().stream()
+                        .filter(part -> part instanceof javax.swing.JPanel)
+                        .allMatch(part -> part.getBackground().getRGB() == background.getRGB());
+    }
+
+    @Test
+    void everyControlSaysWhatItDoes() {
+        for (Component control : window.controls()) {
+            if (!(control instanceof JMenu)) {
+                String name = control.getAccessibleContext().getAccessibleName();
+                String tip = WindowHarness.onEdt(((JComponent) control)::getToolTipText);
+                assertThat(tip).as("tooltip of " + name).isNotBlank();
+            }
+        }
+    }
+
+    @Test
+    void everythingOnTheKeyboardsTourHasAName() {
+        for (Component control : window.controls()) {
+            String name = control.getAccessibleContext().getAccessibleName();
+            assertThat(name).as("accessible name of " + control).isNotBlank();
+        }
+    }
+
+    @Test
+    void keysAreTakenOnce() {
+        List<String> keys = window.window().commands().all().stream()
+                .map(MenuAction::acceleratorText)
+                .filter(text -> !text.isEmpty())
+                .toList();
+        assertThat(keys).doesNotHaveDuplicates();
+    }
+}

@@ -1,0 +1,113 @@
+package org.phrenic.engine;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** The constraints of a system: which are switched on, in which order and how often they are put right. */
+final class ConstraintSet {
+    private final int nodeCount;
+    private final List<Constraint> all = new ArrayList<>();
+    private Constraint[] active = {};
+    /** All of them at once, where that can be. */
+    private Optional<IslandProjection> islands = Optional.empty();
+    /** Otherwise each by itself, in the same order. */
+    private Projector[] projectors = {};
+
+    private int sweeps = 1;
+
+    /** Puts one constraint right. */
+    @FunctionalInterface
+    private interface Projector {
+        void project(ParticleSystem system, double h);
+    }
+
+    ConstraintSet(int nodeCount) {
+        this.nodeCount = nodeCount;
+    }
+
+    void add(Constraint constraint) {
+        all.add(constraint);
+        setEnabled(constraint, true);
+    }
+
+    void setEnabled(Constraint constraint, boolean on) {
+        List<Constraint> chosen = new ArrayList<>(Arrays.asList(active));
+        chosen.remove(constraint);
+        if (on) {
+            chosen.add(constraint);
+        }
+        active = all.stream().filter(chosen::contains).toArray(Constraint[]::new);
+        islands = IslandProjection.of(List.of(active), nodeCount);
+        projectors = islands.isPresent()
+                ? new Projector[0]
+                : Arrays.stream(active).map(this::projector).toArray(Projector[]::new);
+    }
+
+    private Projector projector(Constraint constraint) {
+        if (constraint instanceof CoupledConstraint whole) {
+            return whole::project;
+        }
+        IslandProjection alone = IslandProjection.of(List.of(constraint), nodeCount)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "constraint: expected one that is put right as a whole, or item by item"));
+        return (system, h) -> alone.project(system, h, 1);
+    }
+
+    /** Those switched on, in the order they were added. */
+    List<Constraint> active() {
+        return List.of(active);
+    }
+
+    void setSweeps(int count) {
+        if (count < 1) {
+            throw new IllegalArgumentException("projection sweeps: found " + count + ", expected at least 1");
+        }
+        sweeps = count;
+    }
+
+    void setRefreshInterval(double seconds) {
+        all.forEach(constraint -> constraint.setRefreshInterval(seconds));
+    }
+
+    void invalidate() {
+        all.forEach(Constraint::invalidate);
+    }
+
+    boolean hasContacts() {
+        return all.stream().anyMatch(Constraint::isContact);
+    }
+
+    void project(ParticleSystem system, double time, double h) {
+        for (Constraint constraint : active) {
+            constraint.prepare(system, time);
+        }
+        if (islands.isPresent()) {
+            islands.get().project(system, h, sweeps);
+            return;
+        }
+        for (int sweep = 0; sweep < sweeps; sweep++) {
+            for (Projector stage : projectors) {
+                stage.project(system, h);
+            }
+        }
+    }
+
+    void projectVelocities(ParticleSystem system) {
+        for (Constraint constraint : active) {
+            constraint.projectVelocities(system);
+        }
+    }
+
+    /** What one of them could not make hold in the last step; null where all hold. */
+    String violation() {
+        for (Constraint constraint : active) {
+            String cause = constraint.violation();
+            if (cause != null) {
+                return cause;
+            }
+        }
+        return null;
+    }
+}

@@ -1,0 +1,13 @@
+package org.phrenic.engine;
+
+/** A constraint that is put right as a whole, because its parts depend on one another. */
+public interface CoupledConstraint extends Constraint {
+
+    /**
+     * Moves nodes so that the constraint holds.
+     *
+     * @param system the nodes; positions and velocities are changed
+     * @param h the step just taken, s
+     */
+    void project(ParticleSystem system, double h);
+}

@@ -1,0 +1,394 @@
+package org.phrenic.engine;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+
+/**
+ * Nodes with mass, the force fields that pull on them, the constraints they obey, and the nodes whose motion is given.
+ *
+ * <p>State is flat: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The arrays are handed
+ * out for speed; only integrators, constraints and whoever restores a state write to them.
+ */
+public final class ParticleSystem {
+    /**
+     * From so many nodes on, state and springs are more than a core's own cache holds for sure: blocks are then fetched
+     * before they are worked on.
+     */
+    private static final int FETCH_FROM_NODES = 1 << 15;
+
+    /** Doubles in a line of cache. */
+    private static final int LINE = 8;
+
+    private final NodeLayout layout;
+    private final Workers workers;
+    private final double[] x;
+    private final double[] v;
+    private final double[] mass;
+    private final double[] inverseMass;
+    private final double[] viscosity;
+    private final List<ForceField> allFields = new ArrayList<>();
+    private ForceField[] fields = {};
+    private boolean dependsOnVelocity;
+    private final ConstraintSet constraints;
+    private final PrescribedNodes prescribed = new PrescribedNodes();
+
+    /** One number a block, there only so that the compiler cannot leave out the reading. */
+    private final double[] fetched;
+
+    private double[] taskX;
+    private double[] taskV;
+    private double[] taskForce;
+    private Workers.Task taskAfter;
+    private final Workers.Task forceTask = this::blockForces;
+
+    /**
+     * @param layout order and blocks of the nodes
+     * @param positions in the caller's order, mm
+     * @param mass one a node in the caller's order, kg; all positive
+     * @param workers who shares the work
+     * @throws IllegalArgumentException if lengths differ, a mass is not positive and finite, or a position is not
+     *     finite
+     */
+    public ParticleSystem(NodeLayout layout, double[] positions, double[] mass, Workers workers) {
+        int n = layout.nodeCount();
+        if (positions.length != 3 * n || mass.length != n) {
+            throw new IllegalArgumentException("found " + positions.length + " coordinates and " + mass.length
+                    + " masses, expected " + 3 * n + " and " + n);
+        }
+        this.layout = layout;
+        this.workers = workers;
+        this.x = layout.toInternal(positions);
+        this.v = new double[3 * n];
+        this.mass = new double[n];
+        this.inverseMass = new double[n];
+        this.viscosity = new double[n];
+        this.constraints = new ConstraintSet(n);
+        this.fetched = new double[n < FETCH_FROM_NODES ? 0 : layout.blockCount()];
+        for (int i = 0; i < n; i++) {
+            double m = mass[layout.caller(i)];
+            if (!(m > 0) || Double.isInfinite(m)) {
+                throw new IllegalArgumentException(
+                        "mass of node " + layout.caller(i) + ": found " + m + " kg, expected more than 0");
+            }
+            this.mass[i] = m;
+            this.inverseMass[i] = 1 / m;
+            for (int axis = 0; axis < 3; axis++) {
+                if (!Double.isFinite(x[3 * i + axis])) {
+                    throw new IllegalArgumentException("position of node " + layout.caller(i) + ": found "
+                            + x[3 * i + axis] + ", expected a finite number of mm");
+                }
+            }
+        }
+    }
+
+    public NodeLayout layout() {
+        return layout;
+    }
+
+    public Workers workers() {
+        return workers;
+    }
+
+    public int nodeCount() {
+        return layout.nodeCount();
+    }
+
+    /** Positions in internal order, mm. */
+    public double[] positions() {
+        return x;
+    }
+
+    /** Velocities in internal order, mm/s. */
+    public double[] velocities() {
+        return v;
+    }
+
+    /** Mass of each node in internal order, kg. */
+    public double[] masses() {
+        return mass;
+    }
+
+    /** 1/mass of each node, 0 where the motion is given; internal order, 1/kg. */
+    public double[] inverseMasses() {
+        return inverseMass;
+    }
+
+    /** Viscous damping γ of each node (force -γ v), internal order, N s/m. */
+    public double[] viscosities() {
+        return viscosity;
+    }
+
+    /**
+     * Sets the viscous damping of all nodes to one value, N s/m.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setViscosity(double gamma) {
+        checkDamping("viscosity", gamma, "N s/m");
+        Arrays.fill(viscosity, gamma);
+    }
+
+    /**
+     * Sets the viscous damping of each node to rate times its mass: γ = rate m, rate in 1/s.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setViscosityPerMass(double rate) {
+        checkDamping("viscosity per mass", rate, "1/s");
+        for (int i = 0; i < viscosity.length; i++) {
+            viscosity[i] = rate * mass[i];
+        }
+    }
+
+    private static void checkDamping(String what, double value, String unit) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(what + ": found " + value + " " + unit + ", expected 0 or more");
+        }
+    }
+
+    /** Adds a field, switched on. */
+    public void add(ForceField field) {
+        allFields.add(field);
+        setEnabled(field, true);
+    }
+
+    /** Adds a constraint, switched on; constraints are put right in the order they were added. */
+    public void add(Constraint constraint) {
+        constraints.add(constraint);
+    }
+
+    /** Switches a field on or off; off, it costs nothing. */
+    public void setEnabled(ForceField field, boolean on) {
+        List<ForceField> active = new ArrayList<>(Arrays.asList(fields));
+        active.remove(field);
+        if (on) {
+            active.add(field);
+        }
+        fields = allFields.stream().filter(active::contains).toArray(ForceField[]::new);
+        dependsOnVelocity = Arrays.stream(fields).anyMatch(ForceField::dependsOnVelocity);
+    }
+
+    /** Switches a constraint on or off; off, it costs nothing. */
+    public void setEnabled(Constraint constraint, boolean on) {
+        constraints.setEnabled(constraint, on);
+    }
+
+    /** Whether a constraint is switched on. */
+    public boolean isEnabled(Constraint constraint) {
+        return constraints.active().contains(constraint);
+    }
+
+    /**
+     * Lets all fields and constraints forget what they kept from earlier times: to be called after state, parameters or
+     * time were changed from outside.
+     */
+    public void invalidate() {
+        allFields.forEach(ForceField::invalidate);
+        constraints.invalidate();
+        prescribed.invalidate();
+    }
+
+    /**
+     * Gives a node another mass.
+     *
+     * @param internalNode internal number
+     * @param kg more than 0
+     */
+    public void setMass(int internalNode, double kg) {
+        mass[internalNode] = kg;
+        if (inverseMass[internalNode] > 0) {
+            inverseMass[internalNode] = 1 / kg;
+        }
+    }
+
+    /** The fields switched on, in the order they were added. */
+    public List<ForceField> fields() {
+        return List.of(fields);
+    }
+
+    /** The constraints switched on, in the order they were added. */
+    public List<Constraint> constraints() {
+        return constraints.active();
+    }
+
+    /** Whether any field switched on depends on velocity. */
+    public boolean dependsOnVelocity() {
+        return dependsOnVelocity;
+    }
+
+    /**
+     * Nodes that follow a given motion instead of forces; replaces what was given before.
+     *
+     * @param callerNodes in the caller's numbering, each once
+     * @param motion their positions and velocities in the same order
+     */
+    public void prescribe(int[] callerNodes, PrescribedMotion motion) {
+        for (int node : prescribed.nodes()) {
+            inverseMass[node] = 1 / mass[node];
+        }
+        prescribed.prescribe(Arrays.stream(callerNodes).map(layout::internal).toArray(), motion);
+        for (int node : prescribed.nodes()) {
+            inverseMass[node] = 0;
+        }
+    }
+
+    /** Holds nodes (caller's numbering) where they are now. */
+    public void fix(int... callerNodes) {
+        double[] here = new double[3 * callerNodes.length];
+        for (int i = 0; i < callerNodes.length; i++) {
+            System.arraycopy(x, 3 * layout.internal(callerNodes[i]), here, 3 * i, 3);
+        }
+        prescribe(callerNodes, PrescribedMotion.stationary(here));
+    }
+
+    /**
+     * Puts the nodes of given motion where they are at a time, in the arrays given; nodes that are still are put there
+     * once.
+     */
+    public void applyPrescribed(double time, double[] position, double[] velocity) {
+        prescribed.apply(time, position, velocity, position == x && velocity == v);
+    }
+
+    /**
+     * The force on each node at a state and time, without the nodes' own viscous damping.
+     *
+     * @param time s
+     * @param position mm; nodes of given motion are expected where they belong
+     * @param velocity mm/s
+     * @param force result, mN
+     */
+    public void forces(double time, double[] position, double[] velocity, double[] force) {
+        forces(time, position, velocity, force, null);
+    }
+
+    /**
+     * As {@link #forces(double, double[], double[], double[])}, and does something with the forces of each block while
+     * they are at hand.
+     *
+     * @param after told of each block when its forces are complete, other blocks possibly not yet asked for theirs: it
+     *     may write to this block's forces but not to positions, and to this block's velocities only if no field is
+     *     {@link #dependsOnVelocity}; null for nothing
+     */
+    public void forces(double time, double[] position, double[] velocity, double[] force, Workers.Task after) {
+        for (ForceField field : fields) {
+            field.prepare(time);
+        }
+        taskX = position;
+        taskV = velocity;
+        taskForce = force;
+        taskAfter = after;
+        workers.run(layout.blockCount(), forceTask);
+    }
+
+    private void blockForces(int block) {
+        double[] force = taskForce;
+        double[] position = taskX;
+        double[] velocity = taskV;
+        int from = 3 * layout.start(block);
+        int end = 3 * layout.end(block);
+        if (fetched.length > 0) {
+            fetched[block] = oneALine(position, from, end) + oneALine(velocity, from, end);
+        }
+        Arrays.fill(force, from, end, 0);
+        for (ForceField field : fields) {
+            field.addForces(position, velocity, force, block);
+        }
+        Workers.Task after = taskAfter;
+        if (after != null) {
+            after.run(block);
+        }
+    }
+
+    /**
+     * Reads one number of each line of cache. These reads wait for nothing, so memory serves many of them at once;
+     * those of the force fields, met one by one amid arithmetic, would each be waited for.
+     */
+    private static double oneALine(double[] values, int from, int end) {
+        double sum = 0;
+        for (int i = from; i < end; i += LINE) {
+            sum += values[i];
+        }
+        return sum;
+    }
+
+    /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */
+    public void addStiffness(double[] position, double[] u, double[] out, int block) {
+        for (ForceField field : fields) {
+            field.addStiffness(position, u, out, block);
+        }
+    }
+
+    /** Adds the row sums of the fields switched on; see {@link ForceField#addRowSums}. */
+    public void addRowSums(double[] stiffness, double[] damping) {
+        for (ForceField field : fields) {
+            field.addRowSums(stiffness, damping);
+        }
+    }
+
+    /**
+     * Sets how many times constraints are gone through after each step: what one puts right another may break, and each
+     * sweep leaves about half of what the last one left. Those that share no node with another hold after the first.
+     *
+     * @throws IllegalArgumentException if it is not positive
+     */
+    public void setProjectionSweeps(int sweeps) {
+        constraints.setSweeps(sweeps);
+    }
+
+    /**
+     * Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s.
+     */
+    public void setRefreshInterval(double seconds) {
+        allFields.forEach(field -> field.setRefreshInterval(seconds));
+        constraints.setRefreshInterval(seconds);
+    }
+
+    /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
+    public void project(double time, double h) {
+        constraints.project(this, time, h);
+    }
+
+    /** Takes away what velocities have against the constraints; see {@link Constraint#projectVelocities}. */
+    public void projectVelocities() {
+        constraints.projectVelocities(this);
+    }
+
+    /** Whether nodes may lean on a constraint, switched on or off. */
+    public boolean hasContacts() {
+        return constraints.hasContacts();
+    }
+
+    /** What a constraint switched on could not make hold in the last step; null where all hold. */
+    public String violation() {
+        return constraints.violation();
+    }
+
+    /** Energy of motion, µJ. */
+    public double kineticEnergy() {
+        double sum = 0;
+        for (int i = 0; i < mass.length; i++) {
+            double vx = v[3 * i];
+            double vy = v[3 * i + 1];
+            double vz = v[3 * i + 2];
+            sum += 0.5 * mass[i] * (vx * vx + vy * vy + vz * vz);
+        }
+        return sum;
+    }
+
+    /** Energy stored by the fields switched on, µJ. */
+    public double potentialEnergy() {
+        double sum = 0;
+        for (ForceField field : fields) {
+            sum += field.potentialEnergy(x);
+        }
+        return sum;
+    }
+
+    /** Position of one of the caller's nodes, written to {@code out}. */
+    public void position(int callerNode, double[] out) {
+        System.arraycopy(x, 3 * layout.internal(callerNode), out, 0, 3);
+    }
+}

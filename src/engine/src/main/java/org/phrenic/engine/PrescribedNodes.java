@@ -1,0 +1,64 @@
+package org.phrenic.engine;
+
+/** The nodes of a system whose motion is given, and that motion. */
+final class PrescribedNodes {
+    private int[] node = {};
+    private PrescribedMotion motion = PrescribedMotion.stationary(new double[0]);
+    private double[] givenX = {};
+    private double[] givenV = {};
+    private boolean stationaryApplied;
+
+    /** Internal numbers of the nodes. */
+    int[] nodes() {
+        return node;
+    }
+
+    /**
+     * Replaces nodes and motion.
+     *
+     * @param internalNodes each once
+     * @param positions their motion in the same order
+     * @throws IllegalArgumentException if the two are not as many
+     */
+    void prescribe(int[] internalNodes, PrescribedMotion positions) {
+        if (internalNodes.length != positions.pointCount()) {
+            throw new IllegalArgumentException("found " + internalNodes.length + " nodes and " + positions.pointCount()
+                    + " prescribed points, expected as many");
+        }
+        motion = positions;
+        node = internalNodes;
+        givenX = new double[3 * internalNodes.length];
+        givenV = new double[3 * internalNodes.length];
+        stationaryApplied = false;
+    }
+
+    /** Still nodes are put in place anew at the next opportunity: the state was changed from outside. */
+    void invalidate() {
+        stationaryApplied = false;
+    }
+
+    /**
+     * Puts the nodes where they are at a time.
+     *
+     * @param ofSystem whether the arrays are the system's own state, in which nodes that are still are put in place
+     *     once
+     */
+    void apply(double time, double[] position, double[] velocity, boolean ofSystem) {
+        if (node.length == 0 || (stationaryApplied && ofSystem)) {
+            return;
+        }
+        motion.at(time, givenX, givenV);
+        for (int i = 0; i < node.length; i++) {
+            int at = 3 * node[i];
+            int from = 3 * i;
+            position[at] = givenX[from];
+            position[at + 1] = givenX[from + 1];
+            position[at + 2] = givenX[from + 2];
+            velocity[at] = givenV[from];
+            velocity[at + 1] = givenV[from + 1];
+            velocity[at + 2] = givenV[from + 2];
+        }
+        // Nothing moves a node without inverse mass and without speed, so it need not be put back every step.
+        stationaryApplied = motion.isStationary() && ofSystem;
+    }
+}

@@ -1,0 +1,167 @@
+package org.phrenic.engine.constraint;
+
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SeparableConstraint;
+import org.phrenic.engine.math.Triangles;
+import org.phrenic.engine.parallel.NodeLayout;
+
+/**
+ * Pairs of nodes on the two faces of a thin sheet that may not change places: along the outer face's normal the outer
+ * node stays at least some distance in front of the inner one, (x_o - x_i)·n ≥ d. A strut between them keeps their
+ * distance but not their order; with both, a sheet that is folded or pressed cannot turn inside out.
+ *
+ * <p>No node may be in two pairs. Where the order is broken both nodes are moved, the correction shared by inverse
+ * mass, and their speed toward each other is taken away. Normals are those of one triangle of the outer face at the
+ * outer node, taken anew every few steps.
+ */
+public final class NonInversionPairs implements SeparableConstraint {
+    private final int[] outer;
+    private final int[] inner;
+    private final int[] triangle;
+    private final double[] minDistance;
+    private final double[] normal;
+    private final double[] fresh = new double[3];
+    private final RefreshClock refresh;
+
+    /**
+     * @param layout of the system it is for
+     * @param outer the node of each pair that stays outside, caller's numbering
+     * @param inner the other node
+     * @param triangle three nodes a pair, a triangle of the outer face, anticlockwise seen from outside
+     * @param least smallest distance along the normal, mm, one a pair
+     * @param refreshInterval simulated time after which normals are taken anew, s
+     */
+    public NonInversionPairs(
+            NodeLayout layout, int[] outer, int[] inner, int[] triangle, double[] least, double refreshInterval) {
+        int n = outer.length;
+        if (inner.length != n || triangle.length != 3 * n || least.length != n) {
+            throw new IllegalArgumentException("ordered pairs: found " + n + " outer nodes, " + inner.length
+                    + " inner, "
+                    + triangle.length + " corners and " + least.length + " distances, expected as many, as many, 3"
+                    + " each and as many");
+        }
+        this.outer = new int[n];
+        this.inner = new int[n];
+        this.triangle = new int[3 * n];
+        this.minDistance = new double[n];
+        int[] order = layout.inMemoryOrder(outer);
+        for (int i = 0; i < n; i++) {
+            int listed = order[i];
+            this.outer[i] = 3 * layout.internal(outer[listed]);
+            this.inner[i] = 3 * layout.internal(inner[listed]);
+            for (int c = 0; c < 3; c++) {
+                this.triangle[3 * i + c] = 3 * layout.internal(triangle[3 * listed + c]);
+            }
+            this.minDistance[i] = least[listed];
+        }
+        this.refresh = new RefreshClock(refreshInterval);
+        this.normal = new double[3 * n];
+    }
+
+    @Override
+    public void setRefreshInterval(double seconds) {
+        refresh.setInterval(seconds);
+    }
+
+    @Override
+    public void invalidate() {
+        refresh.invalidate();
+    }
+
+    @Override
+    public int[][] itemNodes() {
+        return new int[][] {outer, inner};
+    }
+
+    public int count() {
+        return outer.length;
+    }
+
+    @Override
+    public boolean isContact() {
+        return true;
+    }
+
+    @Override
+    public void prepare(ParticleSystem particles, double time) {
+        if (refresh.advanceTo(time)) {
+            refreshNormals(particles.positions());
+        }
+    }
+
+    private void refreshNormals(double[] x) {
+        for (int i = 0; i < normal.length; i += 3) {
+            // A triangle that has no area for the moment keeps the normal it had.
+            if (Triangles.normal(x, triangle[i], triangle[i + 1], triangle[i + 2], fresh) > 0) {
+                System.arraycopy(fresh, 0, normal, i, 3);
+            }
+        }
+    }
+
+    @Override
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        int end = from;
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        for (int k = from; k < to; k++) {
+            int i = items[k];
+            int o = outer[i];
+            int n = inner[i];
+            double nx = normal[3 * i];
+            double ny = normal[3 * i + 1];
+            double nz = normal[3 * i + 2];
+            double gap = nx * (x[o] - x[n]) + ny * (x[o + 1] - x[n + 1]) + nz * (x[o + 2] - x[n + 2]) - minDistance[i];
+            double wo = w[o / 3];
+            double wn = w[n / 3];
+            if (gap >= 0 || wo + wn == 0) {
+                continue;
+            }
+            moved[end++] = i;
+            double so = wo / (wo + wn);
+            double sn = wn / (wo + wn);
+            move(x, o, n, -gap * so, gap * sn, nx, ny, nz);
+            double closing = nx * (v[o] - v[n]) + ny * (v[o + 1] - v[n + 1]) + nz * (v[o + 2] - v[n + 2]);
+            if (closing < 0) {
+                move(v, o, n, -closing * so, closing * sn, nx, ny, nz);
+            }
+        }
+        return end - from;
+    }
+
+    private static void move(double[] a, int o, int n, double outward, double inward, double nx, double ny, double nz) {
+        a[o] += outward * nx;
+        a[o + 1] += outward * ny;
+        a[o + 2] += outward * nz;
+        a[n] += inward * nx;
+        a[n + 1] += inward * ny;
+        a[n + 2] += inward * nz;
+    }
+
+    @Override
+    public void jacobianRows(ParticleSystem particles, RowConsumer out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < outer.length; i++) {
+            double gap = -minDistance[i];
+            for (int axis = 0; axis < 3; axis++) {
+                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
+            }
+            out.add(outer[i] / 3, inner[i] / 3, normal[3 * i], normal[3 * i + 1], normal[3 * i + 2], gap, true);
+        }
+    }
+
+    /** Largest breach of the least distance, mm, along the normals last taken. */
+    @Override
+    public double error(ParticleSystem particles) {
+        double[] x = particles.positions();
+        double worst = 0;
+        for (int i = 0; i < outer.length; i++) {
+            double gap = -minDistance[i];
+            for (int axis = 0; axis < 3; axis++) {
+                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
+            }
+            worst = Math.max(worst, -gap);
+        }
+        return worst;
+    }
+}

@@ -1,0 +1,197 @@
+package org.phrenic.engine.constraint;
+
+import java.util.Arrays;
+import java.util.function.IntToLongFunction;
+import java.util.stream.IntStream;
+import org.phrenic.engine.CoupledConstraint;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+
+/**
+ * Links of constant length between two nodes: the compression members of a tensegrity structure (Villard, Bourne and
+ * Bello 2009, eq. 5).
+ *
+ * <p>After a step that ignored the links, the ends A', B' of each are brought back to the link's length, the correction
+ * shared by inverse mass (so AA₁/AA' = BB₁/BB' for equal masses), and velocities get the same shift over h, so that
+ * nothing heats.
+ *
+ * <ul>
+ *   <li>{@link #gaussSeidel}, the default: coloured Gauss-Seidel until the largest relative length error is below a
+ *       tolerance. Ends are shifted along the line AB that the link had before the step (SHAKE: Ryckaert, Ciccotti and
+ *       Berendsen 1977, doi 10.1016/0021-9991(77)90098-5), which keeps angular momentum, the order 2 of velocity Verlet
+ *       and the energy. Links of one colour share no node: a colour is done in parallel with the same bits for any
+ *       number of threads;
+ *   <li>{@link #singlePass}: one pass, in the order given, along the line A'B', as the paper states. That direction
+ *       belongs to the end of the step and takes energy out of links that turn: a link that turns at ω loses speed at
+ *       the rate ω² h, so the scheme is of order 1.
+ * </ul>
+ */
+public abstract sealed class RigidLinks implements CoupledConstraint permits GaussSeidelLinks, SinglePassLinks {
+    static final int LINKS_A_PIECE = 256;
+
+    /** First and other node of each link times 3, internal order. */
+    final int[] nodeA;
+
+    final int[] nodeB;
+    /** The lengths that are kept, mm. */
+    final double[] length;
+
+    private final double[] targetLength;
+    private final double[] capturedLength;
+
+    /** Ends of links in internal order, as the caller lists them; {@code order} says which link comes where. */
+    RigidLinks(int[] a, int[] b, double[] l, int[] order) {
+        int n = order.length;
+        nodeA = new int[n];
+        nodeB = new int[n];
+        length = new double[n];
+        for (int i = 0; i < n; i++) {
+            nodeA[i] = 3 * a[order[i]];
+            nodeB[i] = 3 * b[order[i]];
+            length[i] = l[order[i]];
+        }
+        targetLength = length.clone();
+        capturedLength = length.clone();
+    }
+
+    /**
+     * Coloured Gauss-Seidel, the default.
+     *
+     * @param layout of the system they are for
+     * @param nodeA one end of each link, caller's numbering
+     * @param nodeB the other end
+     * @param positions where lengths are taken, caller's order, mm
+     * @param tolerance largest relative length error left over
+     * @param maxSweeps at most so many sweeps a step
+     * @throws IllegalArgumentException if a link has no length
+     */
+    public static RigidLinks gaussSeidel(
+            NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions, double tolerance, int maxSweeps) {
+        return gaussSeidelToLengths(layout, nodeA, nodeB, lengths(nodeA, nodeB, positions), tolerance, maxSweeps);
+    }
+
+    /** As {@link #gaussSeidel}, with the length of each link given, mm. */
+    public static RigidLinks gaussSeidelToLengths(
+            NodeLayout layout, int[] nodeA, int[] nodeB, double[] lengths, double tolerance, int maxSweeps) {
+        return new GaussSeidelLinks(layout, nodeA, nodeB, lengths, tolerance, maxSweeps);
+    }
+
+    /** The paper's projection: each link once, in the order given. Parameters as for {@link #gaussSeidel}. */
+    public static RigidLinks singlePass(NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions) {
+        return new SinglePassLinks(layout, nodeA, nodeB, lengths(nodeA, nodeB, positions));
+    }
+
+    private static double[] lengths(int[] nodeA, int[] nodeB, double[] positions) {
+        double[] lengths = new double[nodeA.length];
+        for (int i = 0; i < lengths.length; i++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = positions[3 * nodeB[i] + axis] - positions[3 * nodeA[i] + axis];
+                squared += d * d;
+            }
+            lengths[i] = Math.sqrt(squared);
+        }
+        return lengths;
+    }
+
+    /** Internal numbers of one end of each link. */
+    static int[] internal(NodeLayout layout, int[] callerNodes) {
+        return Arrays.stream(callerNodes).map(layout::internal).toArray();
+    }
+
+    /** @throws IllegalArgumentException if a link has no length */
+    static void checkLengths(int[] callerA, int[] callerB, double[] l) {
+        for (int i = 0; i < l.length; i++) {
+            if (!(l[i] > 0)) {
+                throw new IllegalArgumentException("rigid link " + i + " between nodes " + callerA[i] + " and "
+                        + callerB[i] + ": found length " + l[i] + " mm, expected more than 0");
+            }
+        }
+    }
+
+    /** The links sorted by a key, which leaves the lowest 28 bits for the link's own number. */
+    static int[] sorted(int n, IntToLongFunction key) {
+        return IntStream.range(0, n)
+                .mapToLong(i -> key.applyAsLong(i) | i)
+                .sorted()
+                .mapToInt(each -> (int) (each & 0xfffffff))
+                .toArray();
+    }
+
+    /**
+     * Takes the links as long as they are now, to be brought to their given lengths by {@link #interpolateLengths}: for
+     * links that were off for a while.
+     */
+    public void captureLengths(ParticleSystem particles) {
+        double[] x = particles.positions();
+        for (int i = 0; i < capturedLength.length; i++) {
+            double dx = x[nodeB[i]] - x[nodeA[i]];
+            double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
+            double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
+            capturedLength[i] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        }
+        interpolateLengths(0);
+    }
+
+    /** Sets every length between the one last caught (0) and the given one (1). */
+    public void interpolateLengths(double share) {
+        for (int i = 0; i < length.length; i++) {
+            length[i] =
+                    share == 1 ? targetLength[i] : capturedLength[i] + share * (targetLength[i] - capturedLength[i]);
+        }
+    }
+
+    /** The nodes of the links in the caller's numbering: two a link. */
+    public int[] callerPairs(NodeLayout layout) {
+        int[] pairs = new int[2 * nodeA.length];
+        for (int i = 0; i < nodeA.length; i++) {
+            pairs[2 * i] = layout.caller(nodeA[i] / 3);
+            pairs[2 * i + 1] = layout.caller(nodeB[i] / 3);
+        }
+        return pairs;
+    }
+
+    public int count() {
+        return length.length;
+    }
+
+    /** Adds sa d to u of node a and takes sb d from that of node b. */
+    static void applyImpulse(double[] u, int a, int b, double sa, double sb, double dx, double dy, double dz) {
+        u[a] += sa * dx;
+        u[a + 1] += sa * dy;
+        u[a + 2] += sa * dz;
+        u[b] -= sb * dx;
+        u[b + 1] -= sb * dy;
+        u[b + 2] -= sb * dz;
+    }
+
+    /** Sweeps that the last projection took. */
+    public abstract int lastSweepCount();
+
+    @Override
+    public void jacobianRows(ParticleSystem particles, RowConsumer out) {
+        double[] x = particles.positions();
+        for (int i = 0; i < length.length; i++) {
+            double dx = x[nodeA[i]] - x[nodeB[i]];
+            double dy = x[nodeA[i] + 1] - x[nodeB[i] + 1];
+            double dz = x[nodeA[i] + 2] - x[nodeB[i] + 2];
+            double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            out.add(nodeA[i] / 3, nodeB[i] / 3, dx / l, dy / l, dz / l, l - length[i], false);
+        }
+    }
+
+    /** Largest relative length error |l - L| / L. */
+    @Override
+    public double error(ParticleSystem particles) {
+        double[] x = particles.positions();
+        double worst = 0;
+        for (int i = 0; i < length.length; i++) {
+            double dx = x[nodeB[i]] - x[nodeA[i]];
+            double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
+            double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
+            // The larger of a number and none is none, so that a lost position shows.
+            worst = Math.max(worst, Math.abs(Math.sqrt(dx * dx + dy * dy + dz * dz) - length[i]) / length[i]);
+        }
+        return worst;
+    }
+}

@@ -1,0 +1,97 @@
+package org.phrenic.engine.constraint;
+
+import java.util.stream.IntStream;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+
+/**
+ * Each link once, along the line A'B' that its ends have at the end of the step; in the order given where links share
+ * nodes, side by side where none does.
+ */
+final class SinglePassLinks extends RigidLinks {
+    /** Whether the order matters: links that share no node give the same bits in any. */
+    private final boolean inOrder;
+
+    private ParticleSystem system;
+    private double step;
+    private final Workers.Task disjointTask = this::disjointPiece;
+
+    SinglePassLinks(NodeLayout layout, int[] callerA, int[] callerB, double[] l) {
+        this(internal(layout, callerA), internal(layout, callerB), l, layout.nodeCount());
+        checkLengths(callerA, callerB, l);
+    }
+
+    private SinglePassLinks(int[] a, int[] b, double[] l, int nodes) {
+        this(a, b, l, shareNodes(a, b, nodes));
+    }
+
+    private SinglePassLinks(int[] a, int[] b, double[] l, boolean inOrder) {
+        super(
+                a,
+                b,
+                l,
+                inOrder
+                        ? IntStream.range(0, a.length).toArray()
+                        : sorted(a.length, i -> (long) Math.min(a[i], b[i]) << 28));
+        this.inOrder = inOrder;
+    }
+
+    private static boolean shareNodes(int[] a, int[] b, int nodes) {
+        boolean[] used = new boolean[nodes];
+        for (int i = 0; i < a.length; i++) {
+            if (used[a[i]] || used[b[i]]) {
+                return true;
+            }
+            used[a[i]] = true;
+            used[b[i]] = true;
+        }
+        return false;
+    }
+
+    @Override
+    public int lastSweepCount() {
+        return 1;
+    }
+
+    @Override
+    public void project(ParticleSystem particles, double h) {
+        if (inOrder) {
+            project(particles, 1 / h, 0, length.length);
+            return;
+        }
+        system = particles;
+        step = h;
+        particles.workers().run((length.length + LINKS_A_PIECE - 1) / LINKS_A_PIECE, disjointTask);
+    }
+
+    private void disjointPiece(int piece) {
+        int from = piece * LINKS_A_PIECE;
+        project(system, 1 / step, from, Math.min(length.length, from + LINKS_A_PIECE));
+    }
+
+    private void project(ParticleSystem particles, double perStep, int from, int to) {
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        for (int i = from; i < to; i++) {
+            int a = nodeA[i];
+            int b = nodeB[i];
+            double wa = w[a / 3];
+            double wb = w[b / 3];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            if (wa + wb == 0 || l == 0) {
+                // Both ends given, or on one spot, where the line has no direction.
+                continue;
+            }
+            double s = (l - length[i]) / (l * (wa + wb));
+            double sa = s * wa;
+            double sb = s * wb;
+            applyImpulse(x, a, b, sa, sb, dx, dy, dz);
+            applyImpulse(v, a, b, sa * perStep, sb * perStep, dx, dy, dz);
+        }
+    }
+}

@@ -1,0 +1,213 @@
+package org.phrenic.engine.constraint;
+
+import java.util.Arrays;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SeparableConstraint;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+
+/**
+ * Contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its
+ * velocity that goes into the wall is replaced by the wall's own. Sliding along the wall, and leaving it, are free.
+ *
+ * <p>An adhering contact holds from both sides and wholly: the node slides along the wall but cannot leave it, as the
+ * lung's surface does on the pleura, however hard it is pulled.
+ *
+ * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps:
+ * between the two the node moves a fraction of a millimetre, so the plane is as good as the wall and costs a tenth.
+ */
+public final class SlidingContact implements SeparableConstraint {
+    private static final int PLANE = 5;
+    private static final int NODES_A_PIECE = 512;
+    /**
+     * A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until
+     * planes are taken anew, mm.
+     */
+    private static final double FAR_MM = 5;
+
+    /**
+     * A node that the wall holds back from one side is put back no faster than this, mm/s: a wall that turns sharply,
+     * or a node thrown through it, then costs a smooth return and no shock.
+     */
+    public static final double MAX_RETURN_SPEED = 500;
+
+    /** Nodes times 3 in internal order, which is that of memory, and which of the caller's list each is. */
+    private final int[] node;
+
+    private final int[] listed;
+    private final ContactSurface surface;
+    private final boolean adhering;
+    private final double[] plane;
+    private final boolean[] inContact;
+    /** Nodes that cannot come to the wall before planes are taken anew. */
+    private final boolean[] far;
+
+    private double maxReturnSpeed;
+    private ParticleSystem system;
+    private final Workers.Task refreshTask = this::refreshPlanes;
+    private final RefreshClock refresh;
+
+    /**
+     * @param layout of the system it is for
+     * @param callerNodes the nodes that the wall holds back, caller's numbering
+     * @param surface the wall
+     * @param refreshInterval simulated time after which tangent planes are taken anew, s
+     */
+    public SlidingContact(NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        this(layout, callerNodes, surface, refreshInterval, false);
+    }
+
+    /** A contact that nodes cannot leave; parameters as for the one-sided one. */
+    public static SlidingContact adhering(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
+        return new SlidingContact(layout, callerNodes, surface, refreshInterval, true);
+    }
+
+    private SlidingContact(
+            NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
+        this.adhering = adhering;
+        maxReturnSpeed = adhering ? Double.POSITIVE_INFINITY : MAX_RETURN_SPEED;
+        listed = layout.inMemoryOrder(callerNodes);
+        node = Arrays.stream(listed)
+                .map(i -> 3 * layout.internal(callerNodes[i]))
+                .toArray();
+        this.surface = surface;
+        refresh = new RefreshClock(refreshInterval);
+        plane = new double[PLANE * node.length];
+        inContact = new boolean[node.length];
+        far = new boolean[node.length];
+    }
+
+    /**
+     * How fast a node beyond the wall may be put back, mm/s; less than {@link #MAX_RETURN_SPEED} while a wall that was
+     * not there comes in.
+     */
+    public void setMaxReturnSpeed(double speed) {
+        maxReturnSpeed = speed;
+    }
+
+    @Override
+    public void setRefreshInterval(double seconds) {
+        refresh.setInterval(seconds);
+    }
+
+    @Override
+    public void invalidate() {
+        refresh.invalidate();
+    }
+
+    @Override
+    public int[][] itemNodes() {
+        return new int[][] {node};
+    }
+
+    public int count() {
+        return node.length;
+    }
+
+    /** How many nodes the wall held back in the last step. */
+    public int contactCount() {
+        int sum = 0;
+        for (boolean t : inContact) {
+            sum += t ? 1 : 0;
+        }
+        return sum;
+    }
+
+    @Override
+    public boolean isContact() {
+        return true;
+    }
+
+    @Override
+    public void prepare(ParticleSystem particles, double time) {
+        if (refresh.advanceTo(time)) {
+            surface.prepare(time);
+            system = particles;
+            particles.workers().run((node.length + NODES_A_PIECE - 1) / NODES_A_PIECE, refreshTask);
+        }
+    }
+
+    private void refreshPlanes(int piece) {
+        double[] x = system.positions();
+        double[] v = system.velocities();
+        int to = Math.min(node.length, (piece + 1) * NODES_A_PIECE);
+        for (int i = piece * NODES_A_PIECE; i < to; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            surface.tangentPlane(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
+            far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
+            inContact[i] = false;
+        }
+    }
+
+    @Override
+    public int project(ParticleSystem particles, double h, int[] items, int from, int to, int[] moved) {
+        double[] x = particles.positions();
+        double[] v = particles.velocities();
+        double[] w = particles.inverseMasses();
+        double[] planes = plane;
+        int[] nodes = node;
+        double elapsed = refresh.elapsed();
+        double farthest = maxReturnSpeed * h;
+        int end = from;
+        for (int k = from; k < to; k++) {
+            int i = items[k];
+            if (far[i]) {
+                continue;
+            }
+            int n = nodes[i];
+            int p = PLANE * i;
+            double nx = planes[p];
+            double ny = planes[p + 1];
+            double nz = planes[p + 2];
+            double wallSpeed = planes[p + 4];
+            double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - planes[p + 3] - wallSpeed * elapsed;
+            boolean held = (adhering || gap < 0) && w[n / 3] > 0;
+            inContact[i] = held;
+            if (held) {
+                moved[end++] = i;
+                double shift = Math.max(-farthest, Math.min(farthest, gap));
+                x[n] -= shift * nx;
+                x[n + 1] -= shift * ny;
+                x[n + 2] -= shift * nz;
+                double into = nx * v[n] + ny * v[n + 1] + nz * v[n + 2] - wallSpeed;
+                if (adhering || into < 0) {
+                    v[n] -= into * nx;
+                    v[n + 1] -= into * ny;
+                    v[n + 2] -= into * nz;
+                }
+            }
+        }
+        return end - from;
+    }
+
+    @Override
+    public void jacobianRows(ParticleSystem particles, RowConsumer out) {
+        double[] x = particles.positions();
+        double elapsed = refresh.elapsed();
+        for (int i = 0; i < node.length; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            out.add(n / 3, -1, plane[p], plane[p + 1], plane[p + 2], gap - plane[p + 4] * elapsed, !adhering);
+        }
+    }
+
+    /** Deepest node beyond its tangent plane, mm. */
+    @Override
+    public double error(ParticleSystem particles) {
+        double[] x = particles.positions();
+        double worst = 0;
+        double elapsed = refresh.elapsed();
+        for (int i = 0; i < node.length; i++) {
+            int n = node[i];
+            int p = PLANE * i;
+            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            worst = Math.max(worst, plane[p + 4] * elapsed - gap);
+        }
+        return worst;
+    }
+}

@@ -1,0 +1,321 @@
+package org.phrenic.engine.equilibrium;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.math.DenseVectors;
+
+/**
+ * Where a system comes to rest: P f(x) = 0 at a time that stands still, P the projection onto what the constraints that
+ * bind allow, by Newton's method without a matrix (Knoll and Keyes 2004, doi 10.1016/j.jcp.2003.08.010).
+ *
+ * <pre>
+ * P (K + σ M) P d = P f        x ← x + α d, then back to where the constraints hold
+ * K u = -(g(x + ε u) - g(x - ε u)) / 2 ε,    g = f - Cᵀ λ with λ as it is at x
+ * </pre>
+ *
+ * <p>Conjugate gradients to a tolerance that falls with the residual (Eisenstat and Walker 1996, doi 10.1137/0917003),
+ * so that it converges of order 2; α is halved until the residual falls. Where K has a direction in which it is not
+ * positive, or no α serves, a fold is on its way over: the shift σ makes steps of backward Euler against velocity 0, of
+ * length 1/√σ (pseudo-transient continuation: Kelley and Keyes 1998, doi 10.1137/S0036142996304796), on which the
+ * residual may grow and what binds is chosen anew each time; it is lowered as the residual falls.
+ *
+ * <p>Planes of walls, normals of faces in order and anchors are taken once and frozen; which of them bind is chosen
+ * anew after each Newton iteration has converged (rows that would have to pull are let go, rows that are broken bind)
+ * until nothing changes. No guarantee holds for that outer loop: where a node touches and leaves in turn, or a fold
+ * snaps, it ends at its limit and says so.
+ */
+public final class NewtonEquilibrium {
+    private static final int MOST_ITERATIONS = 80;
+    private static final int MOST_KRYLOV = 3000;
+    private static final int MOST_HALVINGS = 6;
+    /** Greatest displacement that differences of forces are taken over, mm. */
+    private static final double DIFFERENCE_MM = 1e-3;
+    /** Loosest and tightest tolerance of conjugate gradients, as a share of the residual. */
+    private static final double LOOSEST = 0.1;
+
+    private static final double TIGHTEST = 1e-7;
+    private static final double FIRST_SHIFT = 1;
+    private static final double MOST_SHIFT = 1e8;
+    private static final double RAISE = 10;
+    private static final double LOWER = 3;
+    /** While the shift keeps steps short the residual may grow so much in one: on the way over a fold it has to. */
+    private static final double GROWTH = 1.5;
+
+    /**
+     * Of a node from its wall at which it is taken to lean on it at first, mm; force by which it may be pulled before
+     * it is let go, mN.
+     */
+    private static final double NEAR_MM = 0.02;
+
+    private static final int FIRST_CHOICES = 5;
+
+    private static final double PULL_MN = 1e-6;
+    private static final double NO_TIME_S = 1e-9;
+
+    private final ParticleSystem system;
+    private final double timeS;
+    private final double[] x;
+    private final double[] still;
+    private final double[] force;
+    private final double[] ahead;
+    private final double[] behind;
+    private final double[] residual;
+    private final double[] direction;
+    private final double[] image;
+    private final double[] scaled;
+    private final double[] step;
+    private final double[] kept;
+    private final double[] here;
+    private final double[] stiffness;
+    private double[] lambda = {};
+    private final ActiveConstraints rows;
+    private final int freeCount;
+    private double shift;
+    private int krylov;
+
+    /**
+     * What came of it.
+     *
+     * @param converged whether forces balance to the tolerance
+     * @param activeSetSettled whether what binds is also what ought to
+     * @param residualsMn what is left of the forces on free nodes, rms, before each Newton step of the last round and
+     *     after the last, mN
+     * @param rounds how often what binds was chosen
+     * @param activeRows rows that bind at the end
+     * @param activeSetChanges rows that ought to bind and do not, or the other way round
+     * @param cgIterations iterations of conjugate gradients in all
+     */
+    public record Result(
+            boolean converged,
+            boolean activeSetSettled,
+            double[] residualsMn,
+            int rounds,
+            int activeRows,
+            int activeSetChanges,
+            int cgIterations) {}
+
+    /**
+     * @param system near an equilibrium; its positions are moved
+     * @param timeS the time at which all that is driven stands, s
+     * @param mayMove for each node in the caller's numbering whether it is to come to rest; all others stay where they
+     *     are
+     */
+    public NewtonEquilibrium(ParticleSystem system, double timeS, boolean[] mayMove) {
+        this.system = system;
+        this.timeS = timeS;
+        x = system.positions();
+        still = new double[x.length];
+        force = new double[x.length];
+        ahead = new double[x.length];
+        behind = new double[x.length];
+        residual = new double[x.length];
+        direction = new double[x.length];
+        image = new double[x.length];
+        scaled = new double[x.length];
+        step = new double[x.length];
+        kept = new double[x.length];
+        here = new double[x.length];
+        stiffness = new double[system.nodeCount()];
+        boolean[] isFree = new boolean[system.nodeCount()];
+        int count = 0;
+        for (int n = 0; n < isFree.length; n++) {
+            isFree[n] = system.inverseMasses()[n] > 0 && mayMove[system.layout().caller(n)];
+            count += isFree[n] ? 1 : 0;
+        }
+        freeCount = count;
+        rows = new ActiveConstraints(system, isFree);
+        Arrays.fill(system.velocities(), 0);
+    }
+
+    /**
+     * Newton's method for what binds, and again for what binds then, until that stays.
+     *
+     * @param toleranceMn of the residual, rms over free nodes, mN
+     * @param mostRounds at least 1
+     */
+    public Result findEquilibrium(double toleranceMn, int mostRounds) {
+        // Hardly any time goes by, so walls put nothing back: planes, normals and anchors are taken anew.
+        system.invalidate();
+        system.project(timeS, NO_TIME_S);
+        Arrays.fill(system.velocities(), 0);
+        rows.collect();
+        int changed = rows.updateActiveSet(NEAR_MM, null, 0);
+        for (int i = 0; i < FIRST_CHOICES && changed > 0; i++) {
+            projectPositions();
+            evaluateResidual();
+            changed = rows.updateActiveSet(0, lambda, PULL_MN);
+        }
+        List<Double> history = new ArrayList<>();
+        boolean converged = newton(toleranceMn, history);
+        int rounds = 1;
+        boolean settled = false;
+        while (converged && !settled && rounds < mostRounds) {
+            changed = rows.updateActiveSet(0, lambda, PULL_MN);
+            settled = changed == 0;
+            if (!settled) {
+                rounds++;
+                history.clear();
+                converged = newton(toleranceMn, history);
+            }
+        }
+        return new Result(
+                converged,
+                settled,
+                history.stream().mapToDouble(Double::doubleValue).toArray(),
+                rounds,
+                rows.activeCount(),
+                settled ? 0 : changed,
+                krylov);
+    }
+
+    private boolean newton(double toleranceMn, List<Double> history) {
+        shift = 0;
+        rows.factorise();
+        projectPositions();
+        double norm = evaluateResidual();
+        history.add(norm);
+        double before = norm;
+        for (int i = 0; i < MOST_ITERATIONS && norm > toleranceMn; i++) {
+            double ratio = norm / before;
+            double tolerance = Math.max(TIGHTEST, Math.min(LOOSEST, history.size() == 1 ? LOOSEST : ratio * ratio));
+            before = norm;
+            System.arraycopy(x, 0, kept, 0, x.length);
+            double next = Double.NaN;
+            while (Double.isNaN(next)) {
+                if (shift > MOST_SHIFT) {
+                    System.arraycopy(kept, 0, x, 0, x.length);
+                    evaluateResidual();
+                    return false;
+                }
+                next = solve(tolerance) ? lineSearch(norm) : Double.NaN;
+                shift = Double.isNaN(next)
+                        ? Math.max(FIRST_SHIFT, RAISE * shift)
+                        : next < norm ? reducedShift() : shift;
+            }
+            if (shift > 0 && rows.updateActiveSet(0, lambda, PULL_MN) > 0) {
+                projectPositions();
+                next = evaluateResidual();
+            }
+            norm = next;
+            history.add(norm);
+        }
+        return norm <= toleranceMn;
+    }
+
+    private double reducedShift() {
+        return shift <= FIRST_SHIFT ? 0 : shift / LOWER;
+    }
+
+    /** Brings nodes to where the rows that bind hold, normals of links following them. */
+    private void projectPositions() {
+        for (int i = 0; i < 3; i++) {
+            rows.collect();
+            rows.factorise();
+            rows.projectPositions(x);
+        }
+        rows.collect();
+        rows.factorise();
+    }
+
+    /** Forms forces, multipliers and the residual P f at x; its rms over free nodes, mN. */
+    private double evaluateResidual() {
+        system.forces(timeS, x, still, force);
+        lambda = rows.multipliers(force).clone();
+        System.arraycopy(force, 0, residual, 0, force.length);
+        rows.project(residual);
+        return Math.sqrt(DenseVectors.dot(residual, residual) / freeCount);
+    }
+
+    /** Tries the whole step, then half of it and so on; the residual where it falls, else NaN. */
+    private double lineSearch(double norm) {
+        double alpha = 1;
+        for (int i = 0; i < MOST_HALVINGS; i++) {
+            for (int k = 0; k < x.length; k++) {
+                x[k] = kept[k] + alpha * step[k];
+            }
+            projectPositions();
+            double next = evaluateResidual();
+            if (next < (shift > 0 ? GROWTH * norm : (1 - 1e-4 * alpha) * norm)) {
+                return next;
+            }
+            alpha /= 2;
+        }
+        System.arraycopy(kept, 0, x, 0, x.length);
+        projectPositions();
+        evaluateResidual();
+        return Double.NaN;
+    }
+
+    /** Conjugate gradients for the step; false where K + σ M is found not to be positive. */
+    private boolean solve(double tolerance) {
+        Arrays.fill(stiffness, 0);
+        system.addRowSums(stiffness, new double[stiffness.length]);
+        double[] mass = system.masses();
+        Arrays.fill(step, 0);
+        double[] left = residual.clone();
+        precondition(left, mass);
+        System.arraycopy(scaled, 0, direction, 0, direction.length);
+        double rho = DenseVectors.dot(left, scaled);
+        double goal = tolerance * tolerance * DenseVectors.dot(left, left);
+        for (int i = 0; i < MOST_KRYLOV && DenseVectors.dot(left, left) > goal; i++) {
+            multiply(mass);
+            krylov++;
+            double curvature = DenseVectors.dot(direction, image);
+            if (!(curvature > 0)) {
+                return false;
+            }
+            double alpha = rho / curvature;
+            for (int k = 0; k < step.length; k++) {
+                step[k] += alpha * direction[k];
+                left[k] -= alpha * image[k];
+            }
+            precondition(left, mass);
+            double next = DenseVectors.dot(left, scaled);
+            double beta = next / rho;
+            rho = next;
+            for (int k = 0; k < direction.length; k++) {
+                direction[k] = scaled[k] + beta * direction[k];
+            }
+        }
+        return true;
+    }
+
+    private void precondition(double[] u, double[] mass) {
+        for (int k = 0; k < u.length; k++) {
+            // Half a row sum is the diagonal of a graph Laplacian; where no spring holds a node any scale will do.
+            double diagonal = 0.5 * stiffness[k / 3] + shift * mass[k / 3];
+            scaled[k] = diagonal > 0 ? u[k] / diagonal : u[k];
+        }
+        rows.project(scaled);
+    }
+
+    /** image = P (K + σ M) direction. */
+    private void multiply(double[] mass) {
+        double greatest = 0;
+        for (double d : direction) {
+            greatest = Math.max(greatest, Math.abs(d));
+        }
+        double epsilon = DIFFERENCE_MM / greatest;
+        difference(epsilon, ahead);
+        difference(-epsilon, behind);
+        for (int k = 0; k < image.length; k++) {
+            image[k] = (behind[k] - ahead[k]) / (2 * epsilon) + shift * mass[k / 3] * direction[k];
+        }
+        rows.collect();
+        rows.project(image);
+    }
+
+    /** g at x + ε direction. */
+    private void difference(double epsilon, double[] out) {
+        System.arraycopy(x, 0, here, 0, x.length);
+        for (int k = 0; k < x.length; k++) {
+            x[k] += epsilon * direction[k];
+        }
+        system.forces(timeS, x, still, out);
+        rows.collect();
+        rows.addForces(lambda, -1, out);
+        System.arraycopy(here, 0, x, 0, x.length);
+    }
+}

@@ -1,0 +1,74 @@
+package org.phrenic.engine.force;
+
+import org.phrenic.engine.ForceField;
+import org.phrenic.engine.parallel.BlockedNodes;
+import org.phrenic.engine.parallel.NodeLayout;
+
+/**
+ * Muscle as the paper acts it: a vertical line through a point with a radius of action; nodes within the radius are
+ * pulled down along the line in contraction (inhale) or pushed up in relaxation (exhale) with a force that falls off
+ * smoothly with their distance from the line (Villard, Bourne and Bello 2009, after Thalmann's "action line"). The
+ * distance is that of the rest positions, so the profile moves with the tissue.
+ */
+public final class ActionLine implements ForceField {
+    private final BlockedNodes nodes;
+    private final double[] distance;
+    private final double[] weight;
+    private double force;
+
+    /**
+     * @param layout of the system it is for
+     * @param callerNodes the muscle's nodes, caller's numbering
+     * @param restPositions of all nodes of the system in the caller's order, mm
+     * @param x the line's place across, mm (LPS)
+     * @param y the line's place front to back, mm (LPS)
+     * @param radius of action, mm
+     */
+    public ActionLine(NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
+        nodes = new BlockedNodes(layout, callerNodes);
+        distance = new double[callerNodes.length];
+        weight = new double[callerNodes.length];
+        for (int i = 0; i < weight.length; i++) {
+            double dx = restPositions[3 * callerNodes[i]] - x;
+            double dy = restPositions[3 * callerNodes[i] + 1] - y;
+            distance[i] = Math.sqrt(dx * dx + dy * dy);
+        }
+        setRadius(radius);
+    }
+
+    /**
+     * Sets the radius of action, mm.
+     *
+     * @throws IllegalArgumentException if it is not more than 0
+     */
+    public void setRadius(double radius) {
+        if (!(radius > 0)) {
+            throw new IllegalArgumentException(
+                    "radius of an action line: found " + radius + " mm, expected more than 0");
+        }
+        for (int i = 0; i < weight.length; i++) {
+            weight[i] = FallOff.at(distance[i], radius);
+        }
+    }
+
+    /** Sets the force on a node on the line itself, mN; positive contracts (down), negative relaxes (up). */
+    public void setForce(double value) {
+        force = value;
+    }
+
+    /** Sum of the profile over the nodes: total force = force x this. */
+    public double totalWeight() {
+        double sum = 0;
+        for (double w : weight) {
+            sum += w;
+        }
+        return sum;
+    }
+
+    @Override
+    public void addForces(double[] x, double[] v, double[] out, int block) {
+        for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {
+            out[nodes.node[i] + 2] -= force * weight[nodes.item[i]];
+        }
+    }
+}

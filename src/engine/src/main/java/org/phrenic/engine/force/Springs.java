@@ -1,0 +1,365 @@
+package org.phrenic.engine.force;
+
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.engine.ForceField;
+import org.phrenic.engine.parallel.BlockedEdges;
+import org.phrenic.engine.parallel.NodeLayout;
+
+/**
+ * Linear springs, F = -k (l - l0) along the edge (Villard, Bourne and Bello 2009, eq. 3), optionally with a dashpot
+ * along it, F = -c l̇, and optionally contractile: the rest length becomes l0 (1 - a s), where a is the activation of
+ * the whole field and s the share of an edge in it (cos² of its angle to the muscle fibre for fibre muscle, 0 for
+ * passive tissue).
+ */
+public final class Springs implements ForceField {
+    private final BlockedEdges edges;
+    private final double[] stiffness;
+    private final double[] rest;
+    private final double[] share;
+    private final SpringData constants;
+    private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
+    private final EdgeBatch.Pass[] loosePasses;
+    private final EdgeBatch.Pass[] outerPasses;
+    private EdgeBatch.Pass[] starPasses;
+
+    private Springs(Builder b) {
+        edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
+        stiffness = b.stiffness;
+        rest = b.restLengths;
+        share = b.share;
+        double[] entryRest = edges.toEntries(rest);
+        double[] shortening = null;
+        if (share != null) {
+            shortening = edges.toEntries(share);
+            for (int i = 0; i < shortening.length; i++) {
+                shortening[i] *= entryRest[i];
+            }
+        }
+        constants = new SpringData(edges.toEntries(stiffness), entryRest, shortening, b.damping);
+        constants.oneStiffness = uniform(stiffness);
+        loosePasses = array(EdgeLoops.both(edges, constants));
+        outerPasses = array(EdgeLoops.first(edges, constants));
+        setKernel(SpringKernel.LOOPS);
+    }
+
+    /**
+     * Computes forces in another way from now on, with the same bits.
+     *
+     * @throws IllegalStateException if the kernel cannot run here
+     */
+    public void setKernel(SpringKernel kernel) {
+        starPasses = array(kernel.starPasses(edges, constants));
+    }
+
+    private static EdgeBatch.Pass[] array(List<EdgeBatch.Pass> passes) {
+        return passes.toArray(EdgeBatch.Pass[]::new);
+    }
+
+    /**
+     * Uses the kernel that is fastest here from now on, by a measurement of about a third of a second on the caller's
+     * thread (none where there is only one); the bits do not depend on it.
+     *
+     * @param x positions, mm, internal order; not written to
+     * @param v velocities, mm/s, likewise
+     * @return the kernel
+     */
+    public SpringKernel useFastestKernel(double[] x, double[] v) {
+        double[] force = new double[x.length];
+        int blocks = edges.outerStart.length;
+        return KernelChoice.fastest(this, () -> {
+            for (int block = 0; block < blocks; block++) {
+                addForces(x, v, force, block);
+            }
+        });
+    }
+
+    /**
+     * Springs between pairs of nodes.
+     *
+     * @param layout of the system they are for
+     * @param nodeA one end of each, caller's numbering
+     * @param nodeB the other end
+     */
+    public static Builder between(NodeLayout layout, int[] nodeA, int[] nodeB) {
+        return new Builder(layout, nodeA, nodeB);
+    }
+
+    /** Sets the activation a; 0 is passive. */
+    public void setActivation(double value) {
+        constants.activation = value;
+    }
+
+    public double activation() {
+        return constants.activation;
+    }
+
+    public int count() {
+        return edges.count();
+    }
+
+    /** Rest length of each spring when passive, mm; a copy. */
+    public double[] restLengths() {
+        return rest.clone();
+    }
+
+    /**
+     * Multiplies every stiffness by a factor (a material made softer or harder while it runs).
+     *
+     * @throws IllegalArgumentException if the factor is negative or not finite
+     */
+    public void scaleStiffness(double factor) {
+        if (!(factor >= 0) || Double.isInfinite(factor)) {
+            throw new IllegalArgumentException("factor of stiffness: found " + factor + ", expected 0 or more");
+        }
+        for (int e = 0; e < stiffness.length; e++) {
+            stiffness[e] *= factor;
+        }
+        for (int i = 0; i < constants.stiffness.length; i++) {
+            constants.stiffness[i] *= factor;
+        }
+    }
+
+    /**
+     * Gives every spring other numbers while it runs; allocates nothing.
+     *
+     * @param k stiffness of each, N/m
+     * @param length rest length of each, mm; may be negative: the force is k (l - l0) all the same
+     * @param shortening how much of its length full activation takes from each, mm; not read if nothing is contractile
+     */
+    public void setCoefficients(double[] k, double[] length, double[] shortening) {
+        System.arraycopy(k, 0, stiffness, 0, stiffness.length);
+        System.arraycopy(length, 0, rest, 0, rest.length);
+        int[] edge = edges.edge;
+        for (int i = 0; i < edge.length; i++) {
+            constants.stiffness[i] = k[edge[i]];
+            constants.rest[i] = length[edge[i]];
+        }
+        if (constants.shortening != null) {
+            for (int i = 0; i < edge.length; i++) {
+                constants.shortening[i] = shortening[edge[i]];
+            }
+            for (int e = 0; e < share.length; e++) {
+                share[e] = length[e] == 0 ? 0 : shortening[e] / length[e];
+            }
+        }
+        constants.oneStiffness = uniform(stiffness);
+    }
+
+    /** Ends of each spring in the caller's numbering: two a spring. */
+    public int[] callerPairs(NodeLayout layout) {
+        int[] pairs = new int[2 * edges.count()];
+        for (int e = 0; e < edges.count(); e++) {
+            pairs[2 * e] = layout.caller(edges.nodeA[e]);
+            pairs[2 * e + 1] = layout.caller(edges.nodeB[e]);
+        }
+        return pairs;
+    }
+
+    /** Stiffness of each spring, N/m; a copy. */
+    public double[] stiffnesses() {
+        return stiffness.clone();
+    }
+
+    /** How much of its length full activation takes from each spring, mm; a copy. */
+    public double[] shortenings() {
+        double[] out = new double[rest.length];
+        for (int e = 0; share != null && e < out.length; e++) {
+            out[e] = share[e] * rest[e];
+        }
+        return out;
+    }
+
+    @Override
+    public void addForces(double[] x, double[] v, double[] force, int block) {
+        EdgeBatch batch = batches.get();
+        batch.x = x;
+        batch.v = v;
+        batch.force = force;
+        batch.run(starPasses, edges.innerStart[block], edges.singleStart[block]);
+        batch.run(loosePasses, edges.singleStart[block], edges.outerStart[block]);
+        batch.run(outerPasses, edges.outerStart[block], edges.innerStart[block + 1]);
+    }
+
+    private static boolean uniform(double[] values) {
+        for (double value : values) {
+            if (value != values[0]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public double potentialEnergy(double[] x) {
+        double sum = 0;
+        for (int e = 0; e < edges.count(); e++) {
+            double stretch = length(x, e) - rest[e] * (1 - (share == null ? 0 : constants.activation * share[e]));
+            sum += 0.5 * stiffness[e] * stretch * stretch;
+        }
+        return sum;
+    }
+
+    private double length(double[] x, int e) {
+        int a = 3 * edges.nodeA[e];
+        int b = 3 * edges.nodeB[e];
+        double dx = x[b] - x[a];
+        double dy = x[b + 1] - x[a + 1];
+        double dz = x[b + 2] - x[a + 2];
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /**
+     * Exact along the edge; across it the tension's share is kept only where it pulls, so that K stays positive
+     * semidefinite.
+     */
+    @Override
+    public void addStiffness(double[] x, double[] u, double[] out, int block) {
+        double[] restLengths = constants.rest;
+        double[] shortening = constants.shortening;
+        double[] k = constants.stiffness;
+        double activation = constants.activation;
+        int outer = edges.outerStart[block];
+        int end = edges.innerStart[block + 1];
+        for (int i = edges.innerStart[block]; i < end; i++) {
+            int a = edges.own[i];
+            int b = edges.other[i];
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            double dz = x[b + 2] - x[a + 2];
+            double squared = dx * dx + dy * dy + dz * dz;
+            double ux = u[b] - u[a];
+            double uy = u[b + 1] - u[a + 1];
+            double uz = u[b + 2] - u[a + 2];
+            double l = restLengths[i] - (shortening == null ? 0 : activation * shortening[i]);
+            double across = Math.max(0, k[i] * (1 - l / Math.sqrt(squared)));
+            double along = (k[i] - across) * (ux * dx + uy * dy + uz * dz) / squared;
+            double fx = along * dx + across * ux;
+            double fy = along * dy + across * uy;
+            double fz = along * dz + across * uz;
+            out[a] -= fx;
+            out[a + 1] -= fy;
+            out[a + 2] -= fz;
+            if (i < outer) {
+                out[b] += fx;
+                out[b + 1] += fy;
+                out[b + 2] += fz;
+            }
+        }
+    }
+
+    @Override
+    public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
+        for (int e = 0; e < edges.count(); e++) {
+            stiffnessSum[edges.nodeA[e]] += 2 * stiffness[e];
+            stiffnessSum[edges.nodeB[e]] += 2 * stiffness[e];
+            dampingSum[edges.nodeA[e]] += 2 * constants.damping;
+            dampingSum[edges.nodeB[e]] += 2 * constants.damping;
+        }
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return constants.damping != 0;
+    }
+
+    /** What springs are made of. */
+    public static final class Builder {
+        private final NodeLayout layout;
+        private final int[] nodeA;
+        private final int[] nodeB;
+        private double[] stiffness;
+        private double[] restLengths;
+        private double[] share;
+        private double damping;
+
+        private Builder(NodeLayout layout, int[] nodeA, int[] nodeB) {
+            this.layout = layout;
+            this.nodeA = nodeA;
+            this.nodeB = nodeB;
+        }
+
+        /** One stiffness for all, N/m. */
+        public Builder stiffness(double k) {
+            stiffness = new double[nodeA.length];
+            Arrays.fill(stiffness, k);
+            return this;
+        }
+
+        /** A stiffness each, N/m. */
+        public Builder stiffness(double[] k) {
+            stiffness = k.clone();
+            return this;
+        }
+
+        /** One dashpot for all, N s/m; 0 for none. */
+        public Builder damping(double c) {
+            damping = c;
+            return this;
+        }
+
+        /**
+         * The length at these positions (caller's order, mm) as rest length.
+         *
+         * @throws IllegalArgumentException if both ends of a spring lie on one spot, where its force has no direction
+         */
+        public Builder restLengthsAt(double[] positions) {
+            restLengths = new double[nodeA.length];
+            for (int e = 0; e < restLengths.length; e++) {
+                double squared = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double d = positions[3 * nodeB[e] + axis] - positions[3 * nodeA[e] + axis];
+                    squared += d * d;
+                }
+                restLengths[e] = Math.sqrt(squared);
+                if (!(restLengths[e] > 0)) {
+                    throw new IllegalArgumentException("spring " + e + " between nodes " + nodeA[e] + " and " + nodeB[e]
+                            + ": found length " + restLengths[e] + " mm, expected more than 0");
+                }
+            }
+            return this;
+        }
+
+        /** A rest length each, mm. */
+        public Builder restLengths(double[] lengths) {
+            restLengths = lengths.clone();
+            return this;
+        }
+
+        /** How much of the activation shortens each edge, 0 to 1. */
+        public Builder contractileShares(double[] shares) {
+            share = shares.clone();
+            return this;
+        }
+
+        /**
+         * @throws IllegalArgumentException if a stiffness, damping or rest length is missing, negative or not finite,
+         *     or an edge joins a node to itself
+         */
+        public Springs build() {
+            check("stiffness", stiffness, "N/m");
+            check("rest length", restLengths, "mm");
+            if (!(damping >= 0) || Double.isInfinite(damping)) {
+                throw new IllegalArgumentException(
+                        "damping of springs: found " + damping + " N s/m, expected 0 or more");
+            }
+            if (share != null) {
+                check("contractile share", share, "");
+            }
+            return new Springs(this);
+        }
+
+        private void check(String what, double[] values, String unit) {
+            if (values == null || values.length != nodeA.length) {
+                throw new IllegalArgumentException(what + " of springs: found "
+                        + (values == null ? "none" : String.valueOf(values.length)) + ", expected " + nodeA.length);
+            }
+            for (int e = 0; e < values.length; e++) {
+                if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
+                    throw new IllegalArgumentException(what + " of spring " + e + ": found "
+                            + (values[e] + " " + unit).strip() + ", expected 0 or more");
+                }
+            }
+        }
+    }
+}

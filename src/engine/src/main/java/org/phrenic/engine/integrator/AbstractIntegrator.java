@@ -1,0 +1,88 @@
+package org.phrenic.engine.integrator;
+
+import java.util.Arrays;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+
+/**
+ * What all schemes share: the system, accelerations with viscous damping, and the check that kept forces are still
+ * those of the state.
+ */
+abstract class AbstractIntegrator implements Integrator {
+    final ParticleSystem system;
+    final NodeLayout layout;
+    final double[] x;
+    final double[] v;
+    final double[] inverseMass;
+    final double[] viscosity;
+    final double[] force;
+    private final IntegratorKind kind;
+
+    AbstractIntegrator(IntegratorKind kind, ParticleSystem system) {
+        this.kind = kind;
+        this.system = system;
+        layout = system.layout();
+        x = system.positions();
+        v = system.velocities();
+        inverseMass = system.inverseMasses();
+        viscosity = system.viscosities();
+        force = new double[x.length];
+    }
+
+    @Override
+    public final IntegratorKind kind() {
+        return kind;
+    }
+
+    @Override
+    public final ParticleSystem system() {
+        return system;
+    }
+
+    @Override
+    public void reset() {}
+
+    /** (f - γ v) / m for the nodes of one block; 0 where the motion is given. */
+    final void accelerations(double[] f, double[] velocity, double[] out, int block) {
+        for (int n = layout.start(block); n < layout.end(block); n++) {
+            double w = inverseMass[n];
+            double g = viscosity[n];
+            for (int i = 3 * n; i < 3 * n + 3; i++) {
+                out[i] = w * (f[i] - g * velocity[i]);
+            }
+        }
+    }
+
+    /** The sum of two 2x2 or 3x3 matrices times scalars, for the amplification matrices. */
+    static double[][] linearCombination(double s, double[][] p, double t, double[][] q) {
+        double[][] out = new double[p.length][p.length];
+        for (int i = 0; i < p.length; i++) {
+            for (int j = 0; j < p.length; j++) {
+                out[i][j] = s * p[i][j] + t * q[i][j];
+            }
+        }
+        return out;
+    }
+
+    static double[][] product(double[][] p, double[][] q) {
+        double[][] out = new double[p.length][p.length];
+        for (int i = 0; i < p.length; i++) {
+            Arrays.fill(out[i], 0);
+            for (int j = 0; j < p.length; j++) {
+                for (int k = 0; k < p.length; k++) {
+                    out[i][j] += p[i][k] * q[k][j];
+                }
+            }
+        }
+        return out;
+    }
+
+    /** h A of the oscillator in the variables (x, v h): the exact flow is its exponential. */
+    static double[][] generator(double a, double b) {
+        return new double[][] {{0, 1}, {-a, -b}};
+    }
+
+    static double[][] identity() {
+        return new double[][] {{1, 0}, {0, 1}};
+    }
+}

@@ -1,0 +1,207 @@
+package org.phrenic.engine.integrator;
+
+import java.util.Locale;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+
+/**
+ * Notices a state that cannot be right (not a number, or a node faster than anything in a body) in the step it appears,
+ * and keeps a good one to go back to. Where a reach is given, a node farther than that from home is noticed too, within
+ * {@value #STEPS_BETWEEN_MEASURES} steps: a membrane that is blown up without end is never fast.
+ */
+final class DivergenceGuard {
+    /** A cough moves tissue at some 1,000 mm/s; ten times that is a fault of the numbers. */
+    private static final double MAX_SPEED = 10_000;
+
+    /**
+     * A state with a faster node may be about to leave all bounds: unless it is asked for, it is none to go back to.
+     */
+    private static final double CALM_SPEED = 2_500;
+
+    private static final long STEPS_BETWEEN_SNAPSHOTS = 256;
+
+    private static final long STEPS_BETWEEN_MEASURES = 16;
+    /**
+     * A state farther out than this share of the reach may be on its way beyond: it is none to go back to unless it is
+     * asked for.
+     */
+    private static final double CALM_REACH = 0.8;
+    /** What was on its way out when a state was put back has so many steps to turn round. */
+    private static final long STEPS_TO_TURN_ROUND = 256;
+
+    private final ParticleSystem system;
+    private final double[] checkpointX;
+    private final double[] checkpointV;
+    private final boolean[] good;
+    private long checkpointStep;
+    private double bound;
+    private final Workers.Task scan = this::scan;
+    /** Where nodes are at home; empty where they may go anywhere. */
+    private double[] reference = {};
+
+    private double maxDisplacement = Double.POSITIVE_INFINITY;
+    private long measuredFrom;
+    private double within;
+    private final Workers.Task measure = this::measure;
+
+    DivergenceGuard(ParticleSystem system) {
+        this.system = system;
+        checkpointX = system.positions().clone();
+        checkpointV = system.velocities().clone();
+        good = new boolean[system.layout().blockCount()];
+    }
+
+    /** From now on no node may go farther than this, mm, from where it is. */
+    void boundDisplacement(double mm) {
+        measuredFrom = 0;
+        reference = system.positions().clone();
+        maxDisplacement = mm;
+    }
+
+    /** At step 0 again, the system being where it starts. */
+    void restart() {
+        measuredFrom = 0;
+        checkpoint(0);
+    }
+
+    /** Keeps the state at hand, unless it is itself out of bounds. */
+    void checkpoint(long step) {
+        if (isGood()) {
+            System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);
+            System.arraycopy(system.velocities(), 0, checkpointV, 0, checkpointV.length);
+            checkpointStep = step;
+        }
+    }
+
+    /** The cause if the state is out of bounds after a step, null if it is good. */
+    String check(long step) {
+        if (!isGood()) {
+            return describe();
+        }
+        String unmet = system.violation();
+        if (unmet != null) {
+            return unmet;
+        }
+        if (step >= measuredFrom && step % STEPS_BETWEEN_MEASURES == 0 && !isNear(maxDisplacement)) {
+            measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
+            return describeFarthest();
+        }
+        if (step - checkpointStep >= STEPS_BETWEEN_SNAPSHOTS
+                && isWithin(CALM_SPEED)
+                && isNear(CALM_REACH * maxDisplacement)) {
+            checkpoint(step);
+        }
+        return null;
+    }
+
+    private boolean isGood() {
+        return isWithin(MAX_SPEED);
+    }
+
+    private boolean isWithin(double mmS) {
+        bound = mmS;
+        return areAllGood(scan);
+    }
+
+    private boolean isNear(double mm) {
+        within = mm;
+        return reference.length == 0 || areAllGood(measure);
+    }
+
+    private boolean areAllGood(Workers.Task task) {
+        system.workers().run(good.length, task);
+        for (boolean block : good) {
+            if (!block) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void scan(int block) {
+        int end = system.layout().end(block);
+        boolean all = true;
+        for (int from = system.layout().start(block); from < end; from += NodeLayout.LOOP_CHUNK) {
+            all &= areSlow(from, Math.min(end, from + NodeLayout.LOOP_CHUNK));
+        }
+        good[block] = all;
+    }
+
+    private boolean areSlow(int from, int end) {
+        double[] v = system.velocities();
+        double[] x = system.positions();
+        double most = bound * bound;
+        boolean all = true;
+        // Without a way out in the middle: it is hardly ever taken, and to ask for it takes longer.
+        for (int i = 3 * from; i < 3 * end; i += 3) {
+            // 0 x is 0 unless x is not finite: so a lost position shows as well.
+            double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
+            all &= speed <= most;
+        }
+        return all;
+    }
+
+    private void measure(int block) {
+        int end = system.layout().end(block);
+        boolean all = true;
+        for (int n = system.layout().start(block); n < end && all; n++) {
+            all = squaredWay(n) <= within * within;
+        }
+        good[block] = all;
+    }
+
+    private double squaredWay(int node) {
+        double[] x = system.positions();
+        double sum = 0;
+        for (int i = 3 * node; i < 3 * node + 3; i++) {
+            sum += (x[i] - reference[i]) * (x[i] - reference[i]);
+        }
+        return sum;
+    }
+
+    private String describeFarthest() {
+        int farthest = 0;
+        for (int n = 1; n < system.nodeCount(); n++) {
+            farthest = squaredWay(n) > squaredWay(farthest) ? n : farthest;
+        }
+        return String.format(
+                Locale.ROOT,
+                "node %d is %.3g mm from where it was at rest, the bound is %.3g mm",
+                system.layout().caller(farthest),
+                Math.sqrt(squaredWay(farthest)),
+                maxDisplacement);
+    }
+
+    private String describe() {
+        double[] v = system.velocities();
+        double[] x = system.positions();
+        for (int n = 0; n < system.nodeCount(); n++) {
+            double speed = 0;
+            boolean finite = true;
+            for (int i = 3 * n; i < 3 * n + 3; i++) {
+                speed += v[i] * v[i];
+                finite &= Double.isFinite(x[i]) && Double.isFinite(v[i]);
+            }
+            if (!finite) {
+                return "position or velocity of node " + system.layout().caller(n) + " is not a finite number";
+            }
+            if (speed > MAX_SPEED * MAX_SPEED) {
+                return String.format(
+                        Locale.ROOT,
+                        "node %d moves at %.3g mm/s, the bound is %.3g mm/s",
+                        system.layout().caller(n),
+                        Math.sqrt(speed),
+                        MAX_SPEED);
+            }
+        }
+        return "speed beyond all bounds";
+    }
+
+    /** Puts the last good state back and returns its step. */
+    long restore() {
+        System.arraycopy(checkpointX, 0, system.positions(), 0, checkpointX.length);
+        System.arraycopy(checkpointV, 0, system.velocities(), 0, checkpointV.length);
+        return checkpointStep;
+    }
+}

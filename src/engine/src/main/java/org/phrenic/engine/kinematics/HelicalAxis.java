@@ -1,0 +1,189 @@
+package org.phrenic.engine.kinematics;
+
+/**
+ * A rigid motion as a screw: a turn by {@code angle} about an axis and a slide along it.
+ *
+ * <p>{@code x' = p + Rot(d, angle) (x - p) + slide d}. From a motion {@code x' = R x + v}, with {@code theta} and
+ * {@code d} from the quaternion of {@code R} (exact for small angles and for angles near pi alike): {@code slide = d .
+ * v}, {@code p = 1/2 [v - slide d + cot(theta/2) d x v]}, the point of the axis nearest to the origin (C. W. Spoor, F.
+ * E. Veldpaus 1980, doi 10.1016/0021-9290(80)90020-2). Errors of direction and place grow as {@code 1 / (2
+ * sin(theta/2))} (H. J. Woltring et al. 1985, J. Biomech. 18:379): fit axes from full breaths, not from tidal ones.
+ *
+ * @param directionX unit direction, right-hand rule
+ * @param directionY unit direction
+ * @param directionZ unit direction
+ * @param pointX a point on the axis, mm
+ * @param pointY a point on the axis, mm
+ * @param pointZ a point on the axis, mm
+ * @param angle turn in rad; of a motion it is within 0 to pi
+ * @param slide shift along the direction, mm
+ */
+public record HelicalAxis(
+        double directionX,
+        double directionY,
+        double directionZ,
+        double pointX,
+        double pointY,
+        double pointZ,
+        double angle,
+        double slide) {
+
+    /** Below this a turn is rounding error, and the motion a shift along its own direction. */
+    public static final double SMALLEST_ANGLE = 1e-13;
+
+    private static final double UNIT_TOLERANCE = 1e-9;
+
+    public HelicalAxis {
+        double length = norm(directionX, directionY, directionZ);
+        if (!(Math.abs(length - 1) <= UNIT_TOLERANCE)) {
+            throw new IllegalArgumentException("helical axis: direction of length " + length + ", expected 1");
+        }
+        if (!Double.isFinite(pointX + pointY + pointZ + angle + slide)) {
+            throw new IllegalArgumentException("helical axis: point (" + pointX + ", " + pointY + ", " + pointZ
+                    + "), angle " + angle + ", slide " + slide + ", expected finite numbers");
+        }
+    }
+
+    /**
+     * The axis along a direction of any length through a point.
+     *
+     * @param direction 3 numbers, not all 0
+     * @param point 3 numbers, mm
+     * @throws IllegalArgumentException if the direction has no length or a number is not finite
+     */
+    public static HelicalAxis through(double[] direction, double[] point, double angle, double slide) {
+        double length = norm(direction[0], direction[1], direction[2]);
+        if (!(length > 0) || !Double.isFinite(length)) {
+            throw new IllegalArgumentException("helical axis: direction (" + direction[0] + ", " + direction[1] + ", "
+                    + direction[2] + ") has no length, expected one to turn about");
+        }
+        return new HelicalAxis(
+                direction[0] / length,
+                direction[1] / length,
+                direction[2] / length,
+                point[0],
+                point[1],
+                point[2],
+                angle,
+                slide);
+    }
+
+    /** The screw of a motion; the point is the one nearest to the origin. See {@link #of(RigidMotion, double[])}. */
+    public static HelicalAxis of(RigidMotion motion) {
+        return of(motion, new double[3]);
+    }
+
+    /**
+     * The screw of a motion. A motion that does not turn has no axis of its own: it is given as a slide along its
+     * translation through the reference point (along z if it does not move at all), angle 0. Of the two equal screws of
+     * half a turn it is the one that the rounding of the rotation names.
+     *
+     * @param reference where on the axis the point shall be: the one nearest to this, mm
+     */
+    public static HelicalAxis of(RigidMotion motion, double[] reference) {
+        double[] v = {motion.translation(0), motion.translation(1), motion.translation(2)};
+        double[] q = quaternion(motion);
+        double sine = norm(q[1], q[2], q[3]);
+        double angle = 2 * StrictMath.atan2(sine, q[0]);
+        if (angle < SMALLEST_ANGLE) {
+            double shift = norm(v[0], v[1], v[2]);
+            return through(shift > 0 ? v : new double[] {0, 0, 1}, reference, 0, shift);
+        }
+        double x = q[1] / sine;
+        double y = q[2] / sine;
+        double z = q[3] / sine;
+        double slide = x * v[0] + y * v[1] + z * v[2];
+        double cotangent = q[0] / sine;
+        double px = 0.5 * (v[0] - slide * x + cotangent * (y * v[2] - z * v[1]));
+        double py = 0.5 * (v[1] - slide * y + cotangent * (z * v[0] - x * v[2]));
+        double pz = 0.5 * (v[2] - slide * z + cotangent * (x * v[1] - y * v[0]));
+        double along = (reference[0] - px) * x + (reference[1] - py) * y + (reference[2] - pz) * z;
+        return new HelicalAxis(x, y, z, px + along * x, py + along * y, pz + along * z, angle, slide);
+    }
+
+    /** The whole motion. */
+    public RigidMotion motion() {
+        return motion(1);
+    }
+
+    /** A part of the motion: {@code fraction} of the angle and of the slide; may be negative or above 1. */
+    public RigidMotion motion(double fraction) {
+        double sine = StrictMath.sin(fraction * angle);
+        double half = StrictMath.sin(0.5 * fraction * angle);
+        // 1 - cos without the loss of digits at small angles
+        double versine = 2 * half * half;
+        double x = directionX;
+        double y = directionY;
+        double z = directionZ;
+        // Rodrigues: R = I + sine K + versine K^2, K the cross product with the direction
+        double[] turn = {
+            -versine * (y * y + z * z),
+            versine * x * y - sine * z,
+            versine * x * z + sine * y,
+            versine * x * y + sine * z,
+            -versine * (x * x + z * z),
+            versine * y * z - sine * x,
+            versine * x * z - sine * y,
+            versine * y * z + sine * x,
+            -versine * (x * x + y * y)
+        };
+        // t = p - R p + slide d = -(R - I) p + slide d: R - I as it stands keeps the digits of a small turn
+        double[] t = {
+            fraction * slide * x - (turn[0] * pointX + turn[1] * pointY + turn[2] * pointZ),
+            fraction * slide * y - (turn[3] * pointX + turn[4] * pointY + turn[5] * pointZ),
+            fraction * slide * z - (turn[6] * pointX + turn[7] * pointY + turn[8] * pointZ)
+        };
+        turn[0] += 1;
+        turn[4] += 1;
+        turn[8] += 1;
+        return RigidMotion.of(turn, t);
+    }
+
+    /**
+     * The same screw of the other half of a body mirrored at {@code x = 0}: a turn is an axial vector, so that its y
+     * and z components change sign, and the slide, measured along it, changes sign with them.
+     */
+    public HelicalAxis mirroredX() {
+        return new HelicalAxis(directionX, -directionY, -directionZ, -pointX, pointY, pointZ, angle, -slide);
+    }
+
+    /** The unit quaternion w, x, y, z of the rotation, w >= 0, from its largest component (S. W. Shepperd 1978). */
+    private static double[] quaternion(RigidMotion m) {
+        double[] squares = {
+            1 + m.rotation(0, 0) + m.rotation(1, 1) + m.rotation(2, 2),
+            1 + m.rotation(0, 0) - m.rotation(1, 1) - m.rotation(2, 2),
+            1 - m.rotation(0, 0) + m.rotation(1, 1) - m.rotation(2, 2),
+            1 - m.rotation(0, 0) - m.rotation(1, 1) + m.rotation(2, 2)
+        };
+        int largest = 0;
+        for (int i = 1; i < 4; i++) {
+            if (squares[i] > squares[largest]) {
+                largest = i;
+            }
+        }
+        double xy = m.rotation(0, 1) + m.rotation(1, 0);
+        double xz = m.rotation(0, 2) + m.rotation(2, 0);
+        double yz = m.rotation(1, 2) + m.rotation(2, 1);
+        double wx = m.rotation(2, 1) - m.rotation(1, 2);
+        double wy = m.rotation(0, 2) - m.rotation(2, 0);
+        double wz = m.rotation(1, 0) - m.rotation(0, 1);
+        double s = squares[largest];
+        double[] q =
+                switch (largest) {
+                    case 0 -> new double[] {s, wx, wy, wz};
+                    case 1 -> new double[] {wx, s, xy, xz};
+                    case 2 -> new double[] {wy, xy, s, yz};
+                    default -> new double[] {wz, xz, yz, s};
+                };
+        double length = Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+        double sign = q[0] < 0 ? -1 : 1;
+        for (int i = 0; i < 4; i++) {
+            q[i] *= sign / length;
+        }
+        return q;
+    }
+
+    private static double norm(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+}

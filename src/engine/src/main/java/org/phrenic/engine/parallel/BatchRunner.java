@@ -1,0 +1,66 @@
+package org.phrenic.engine.parallel;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
+
+/**
+ * Does independent runs some at a time and gives their results in the order of the runs, whatever the number of
+ * threads.
+ */
+public final class BatchRunner {
+    /**
+     * A run.
+     *
+     * @param name for progress
+     * @param work what to do
+     */
+    public record Job<T>(String name, Supplier<T> work) {}
+
+    private BatchRunner() {}
+
+    /** All results; the first failure ends what has not begun and is thrown. */
+    public static <T> List<T> run(List<Job<T>> jobs, int threads, ProgressListener progress) {
+        ExecutorService pool = Executors.newFixedThreadPool(Math.max(1, Math.min(threads, jobs.size())), task -> {
+            Thread thread = new Thread(task, "study");
+            thread.setDaemon(true);
+            return thread;
+        });
+        AtomicInteger count = new AtomicInteger();
+        try {
+            List<Future<T>> futures = new ArrayList<>();
+            for (Job<T> job : jobs) {
+                futures.add(pool.submit(() -> {
+                    T result = job.work.get();
+                    synchronized (count) {
+                        progress.done(count.incrementAndGet(), jobs.size(), job.name);
+                    }
+                    return result;
+                }));
+            }
+            List<T> results = new ArrayList<>();
+            for (Future<T> future : futures) {
+                results.add(future.get());
+            }
+            return results;
+        } catch (ExecutionException failure) {
+            if (failure.getCause() instanceof RuntimeException told) {
+                throw told;
+            }
+            if (failure.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw new IllegalStateException(failure.getCause());
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("the study was interrupted", stopped);
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+}

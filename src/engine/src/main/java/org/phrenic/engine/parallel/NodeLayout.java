@@ -1,0 +1,164 @@
+package org.phrenic.engine.parallel;
+
+import java.util.Arrays;
+import org.phrenic.engine.math.ArgSort;
+import org.phrenic.engine.math.RadixSort;
+
+/**
+ * The order in which nodes lie in memory, and the fixed blocks of it that are the unit of parallel work.
+ *
+ * <p>Nodes that are near in space are near in memory (Morton order), which is worth a factor of 1.7 in speed over a
+ * random order; callers keep their own numbering and translate through {@link #internal} and {@link #caller}. A block
+ * is a run of consecutive nodes; the cut depends on the number of nodes alone, never on the number of threads.
+ */
+public final class NodeLayout {
+    /**
+     * Nodes a block of small systems: 36 kB of positions, velocities and forces, which stays in a core's first cache,
+     * and enough blocks to share.
+     */
+    private static final int SMALL_BLOCK_NODES = 512;
+
+    /** Nodes a block of large systems: fewer edges lead from block to block, whose forces are computed twice. */
+    private static final int LARGE_BLOCK_NODES = 1024;
+
+    private static final int LARGE_FROM_NODES = 1 << 14;
+
+    private static final int MORTON_BITS = 21;
+
+    /**
+     * How much of a block a loop takes in one call: a method is compiled after some hundred calls, a loop only when it
+     * has gone round some ten thousand times, and the first steps of a scene are waited for.
+     */
+    public static final int LOOP_CHUNK = 64;
+
+    private final int[] internalOfCaller;
+    private final int[] callerOfInternal;
+    private final int[] blockStart;
+    private final int[] blockOfNode;
+
+    private NodeLayout(int[] callerOfInternal) {
+        int n = callerOfInternal.length;
+        this.callerOfInternal = callerOfInternal;
+        this.internalOfCaller = new int[n];
+        for (int i = 0; i < n; i++) {
+            internalOfCaller[callerOfInternal[i]] = i;
+        }
+        int blockNodes = n < LARGE_FROM_NODES ? SMALL_BLOCK_NODES : LARGE_BLOCK_NODES;
+        int blocks = Math.max(1, (n + blockNodes / 2) / blockNodes);
+        this.blockStart = new int[blocks + 1];
+        this.blockOfNode = new int[n];
+        for (int b = 0; b <= blocks; b++) {
+            blockStart[b] = (int) ((long) n * b / blocks);
+        }
+        for (int b = 0; b < blocks; b++) {
+            Arrays.fill(blockOfNode, blockStart[b], blockStart[b + 1], b);
+        }
+    }
+
+    /**
+     * Nodes sorted along a Morton curve through their bounding box.
+     *
+     * @param positions x, y, z of each node in the caller's order, mm
+     */
+    public static NodeLayout morton(double[] positions) {
+        int n = positions.length / 3;
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double extent = 0;
+        for (int i = 0; i < 3 * n; i++) {
+            low[i % 3] = Math.min(low[i % 3], positions[i]);
+        }
+        for (int i = 0; i < 3 * n; i++) {
+            extent = Math.max(extent, positions[i] - low[i % 3]);
+        }
+        double scale = extent > 0 ? ((1 << MORTON_BITS) - 1) / extent : 0;
+        long[] code = new long[n];
+        for (int i = 0; i < n; i++) {
+            long morton = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                morton |= spread((long) ((positions[3 * i + axis] - low[axis]) * scale)) << axis;
+            }
+            code[i] = morton;
+        }
+        return new NodeLayout(ArgSort.of(code));
+    }
+
+    /** Nodes kept in the order given. */
+    public static NodeLayout natural(int nodes) {
+        int[] order = new int[nodes];
+        Arrays.setAll(order, i -> i);
+        return new NodeLayout(order);
+    }
+
+    /** Inserts two zero bits after each of the low 21 bits. */
+    private static long spread(long value) {
+        long v = value & 0x1fffffL;
+        v = (v | v << 32) & 0x1f00000000ffffL;
+        v = (v | v << 16) & 0x1f0000ff0000ffL;
+        v = (v | v << 8) & 0x100f00f00f00f00fL;
+        v = (v | v << 4) & 0x10c30c30c30c30c3L;
+        return (v | v << 2) & 0x1249249249249249L;
+    }
+
+    public int nodeCount() {
+        return callerOfInternal.length;
+    }
+
+    public int blockCount() {
+        return blockStart.length - 1;
+    }
+
+    /** First node of a block, in internal order. */
+    public int start(int block) {
+        return blockStart[block];
+    }
+
+    /** One past the last node of a block. */
+    public int end(int block) {
+        return blockStart[block + 1];
+    }
+
+    /** The block in which an internal node lies. */
+    public int blockOf(int internalNode) {
+        return blockOfNode[internalNode];
+    }
+
+    /** Where the caller's node lies in memory. */
+    public int internal(int callerNode) {
+        return internalOfCaller[callerNode];
+    }
+
+    /** The caller's number of the node at this place in memory. */
+    public int caller(int internalNode) {
+        return callerOfInternal[internalNode];
+    }
+
+    /** Which of some listed nodes comes first in memory, which second, and so on; of one listed twice the earlier. */
+    public int[] inMemoryOrder(int[] callerNodes) {
+        long[] key = new long[callerNodes.length];
+        for (int i = 0; i < key.length; i++) {
+            key[i] = (long) internal(callerNodes[i]) << 32 | i;
+        }
+        RadixSort.sort(key);
+        return Arrays.stream(key).mapToInt(k -> (int) k).toArray();
+    }
+
+    /** Three numbers a node from the caller's order into the internal one. */
+    public double[] toInternal(double[] callerValues) {
+        double[] out = new double[callerValues.length];
+        for (int i = 0; i < nodeCount(); i++) {
+            System.arraycopy(callerValues, 3 * callerOfInternal[i], out, 3 * i, 3);
+        }
+        return out;
+    }
+
+    /** Three numbers a node from the internal order into the caller's, written to {@code out}. */
+    public void toCaller(double[] internalValues, double[] out) {
+        int[] callers = callerOfInternal;
+        for (int i = 0; i < callers.length; i++) {
+            int to = 3 * callers[i];
+            out[to] = internalValues[3 * i];
+            out[to + 1] = internalValues[3 * i + 1];
+            out[to + 2] = internalValues[3 * i + 2];
+        }
+    }
+}

@@ -1,2 +1,0 @@
-/** Floor 3: a scenario becomes a running simulation: assembly, clock, observables, recorder. */
-package org.phrenic.simulation;

@@ -1,0 +1,110 @@
+package org.phrenic.file;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * Writes a file beside its target and moves it over: whoever reads the target sees the old content or the new, never
+ * half of it. On any failure the file beside is removed and the target is as it was.
+ */
+public final class AtomicFile {
+    private static final int ATTEMPTS = 1000;
+
+    /** Writes the content. */
+    @FunctionalInterface
+    public interface Content {
+        void writeTo(OutputStream out) throws IOException;
+    }
+
+    private AtomicFile() {}
+
+    /**
+     * Writes {@code target}; missing folders are made. A target that is a device or a pipe is written directly.
+     *
+     * @throws OutputException if it cannot be written, naming the folder and the reason
+     */
+    public static void write(Path target, Content content) {
+        if (Files.isDirectory(target)) {
+            throw new OutputException(target + ": found a folder, expected a file to write", null);
+        }
+        try {
+            // A link keeps pointing where it does: what it points to is replaced.
+            Path real = Files.isSymbolicLink(target) && Files.exists(target) ? target.toRealPath() : target;
+            if (Files.exists(real) && !Files.isRegularFile(real)) {
+                try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(real))) {
+                    content.writeTo(out);
+                }
+                return;
+            }
+            if (!Files.isDirectory(folder(real))) {
+                Files.createDirectories(folder(real));
+            }
+            writeBeside(real, content);
+        } catch (IOException failure) {
+            throw new OutputException(
+                    target + ": writing into folder " + folder(target) + " failed: " + reason(failure), failure);
+        }
+    }
+
+    /** Writes {@code text} as UTF-8. */
+    public static void write(Path target, String text) {
+        write(target, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static void writeBeside(Path target, Content content) throws IOException {
+        Path beside = null;
+        try {
+            for (int attempt = 0; beside == null; attempt++) {
+                Path candidate = folder(target).resolve("." + target.getFileName() + ".part" + attempt);
+                try (OutputStream file = Files.newOutputStream(
+                                candidate, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+                        OutputStream out = new BufferedOutputStream(file, 1 << 16)) {
+                    beside = candidate;
+                    content.writeTo(out);
+                } catch (FileAlreadyExistsException taken) {
+                    if (beside != null || attempt >= ATTEMPTS) {
+                        throw taken;
+                    }
+                }
+            }
+            try {
+                Files.move(beside, target, StandardCopyOption.ATOMIC_MOVE);
+            } catch (AtomicMoveNotSupportedException unsupported) {
+                Files.move(beside, target, StandardCopyOption.REPLACE_EXISTING);
+            }
+            beside = null;
+        } finally {
+            if (beside != null) {
+                Files.deleteIfExists(beside);
+            }
+        }
+    }
+
+    private static Path folder(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        return folder == null ? file.toAbsolutePath() : folder;
+    }
+
+    private static String reason(IOException failure) {
+        if (failure instanceof AccessDeniedException) {
+            return "no permission to write there";
+        }
+        if (failure instanceof FileAlreadyExistsException) {
+            return failure.getMessage() + " is a file, expected a folder";
+        }
+        if (failure instanceof NoSuchFileException) {
+            return failure.getMessage() + " does not exist";
+        }
+        return failure.getMessage();
+    }
+}

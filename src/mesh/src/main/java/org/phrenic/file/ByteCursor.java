@@ -1,0 +1,180 @@
+package org.phrenic.file;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.OptionalDouble;
+
+/**
+ * A place in a file held in memory, moving forward over words and lines (text) or typed values (binary). Every read
+ * says what it wanted, so that a file that ends too early or holds something else is refused with the line or byte.
+ */
+public final class ByteCursor implements InputLocator {
+    private final String file;
+    private final ByteBuffer bytes;
+    private boolean binary;
+    private int place;
+
+    public ByteCursor(String file, byte[] content) {
+        this.file = file;
+        this.bytes = ByteBuffer.wrap(content);
+    }
+
+    /** From here on values are binary in {@code order}, and places are told as bytes instead of lines. */
+    public void binary(ByteOrder order) {
+        binary = true;
+        bytes.order(order);
+    }
+
+    public boolean isBinary() {
+        return binary;
+    }
+
+    public int remaining() {
+        return bytes.remaining();
+    }
+
+    @Override
+    public long location() {
+        return place;
+    }
+
+    @Override
+    public BadInputException badInput(long where, String problem) {
+        if (binary) {
+            return BadInputException.at(file, "byte " + where, problem);
+        }
+        int line = 1;
+        for (int i = 0; i < where; i++) {
+            if (bytes.get(i) == '\n') {
+                line++;
+            }
+        }
+        return BadInputException.at(file, "line " + line, problem);
+    }
+
+    private BadInputException ended(String expected) {
+        return badInput(bytes.position(), "found the end of the file, expected " + expected);
+    }
+
+    /** The next run of characters between white space, or null at the end of the file. */
+    public String wordOrNull() {
+        while (bytes.hasRemaining() && isSpace(bytes.get(bytes.position()))) {
+            bytes.get();
+        }
+        place = bytes.position();
+        while (bytes.hasRemaining() && !isSpace(bytes.get(bytes.position()))) {
+            bytes.get();
+        }
+        return place == bytes.position() ? null : text(place, bytes.position());
+    }
+
+    public String word(String expected) {
+        String word = wordOrNull();
+        if (word == null) {
+            throw ended(expected);
+        }
+        return word;
+    }
+
+    /** The rest of the line without its end, or null at the end of the file. */
+    public String lineOrNull() {
+        if (!bytes.hasRemaining()) {
+            return null;
+        }
+        place = bytes.position();
+        int end = place;
+        while (end < bytes.limit() && bytes.get(end) != '\n') {
+            end++;
+        }
+        bytes.position(Math.min(end + 1, bytes.limit()));
+        int last = end > place && bytes.get(end - 1) == '\r' ? end - 1 : end;
+        return text(place, last);
+    }
+
+    public String line(String expected) {
+        String line = lineOrNull();
+        if (line == null) {
+            throw ended(expected);
+        }
+        return line;
+    }
+
+    /** A finite decimal number written as a word. */
+    public double number(String what) {
+        String word = word(what);
+        OptionalDouble value = Numbers.parse(word);
+        if (value.isEmpty()) {
+            throw badInput("found " + Numbers.quote(word) + ", expected " + what + " as a finite number");
+        }
+        return value.getAsDouble();
+    }
+
+    /** A whole number written as a word. */
+    long integer(String what) {
+        String word = word(what);
+        try {
+            return Long.parseLong(word);
+        } catch (NumberFormatException notWhole) {
+            throw badInput("found " + Numbers.quote(word) + ", expected " + what + " as a whole number");
+        }
+    }
+
+    /** A count written as a word, from 0 to the largest array. */
+    public int count(String what) {
+        long count = integer(what);
+        if (count < 0 || count > Integer.MAX_VALUE) {
+            throw badInput("found " + count + ", expected " + what + " from 0 to " + Integer.MAX_VALUE);
+        }
+        return (int) count;
+    }
+
+    /** Refuses, before anything is allocated, a promise of more bytes than the file still has. */
+    public void require(long count, String what) {
+        if (count < 0 || count > bytes.remaining()) {
+            throw badInput(
+                    bytes.position(),
+                    "found " + bytes.remaining() + " more bytes, expected " + count + " or more for " + what);
+        }
+    }
+
+    /** Like {@link #require} for values of either kind: in text a value takes a digit and a separator. */
+    public void requireValues(long count, ScalarType type, String what) {
+        require(binary ? count * type.size() : Math.max(0, 2 * count - 1), what);
+    }
+
+    /** A number of {@code type}, or a word in a text file; a binary one may be NaN. */
+    public double readDouble(ScalarType type, String what) {
+        if (!binary) {
+            return number(what);
+        }
+        require(type.size(), what);
+        place = bytes.position();
+        bytes.position(place + type.size());
+        return type.readDouble(bytes, place);
+    }
+
+    /** A whole number of {@code type}, or a word in a text file. */
+    public long readLong(ScalarType type, String what) {
+        if (!binary) {
+            return integer(what);
+        }
+        require(type.size(), what);
+        place = bytes.position();
+        bytes.position(place + type.size());
+        return type.readLong(bytes, place);
+    }
+
+    public void skip(long count, String what) {
+        require(count, what);
+        bytes.position(bytes.position() + (int) count);
+    }
+
+    private String text(int from, int to) {
+        return new String(bytes.array(), from, to - from, StandardCharsets.ISO_8859_1);
+    }
+
+    private static boolean isSpace(byte b) {
+        return b == ' ' || (b >= '\t' && b <= '\r');
+    }
+}

@@ -1,0 +1,60 @@
+package org.phrenic.file;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** The whole of an input file, or one sentence about why it cannot be had. */
+public final class InputBytes {
+    private static final long LARGEST = Integer.MAX_VALUE - 64;
+
+    private InputBytes() {}
+
+    /**
+     * Reads all of {@code file}.
+     *
+     * @throws BadInputException if the file is missing, a folder, unreadable, empty or larger than 2 GiB
+     */
+    public static byte[] read(Path file) {
+        long size = size(file);
+        if (size > LARGEST) {
+            throw new BadInputException(file + ": found " + size + " bytes, expected less than 2 GiB");
+        }
+        try {
+            return Files.readAllBytes(file);
+        } catch (IOException failure) {
+            throw readFailure(file, failure);
+        }
+    }
+
+    /**
+     * Size of {@code file}, bytes.
+     *
+     * @throws BadInputException if the file is missing, a folder or empty
+     */
+    public static long size(Path file) {
+        if (Files.isDirectory(file)) {
+            throw new BadInputException(file + ": found a folder, expected a file");
+        }
+        if (!Files.exists(file)) {
+            throw new BadInputException(file + ": found no such file, expected one to read");
+        }
+        try {
+            long size = Files.size(file);
+            if (size == 0) {
+                throw new BadInputException(file + ": found an empty file, expected content");
+            }
+            return size;
+        } catch (IOException failure) {
+            throw readFailure(file, failure);
+        }
+    }
+
+    /** One sentence about a failure to read. */
+    public static BadInputException readFailure(Path file, IOException failure) {
+        return failure instanceof AccessDeniedException
+                ? new BadInputException(file + ": found a file that may not be read, expected read permission", failure)
+                : new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
+    }
+}

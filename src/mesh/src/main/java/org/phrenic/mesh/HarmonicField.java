@@ -1,0 +1,203 @@
+package org.phrenic.mesh;
+
+import java.util.Arrays;
+import org.phrenic.engine.math.DenseVectors;
+
+/**
+ * The smoothest field with given values at given vertices: the solution u of Laplace's equation on the surface. With
+ * linear elements, sum over the edges (i, j) at each free vertex of w_ij (u_i - u_j) = 0, w_ij = (cot alpha + cot beta)
+ * / 2 with the angles opposite the edge (Pinkall and Polthier 1993, doi 10.1080/10586458.1993.10504266). Its gradient
+ * leads from where u is prescribed low to where it is high, without sources in between: a direction for fibres.
+ *
+ * <p>Where no triangles lead across, the natural condition holds: the gradient runs along a free boundary. Solved by
+ * conjugate gradients with Jacobi preconditioning, in a fixed order of summation.
+ */
+public final class HarmonicField {
+    private static final double RELATIVE_RESIDUAL = 1e-10;
+    /**
+     * Keeps the matrix definite where triangles are obtuse or nearly flat; of the weight of an equilateral pair, 0.58.
+     */
+    private static final double LEAST_WEIGHT = 1e-3;
+
+    private static final double MOST_WEIGHT = 1e3;
+
+    private final TriangleMesh mesh;
+    private final double[] values;
+    private final int iterations;
+
+    private HarmonicField(TriangleMesh mesh, double[] values, int iterations) {
+        this.mesh = mesh;
+        this.values = values;
+        this.iterations = iterations;
+    }
+
+    /**
+     * Solves for the values at all other vertices.
+     *
+     * @param fixed vertices whose value is given, at least one; of a vertex named twice the last value counts
+     * @param given their values, in the same order
+     * @throws IllegalArgumentException if the two differ in length, are empty, or name no vertex of the mesh
+     */
+    public static HarmonicField solve(TriangleMesh mesh, MeshTopology topology, int[] fixed, double[] given) {
+        if (fixed.length != given.length || fixed.length == 0) {
+            throw new IllegalArgumentException("harmonic field: " + fixed.length + " fixed vertices and " + given.length
+                    + " values, expected as many of each and at least one");
+        }
+        int count = mesh.vertexCount();
+        boolean[] isFixed = new boolean[count];
+        double[] u = new double[count];
+        double mean = 0;
+        for (double value : given) {
+            mean += value / given.length;
+        }
+        // A piece without a fixed vertex has no answer of its own; it keeps this one.
+        Arrays.fill(u, mean);
+        for (int k = 0; k < fixed.length; k++) {
+            if (fixed[k] < 0 || fixed[k] >= count) {
+                throw new IllegalArgumentException(
+                        "harmonic field: fixed vertex " + fixed[k] + ", expected 0 to " + (count - 1));
+            }
+            isFixed[fixed[k]] = true;
+            u[fixed[k]] = given[k];
+        }
+        double[] weights = cotangentWeights(mesh, topology);
+        int iterations = conjugateGradients(topology, weights, isFixed, u);
+        return new HarmonicField(mesh, u, iterations);
+    }
+
+    /** Value at each vertex; shared, read only. */
+    public double[] values() {
+        return values;
+    }
+
+    public int iterations() {
+        return iterations;
+    }
+
+    /** Gradient in each triangle, x y z in turn, in units of the value per mm; zero in a triangle without area. */
+    public double[] gradients() {
+        double[] gradients = new double[mesh.triangles().length];
+        double[] n = new double[3];
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            addGradient(i, n, gradients);
+        }
+        return gradients;
+    }
+
+    private void addGradient(int triangle, double[] n, double[] gradients) {
+        double twiceArea = MeshMeasure.triangleCrossProduct(mesh, triangle, n);
+        if (twiceArea == 0) {
+            return;
+        }
+        double[] p = mesh.positions();
+        int[] t = mesh.triangles();
+        int at = 3 * triangle;
+        for (int corner = 0; corner < 3; corner++) {
+            // grad u = sum of u_c (n x e_c) / (2 A), with e_c the side opposite corner c and n the unit normal.
+            int b = 3 * t[at + (corner + 1) % 3];
+            int c = 3 * t[at + (corner + 2) % 3];
+            double scale = values[t[at + corner]] / (twiceArea * twiceArea);
+            double ex = p[c] - p[b];
+            double ey = p[c + 1] - p[b + 1];
+            double ez = p[c + 2] - p[b + 2];
+            gradients[at] += scale * (n[1] * ez - n[2] * ey);
+            gradients[at + 1] += scale * (n[2] * ex - n[0] * ez);
+            gradients[at + 2] += scale * (n[0] * ey - n[1] * ex);
+        }
+    }
+
+    private static double[] cotangentWeights(TriangleMesh mesh, MeshTopology topology) {
+        double[] weights = new double[topology.edgeCount()];
+        double[] n = new double[3];
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            addCotangents(mesh, i, topology.triangleEdges(), n, weights);
+        }
+        for (int e = 0; e < weights.length; e++) {
+            weights[e] = Math.max(LEAST_WEIGHT, Math.min(MOST_WEIGHT, weights[e]));
+        }
+        return weights;
+    }
+
+    private static void addCotangents(TriangleMesh mesh, int triangle, int[] edges, double[] n, double[] weights) {
+        double twiceArea = MeshMeasure.triangleCrossProduct(mesh, triangle, n);
+        double[] p = mesh.positions();
+        int[] t = mesh.triangles();
+        int at = 3 * triangle;
+        for (int corner = 0; corner < 3; corner++) {
+            int edge = edges[at + (corner + 1) % 3];
+            if (edge < 0 || twiceArea == 0) {
+                continue;
+            }
+            int a = 3 * t[at + corner];
+            int b = 3 * t[at + (corner + 1) % 3];
+            int c = 3 * t[at + (corner + 2) % 3];
+            double dot = (p[b] - p[a]) * (p[c] - p[a])
+                    + (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1])
+                    + (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
+            weights[edge] += 0.5 * dot / twiceArea;
+        }
+    }
+
+    /** Improves the free entries of u in place; returns the iterations used. */
+    private static int conjugateGradients(MeshTopology topology, double[] weights, boolean[] isFixed, double[] u) {
+        int count = u.length;
+        double[] diagonal = new double[count];
+        int[] edges = topology.edges();
+        for (int e = 0; e < weights.length; e++) {
+            diagonal[edges[2 * e]] += weights[e];
+            diagonal[edges[2 * e + 1]] += weights[e];
+        }
+        double[] residual = new double[count];
+        multiply(edges, weights, isFixed, u, residual);
+        double[] z = new double[count];
+        double[] direction = new double[count];
+        double[] product = new double[count];
+        for (int v = 0; v < count; v++) {
+            residual[v] = -residual[v];
+        }
+        precondition(residual, diagonal, z);
+        System.arraycopy(z, 0, direction, 0, count);
+        double rho = DenseVectors.dot(residual, z);
+        double enough = rho * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
+        int iteration = 0;
+        while (rho > enough && iteration < 10 * count + 100) {
+            multiply(edges, weights, isFixed, direction, product);
+            double curvature = DenseVectors.dot(direction, product);
+            if (!(curvature > 0)) {
+                break;
+            }
+            double step = rho / curvature;
+            DenseVectors.addScaled(u, step, direction);
+            DenseVectors.addScaled(residual, -step, product);
+            precondition(residual, diagonal, z);
+            double next = DenseVectors.dot(residual, z);
+            DenseVectors.scaleAndAdd(direction, next / rho, z);
+            rho = next;
+            iteration++;
+        }
+        return iteration;
+    }
+
+    private static void precondition(double[] residual, double[] diagonal, double[] z) {
+        for (int v = 0; v < z.length; v++) {
+            z[v] = diagonal[v] > 0 ? residual[v] / diagonal[v] : 0;
+        }
+    }
+
+    /** Writes L x into {@code out} for the free vertices, 0 for the fixed ones. */
+    private static void multiply(int[] edges, double[] weights, boolean[] isFixed, double[] x, double[] out) {
+        Arrays.fill(out, 0);
+        for (int e = 0; e < weights.length; e++) {
+            int a = edges[2 * e];
+            int b = edges[2 * e + 1];
+            double flow = weights[e] * (x[a] - x[b]);
+            out[a] += flow;
+            out[b] -= flow;
+        }
+        for (int v = 0; v < out.length; v++) {
+            if (isFixed[v]) {
+                out[v] = 0;
+            }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+package org.phrenic.mesh;
+
+import java.util.List;
+import org.phrenic.engine.math.Triangles;
+
+/** Sizes and shape figures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
+public final class MeshMeasure {
+    private MeshMeasure() {}
+
+    /**
+     * Edge lengths in mm; {@code deviation} is the population standard deviation. All zero for a mesh without edges.
+     */
+    public record EdgeLengths(double minimum, double mean, double maximum, double deviation) {}
+
+    /** Total area, mm^2. */
+    public static double area(TriangleMesh mesh) {
+        double[] normal = new double[3];
+        double sum = 0;
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            sum += 0.5 * triangleCrossProduct(mesh, t, normal);
+        }
+        return sum;
+    }
+
+    /**
+     * Signed volume, mm^3, by the divergence theorem: the sum over triangles of p0 . (p1 x p2) / 6, taken about the
+     * centre of the bounding box so that a mesh far from the origin loses no digits. Positive when triangles face
+     * outward. For an open mesh see {@link #cappedVolume}.
+     */
+    public static double signedVolume(TriangleMesh mesh) {
+        double[] centre = centre(mesh);
+        double sum = 0;
+        int[] triangles = mesh.triangles();
+        for (int t = 0; t < triangles.length; t += 3) {
+            sum += sixfoldVolume(mesh, triangles[t], triangles[t + 1], triangles[t + 2], centre);
+        }
+        return sum / 6;
+    }
+
+    /**
+     * Signed volume of a mesh whose boundary loops are closed by fans about the loops' centroids, mm^3. Equals
+     * {@link #signedVolume} for a closed mesh.
+     */
+    public static double cappedVolume(TriangleMesh mesh) {
+        return cappedVolume(mesh, new MeshTopology(mesh).boundaryLoops());
+    }
+
+    /**
+     * As {@link #cappedVolume(TriangleMesh)}, with loops found before (the mesh has moved, its triangles have not
+     * changed).
+     */
+    public static double cappedVolume(TriangleMesh mesh, List<int[]> boundaryLoops) {
+        double[] centre = centre(mesh);
+        double sum = 6 * signedVolume(mesh);
+        double[] p = mesh.positions();
+        for (int[] loop : boundaryLoops) {
+            double cx = 0;
+            double cy = 0;
+            double cz = 0;
+            for (int v : loop) {
+                cx += p[3 * v];
+                cy += p[3 * v + 1];
+                cz += p[3 * v + 2];
+            }
+            cx = cx / loop.length - centre[0];
+            cy = cy / loop.length - centre[1];
+            cz = cz / loop.length - centre[2];
+            for (int k = 0; k < loop.length; k++) {
+                // The loop runs with the surface's sides, so the cap's triangles run against it.
+                int a = loop[(k + 1) % loop.length];
+                int b = loop[k];
+                double ax = p[3 * a] - centre[0];
+                double ay = p[3 * a + 1] - centre[1];
+                double az = p[3 * a + 2] - centre[2];
+                double bx = p[3 * b] - centre[0];
+                double by = p[3 * b + 1] - centre[1];
+                double bz = p[3 * b + 2] - centre[2];
+                sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+            }
+        }
+        return sum / 6;
+    }
+
+    /** A third of the area of the triangles at each vertex, mm^2; sums to {@link #area}. */
+    public static double[] vertexAreas(TriangleMesh mesh) {
+        double[] areas = new double[mesh.vertexCount()];
+        double[] normal = new double[3];
+        int[] triangles = mesh.triangles();
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double third = triangleCrossProduct(mesh, t, normal) / 6;
+            for (int k = 3 * t; k < 3 * t + 3; k++) {
+                areas[triangles[k]] += third;
+            }
+        }
+        return areas;
+    }
+
+    /** Unit normal of each triangle, x y z in turn; zero for a triangle without area. */
+    public static double[] triangleNormals(TriangleMesh mesh) {
+        double[] normals = new double[3 * mesh.triangleCount()];
+        double[] normal = new double[3];
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double length = triangleCrossProduct(mesh, t, normal);
+            if (length > 0) {
+                for (int k = 0; k < 3; k++) {
+                    normals[3 * t + k] = normal[k] / length;
+                }
+            }
+        }
+        return normals;
+    }
+
+    /**
+     * Unit normal of each vertex, x y z in turn: the normals of its triangles weighted by the angle each has there,
+     * which does not depend on how the surface is cut into triangles (Thuermer and Wuethrich 1998, doi
+     * 10.1080/10867651.1998.10487487). Zero for a vertex without triangles.
+     */
+    public static double[] vertexNormals(TriangleMesh mesh) {
+        double[] normals = new double[3 * mesh.vertexCount()];
+        double[] normal = new double[3];
+        int[] triangles = mesh.triangles();
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double length = triangleCrossProduct(mesh, t, normal);
+            if (length == 0) {
+                continue;
+            }
+            for (int side = 3 * t; side < 3 * t + 3; side++) {
+                double weight = cornerAngle(mesh, side) / length;
+                int v = triangles[side];
+                for (int k = 0; k < 3; k++) {
+                    normals[3 * v + k] += weight * normal[k];
+                }
+            }
+        }
+        for (int i = 0; i < normals.length; i += 3) {
+            double length = Math.sqrt(
+                    normals[i] * normals[i] + normals[i + 1] * normals[i + 1] + normals[i + 2] * normals[i + 2]);
+            if (length > 0) {
+                normals[i] /= length;
+                normals[i + 1] /= length;
+                normals[i + 2] /= length;
+            }
+        }
+        return normals;
+    }
+
+    /** Smallest angle of each triangle, degrees; 60 is equilateral, 0 a triangle without area. */
+    public static double[] smallestAngles(TriangleMesh mesh) {
+        double[] angles = new double[mesh.triangleCount()];
+        double[] normal = new double[3];
+        for (int t = 0; t < angles.length; t++) {
+            if (triangleCrossProduct(mesh, t, normal) == 0) {
+                continue;
+            }
+            double smallest = Math.min(
+                    cornerAngle(mesh, 3 * t), Math.min(cornerAngle(mesh, 3 * t + 1), cornerAngle(mesh, 3 * t + 2)));
+            angles[t] = Math.toDegrees(smallest);
+        }
+        return angles;
+    }
+
+    /** Length of each edge of {@code topology} in its order, mm, at the positions of {@code mesh}. */
+    public static double[] edgeLengths(TriangleMesh mesh, MeshTopology topology) {
+        int[] edges = topology.edges();
+        double[] lengths = new double[topology.edgeCount()];
+        for (int e = 0; e < lengths.length; e++) {
+            lengths[e] = distance(mesh, edges[2 * e], edges[2 * e + 1]);
+        }
+        return lengths;
+    }
+
+    public static EdgeLengths edgeLengthSummary(TriangleMesh mesh, MeshTopology topology) {
+        double[] lengths = edgeLengths(mesh, topology);
+        if (lengths.length == 0) {
+            return new EdgeLengths(0, 0, 0, 0);
+        }
+        double minimum = Double.POSITIVE_INFINITY;
+        double maximum = 0;
+        double sum = 0;
+        for (double length : lengths) {
+            minimum = Math.min(minimum, length);
+            maximum = Math.max(maximum, length);
+            sum += length;
+        }
+        double mean = sum / lengths.length;
+        double squares = 0;
+        for (double length : lengths) {
+            squares += (length - mean) * (length - mean);
+        }
+        return new EdgeLengths(minimum, mean, maximum, Math.sqrt(squares / lengths.length));
+    }
+
+    /** Writes (p1 - p0) x (p2 - p0) and returns its length, twice the triangle's area. */
+    public static double triangleCrossProduct(TriangleMesh mesh, int triangle, double[] out) {
+        double[] p = mesh.positions();
+        int a = 3 * mesh.triangles()[3 * triangle];
+        int b = 3 * mesh.triangles()[3 * triangle + 1];
+        int c = 3 * mesh.triangles()[3 * triangle + 2];
+        return Triangles.cross(p, a, b, c, out);
+    }
+
+    public static double distance(TriangleMesh mesh, int a, int b) {
+        double dx = mesh.x(a) - mesh.x(b);
+        double dy = mesh.y(a) - mesh.y(b);
+        double dz = mesh.z(a) - mesh.z(b);
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** Angle at the corner that {@code side} starts from, radians; atan2 keeps its digits at 0 and at 180 degrees. */
+    private static double cornerAngle(TriangleMesh mesh, int side) {
+        double[] p = mesh.positions();
+        int[] triangles = mesh.triangles();
+        int a = 3 * triangles[side];
+        int b = 3 * triangles[EdgeTable.next(side)];
+        int c = 3 * triangles[EdgeTable.next(EdgeTable.next(side))];
+        double ux = p[b] - p[a];
+        double uy = p[b + 1] - p[a + 1];
+        double uz = p[b + 2] - p[a + 2];
+        double vx = p[c] - p[a];
+        double vy = p[c + 1] - p[a + 1];
+        double vz = p[c + 2] - p[a + 2];
+        double cx = uy * vz - uz * vy;
+        double cy = uz * vx - ux * vz;
+        double cz = ux * vy - uy * vx;
+        return StrictMath.atan2(Math.sqrt(cx * cx + cy * cy + cz * cz), ux * vx + uy * vy + uz * vz);
+    }
+
+    private static double[] centre(TriangleMesh mesh) {
+        if (mesh.vertexCount() == 0) {
+            return new double[3];
+        }
+        double[] box = mesh.bounds();
+        return new double[] {(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2};
+    }
+
+    private static double sixfoldVolume(TriangleMesh mesh, int a, int b, int c, double[] centre) {
+        double ax = mesh.x(a) - centre[0];
+        double ay = mesh.y(a) - centre[1];
+        double az = mesh.z(a) - centre[2];
+        double bx = mesh.x(b) - centre[0];
+        double by = mesh.y(b) - centre[1];
+        double bz = mesh.z(b) - centre[2];
+        double cx = mesh.x(c) - centre[0];
+        double cy = mesh.y(c) - centre[1];
+        double cz = mesh.z(c) - centre[2];
+        return ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+    }
+}

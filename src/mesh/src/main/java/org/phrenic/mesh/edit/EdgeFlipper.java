@@ -1,0 +1,132 @@
+package org.phrenic.mesh.edit;
+
+import org.phrenic.mesh.Vectors;
+
+/**
+ * Turns edges until the surface is Delaunay: an edge whose opposite angles sum to more than 180 degrees gives way to
+ * the other diagonal, unless that would fold the surface or bend it more sharply than it was.
+ */
+final class EdgeFlipper {
+    private static final int MOST_PASSES = 5;
+    /** Below this cosine between its triangles (100 degrees) an edge is a rim of the surface and stays. */
+    private static final double RIM = -0.17;
+    /** A bend below 30 degrees is no bend. */
+    private static final double FLAT_ENOUGH = 0.87;
+
+    private final HalfEdgeMesh mesh;
+    private final double[] first = new double[3];
+    private final double[] second = new double[3];
+    private final double[] third = new double[3];
+    private final double[] fourth = new double[3];
+
+    EdgeFlipper(HalfEdgeMesh mesh) {
+        this.mesh = mesh;
+    }
+
+    int flipAll() {
+        int total = 0;
+        for (int pass = 0; pass < MOST_PASSES; pass++) {
+            int flipped = 0;
+            for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+                if (!mesh.flipChecked[h]) {
+                    flipped += settle(h);
+                }
+            }
+            total += flipped;
+            // The last few in a hundred thousand are worth no further pass.
+            if (flipped * 1000 < mesh.vertexCount()) {
+                break;
+            }
+        }
+        return total;
+    }
+
+    /** Turns the edge or marks it as settled; returns how many were turned. */
+    private int settle(int h) {
+        if (mesh.twin[h] == HalfEdgeMesh.NONE || !mesh.isPrimary(h) || mesh.isCrease(h) || !wouldGain(h)) {
+            mesh.flipChecked[h] = true;
+            return 0;
+        }
+        if (!mayFlip(h)) {
+            // Neighbours farther off decide: it is looked at again.
+            return 0;
+        }
+        mesh.flip(h);
+        return 1;
+    }
+
+    /** Whether the other diagonal is the better one, by the four corners of the two triangles alone. */
+    private boolean wouldGain(int h) {
+        int o = mesh.twin[h];
+        int a = mesh.start[h];
+        int b = mesh.start[o];
+        int c = mesh.start[HalfEdgeMesh.previous(h)];
+        int d = mesh.start[HalfEdgeMesh.previous(o)];
+        // sin(angle at c + angle at d) < 0, without a trigonometric function.
+        double cosC = dotAt(c, a, b);
+        double cosD = dotAt(d, a, b);
+        if (cosC > 0 && cosD > 0) {
+            return false;
+        }
+        double areaC = normal(a, b, c, first);
+        double areaD = normal(b, a, d, second);
+        if (areaC * cosD + cosC * areaD >= -1e-9 * (Math.abs(areaC * cosD) + Math.abs(cosC * areaD))) {
+            return false;
+        }
+        double areaA = normal(a, d, c, third);
+        double areaB = normal(d, b, c, fourth);
+        if (!(areaA > 0 && areaB > 0)) {
+            return false;
+        }
+        double bendAfter = Vectors.dot(third, fourth) / (areaA * areaB);
+        if (areaC > 0 && areaD > 0) {
+            double bendBefore = Vectors.dot(first, second) / (areaC * areaD);
+            if (bendBefore < RIM || bendAfter < Math.min(FLAT_ENOUGH, bendBefore)) {
+                return false;
+            }
+        } else if (bendAfter < FLAT_ENOUGH) {
+            return false;
+        }
+        double sx = first[0] + second[0];
+        double sy = first[1] + second[1];
+        double sz = first[2] + second[2];
+        return third[0] * sx + third[1] * sy + third[2] * sz > 0
+                && fourth[0] * sx + fourth[1] * sy + fourth[2] * sz > 0;
+    }
+
+    /** Whether both ends can spare a neighbour and the other diagonal is no edge yet. */
+    private boolean mayFlip(int h) {
+        int o = mesh.twin[h];
+        int a = mesh.start[h];
+        int b = mesh.start[o];
+        int leastA = mesh.isBoundaryVertex(a) ? 2 : 3;
+        int leastB = mesh.isBoundaryVertex(b) ? 2 : 3;
+        return mesh.valence(a) > leastA
+                && mesh.valence(b) > leastB
+                && !mesh.areNeighbours(mesh.start[HalfEdgeMesh.previous(h)], mesh.start[HalfEdgeMesh.previous(o)]);
+    }
+
+    private double dotAt(int at, int a, int b) {
+        double[] p = mesh.position;
+        double x = p[3 * at];
+        double y = p[3 * at + 1];
+        double z = p[3 * at + 2];
+        return (p[3 * a] - x) * (p[3 * b] - x)
+                + (p[3 * a + 1] - y) * (p[3 * b + 1] - y)
+                + (p[3 * a + 2] - z) * (p[3 * b + 2] - z);
+    }
+
+    private double normal(int a, int b, int c, double[] n) {
+        double[] p = mesh.position;
+        double ux = p[3 * b] - p[3 * a];
+        double uy = p[3 * b + 1] - p[3 * a + 1];
+        double uz = p[3 * b + 2] - p[3 * a + 2];
+        double vx = p[3 * c] - p[3 * a];
+        double vy = p[3 * c + 1] - p[3 * a + 1];
+        double vz = p[3 * c + 2] - p[3 * a + 2];
+        n[0] = uy * vz - uz * vy;
+        n[1] = uz * vx - ux * vz;
+        n[2] = ux * vy - uy * vx;
+        return Math.sqrt(Vectors.dot(n, n));
+    }
+}

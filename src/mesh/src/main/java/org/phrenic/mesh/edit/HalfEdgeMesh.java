@@ -1,0 +1,233 @@
+package org.phrenic.mesh.edit;
+
+import org.phrenic.mesh.TriangleMesh;
+
+/** A triangle surface that can be edited: edges split, collapsed and flipped in place. */
+final class HalfEdgeMesh extends HalfEdges {
+    HalfEdgeMesh(TriangleMesh mesh) {
+        super(mesh);
+    }
+
+    /** Cuts the edge of {@code h} in two at the given point; returns the new vertex. */
+    int split(int h, double x, double y, double z) {
+        int m = newVertex(x, y, z);
+        int o = twin[h];
+        int hn = next(h);
+        int a = start[h];
+        int b = start[hn];
+        int c = start[previous(h)];
+        int t = newTriangle(m, b, c);
+        link(t + 1, twin[hn]);
+        link(t + 2, hn);
+        crease[t] = crease[h];
+        crease[t + 1] = crease[hn];
+        crease[hn] = false;
+        start[hn] = m;
+        out[m] = t;
+        twin[t] = NONE;
+        if (out[b] == hn) {
+            out[b] = t + 1;
+        }
+        if (o != NONE) {
+            int on = next(o);
+            int d = start[previous(o)];
+            int u = newTriangle(m, a, d);
+            link(u + 1, twin[on]);
+            link(u + 2, on);
+            crease[u] = crease[h];
+            crease[u + 1] = crease[on];
+            crease[on] = false;
+            start[on] = m;
+            if (out[a] == on) {
+                out[a] = u + 1;
+            }
+            link(h, u);
+            link(o, t);
+            clearFlipChecked(u);
+            clearFlipChecked(o);
+        }
+        clearFlipChecked(t);
+        clearFlipChecked(h);
+        return m;
+    }
+
+    /**
+     * Turns the inner edge of {@code h} in its quadrilateral; the caller has seen to it that it is no crease and the
+     * new edge does not exist yet.
+     */
+    void flip(int h) {
+        int o = twin[h];
+        int hn = next(h);
+        int hp = previous(h);
+        int on = next(o);
+        int op = previous(o);
+        int a = start[h];
+        int b = start[o];
+        int c = start[hp];
+        int d = start[op];
+        int beyondBc = twin[hn];
+        int beyondCa = twin[hp];
+        int beyondAd = twin[on];
+        int beyondDb = twin[op];
+        if (out[a] == h || out[a] == on) {
+            out[a] = hp;
+        }
+        if (out[b] == o || out[b] == hn) {
+            out[b] = op;
+        }
+        if (out[c] == hp) {
+            out[c] = hn;
+        }
+        if (out[d] == op) {
+            out[d] = on;
+        }
+        start[h] = d;
+        start[hn] = c;
+        start[hp] = a;
+        start[o] = c;
+        start[on] = d;
+        start[op] = b;
+        link(hn, beyondCa);
+        link(hp, beyondAd);
+        link(on, beyondDb);
+        link(op, beyondBc);
+        boolean creaseBc = crease[hn];
+        crease[hn] = crease[hp];
+        crease[hp] = crease[on];
+        crease[on] = crease[op];
+        crease[op] = creaseBc;
+        clearFlipChecked(h);
+        clearFlipChecked(o);
+    }
+
+    /**
+     * Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link
+     * condition).
+     */
+    boolean canCollapse(int h) {
+        if (!preservesBoundary(h)) {
+            return false;
+        }
+        collectRing(start[h]);
+        return satisfiesLinkCondition(h, ring, ringSize);
+    }
+
+    /**
+     * The part of {@link #canCollapse} that asks for no ring: no bridge between boundaries, and neighbours to spare
+     * beside the edge.
+     */
+    boolean preservesBoundary(int h) {
+        int o = twin[h];
+        if (o != NONE && isBoundaryVertex(start[h]) && isBoundaryVertex(end(h))) {
+            return false;
+        }
+        return canRemoveTriangle(h) && (o == NONE || canRemoveTriangle(o));
+    }
+
+    /**
+     * The rest of {@link #canCollapse}: of the ring about the start, only what stands beside the edge is a neighbour of
+     * its end.
+     */
+    boolean satisfiesLinkCondition(int h, int[] ringOfStart, int size) {
+        int common = 0;
+        int b = end(h);
+        int g = out[b];
+        do {
+            int back = previous(g);
+            common += isAmong(ringOfStart, size, end(g)) ? 1 : 0;
+            int following = twin[back];
+            if (following == NONE) {
+                common += isAmong(ringOfStart, size, start[back]) ? 1 : 0;
+            }
+            g = following;
+        } while (g != NONE && g != out[b]);
+        return common == (twin[h] == NONE ? 1 : 2);
+    }
+
+    private static boolean isAmong(int[] vertices, int size, int v) {
+        for (int i = 0; i < size; i++) {
+            if (vertices[i] == v) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean canRemoveTriangle(int h) {
+        if (twin[next(h)] == NONE && twin[previous(h)] == NONE) {
+            return false;
+        }
+        int c = start[previous(h)];
+        return valenceExceeds(isBoundaryVertex(c) ? 2 : 3, c);
+    }
+
+    /** Removes the edge of {@code h} and its start vertex; the end vertex stays and moves to the given point. */
+    void collapse(int h, double x, double y, double z) {
+        int a = start[h];
+        int b = end(h);
+        int o = twin[h];
+        int g = out[a];
+        do {
+            start[g] = b;
+            g = twin[previous(g)];
+        } while (g != NONE && g != out[a]);
+        int fromB = NONE;
+        // One call for both sides: compilers copy what is called to each place.
+        for (int side = h; side != NONE; side = side == h ? o : NONE) {
+            fromB = closeSide(side);
+        }
+        // Only now: a turn about b must not enter a triangle that is going.
+        out[b] = fanStart(fromB);
+        removeVertex(a);
+        position[3 * b] = x;
+        position[3 * b + 1] = y;
+        position[3 * b + 2] = z;
+        int k = out[b];
+        do {
+            clearFlipChecked(k);
+            k = twin[previous(k)];
+        } while (k != NONE && k != out[b]);
+    }
+
+    /**
+     * Takes out the triangle of {@code h}, whose edge has shrunk to a vertex, and joins what its other two sides
+     * touched. Returns a half-edge from that vertex.
+     */
+    private int closeSide(int h) {
+        int hn = next(h);
+        int hp = previous(h);
+        int c = start[hp];
+        int x = twin[hn];
+        int y = twin[hp];
+        boolean joined = crease[hn] || crease[hp];
+        if (x != NONE) {
+            twin[x] = y;
+            crease[x] = joined;
+        }
+        if (y != NONE) {
+            twin[y] = x;
+            crease[y] = joined;
+        }
+        int t = h - h % 3;
+        removeTriangle(t);
+        // Of the sides beyond, each runs either from c to b or from b to c: one start for each end.
+        int fromC = NONE;
+        int fromB = NONE;
+        for (int side = 0; side < 2; side++) {
+            int k = side == 0 ? x : y;
+            if (k != NONE) {
+                fromC = start[k] == c ? k : next(k);
+                fromB = start[k] == c ? next(k) : k;
+            }
+        }
+        out[c] = fanStart(fromC);
+        return fromB;
+    }
+
+    private void link(int h, int o) {
+        twin[h] = o;
+        if (o != NONE) {
+            twin[o] = h;
+        }
+    }
+}

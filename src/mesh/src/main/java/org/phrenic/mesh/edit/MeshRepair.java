@@ -1,0 +1,253 @@
+package org.phrenic.mesh.edit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Makes a usable surface of what a file or a segmentation holds: welds vertices, drops what has no area or stands
+ * twice, turns triangles to one side, closes seams and holes. Every step keeps the order of what it keeps, so that the
+ * same input gives the same output.
+ */
+public final class MeshRepair {
+    /** Twice the area over the square of the longest side, below which a triangle is a line: an angle of 1e-12 rad. */
+    private static final double FLAT = 1e-12;
+
+    private MeshRepair() {}
+
+    /** What a repair did, as counts. */
+    public record Report(
+            int verticesWelded,
+            int degenerateRemoved,
+            int duplicatesRemoved,
+            int unusedRemoved,
+            int trianglesFlipped,
+            int loopsCapped) {
+        static final Report NONE = new Report(0, 0, 0, 0, 0, 0);
+
+        Report plus(Report other) {
+            return new Report(
+                    verticesWelded + other.verticesWelded,
+                    degenerateRemoved + other.degenerateRemoved,
+                    duplicatesRemoved + other.duplicatesRemoved,
+                    unusedRemoved + other.unusedRemoved,
+                    trianglesFlipped + other.trianglesFlipped,
+                    loopsCapped + other.loopsCapped);
+        }
+
+        @Override
+        public String toString() {
+            List<String> parts = new ArrayList<>();
+            addCount(parts, verticesWelded, "vertices welded");
+            addCount(parts, degenerateRemoved, "degenerate triangles removed");
+            addCount(parts, duplicatesRemoved, "duplicate triangles removed");
+            addCount(parts, unusedRemoved, "unused vertices removed");
+            addCount(parts, trianglesFlipped, "triangles flipped");
+            addCount(parts, loopsCapped, "boundary loops capped");
+            return parts.isEmpty() ? "Nothing to repair." : "Repaired: " + String.join(", ", parts) + ".";
+        }
+
+        private static void addCount(List<String> parts, int count, String what) {
+            if (count > 0) {
+                parts.add(count + " " + what);
+            }
+        }
+    }
+
+    /** A mesh and what was done to get it. */
+    public record Result(TriangleMesh mesh, Report report) {}
+
+    /** {@link #weld}, {@link #clean}, {@link #orient} in turn. */
+    public static Result repair(TriangleMesh mesh, double tolerance) {
+        return repair(mesh, tolerance, 0);
+    }
+
+    /**
+     * {@link #weld}, {@link #clean}, {@link #orient} in turn, and before the last of them the seams between the patches
+     * of the surface closed ({@link SeamStitcher}): a file's patches may differ along their common rim by more than two
+     * vertices may inside one of them.
+     *
+     * @param tolerance of all vertices, mm
+     * @param seam of those on open edges, mm; not above the tolerance nothing more is done
+     */
+    public static Result repair(TriangleMesh mesh, double tolerance, double seam) {
+        Result joined = weld(mesh, tolerance);
+        Report report = joined.report();
+        TriangleMesh welded = joined.mesh();
+        EdgeTable edges = new EdgeTable(welded);
+        if (seam > tolerance && !edges.isClosed()) {
+            joined = SeamStitcher.stitch(welded, edges, seam);
+            report = report.plus(joined.report());
+        }
+        Result cleaned = clean(joined.mesh());
+        // Most meshes need nothing: what changes nothing hands its mesh on.
+        if (cleaned.mesh() != welded) {
+            edges = new EdgeTable(cleaned.mesh());
+        }
+        Result oriented = MeshOrienter.orient(cleaned.mesh(), edges);
+        return new Result(oriented.mesh(), report.plus(cleaned.report()).plus(oriented.report()));
+    }
+
+    /** {@link #repair}, then {@link #cap}, then {@link #orient} again: what the caps closed now faces outward. */
+    public static Result repairAndCap(TriangleMesh mesh, double tolerance) {
+        Result repaired = repair(mesh, tolerance);
+        Result capped = cap(repaired.mesh());
+        Result oriented = orient(capped.mesh());
+        return new Result(
+                oriented.mesh(), repaired.report().plus(capped.report()).plus(oriented.report()));
+    }
+
+    /**
+     * Replaces each vertex by the nearest earlier kept vertex within {@code tolerance} (mm), the earliest of equals; a
+     * vertex that has none is kept. Vertices that lose their place are dropped.
+     *
+     * @param tolerance mm, at least 0; 0 welds equal coordinates only
+     */
+    public static Result weld(TriangleMesh mesh, double tolerance) {
+        if (!(tolerance >= 0) || Double.isInfinite(tolerance)) {
+            throw new IllegalArgumentException("weld tolerance: " + tolerance + " mm, expected a finite number from 0");
+        }
+        return merge(mesh, new VertexWelder(mesh.positions(), tolerance).representatives());
+    }
+
+    /** Lets each vertex's keeper stand for it. */
+    static Result merge(TriangleMesh mesh, int[] keeper) {
+        int welded = 0;
+        for (int v = 0; v < keeper.length; v++) {
+            welded += keeper[v] == v ? 0 : 1;
+        }
+        if (welded == 0) {
+            return new Result(mesh, Report.NONE);
+        }
+        int[] triangles = mesh.triangles().clone();
+        for (int i = 0; i < triangles.length; i++) {
+            triangles[i] = keeper[triangles[i]];
+        }
+        boolean[] keep = new boolean[keeper.length];
+        for (int v = 0; v < keep.length; v++) {
+            keep[v] = keeper[v] == v;
+        }
+        return new Result(compact(mesh.positions(), triangles, keep), new Report(welded, 0, 0, 0, 0, 0));
+    }
+
+    /**
+     * Drops triangles that name a vertex twice or have no area (all corners on one line), the later of triangles with
+     * the same three vertices, and vertices that no triangle uses.
+     */
+    public static Result clean(TriangleMesh mesh) {
+        int[] t = mesh.triangles();
+        int[] kept = t;
+        int length = 0;
+        int degenerate = 0;
+        int duplicates = 0;
+        TripleSet seen = new TripleSet(mesh.triangleCount());
+        double[] normal = new double[3];
+        for (int i = 0; i < mesh.triangleCount(); i++) {
+            int a = t[3 * i];
+            int b = t[3 * i + 1];
+            int c = t[3 * i + 2];
+            boolean noArea = a == b || b == c || c == a || isDegenerate(mesh, i, normal);
+            if (noArea || !seen.add(a, b, c)) {
+                degenerate += noArea ? 1 : 0;
+                duplicates += noArea ? 0 : 1;
+                kept = kept == t ? t.clone() : kept;
+                continue;
+            }
+            if (kept != t) {
+                kept[length] = a;
+                kept[length + 1] = b;
+                kept[length + 2] = c;
+            }
+            length += 3;
+        }
+        boolean[] used = new boolean[mesh.vertexCount()];
+        int count = 0;
+        for (int k = 0; k < length; k++) {
+            count += used[kept[k]] ? 0 : 1;
+            used[kept[k]] = true;
+        }
+        int unused = mesh.vertexCount() - count;
+        if (length == t.length && unused == 0) {
+            return new Result(mesh, Report.NONE);
+        }
+        TriangleMesh cleaned = compact(mesh.positions(), Arrays.copyOf(kept, length), used);
+        return new Result(cleaned, new Report(0, degenerate, duplicates, unused, 0, 0));
+    }
+
+    private static boolean isDegenerate(TriangleMesh mesh, int triangle, double[] normal) {
+        double twiceArea = MeshMeasure.triangleCrossProduct(mesh, triangle, normal);
+        int[] t = mesh.triangles();
+        double longest = Math.max(
+                MeshMeasure.distance(mesh, t[3 * triangle], t[3 * triangle + 1]),
+                Math.max(
+                        MeshMeasure.distance(mesh, t[3 * triangle + 1], t[3 * triangle + 2]),
+                        MeshMeasure.distance(mesh, t[3 * triangle + 2], t[3 * triangle])));
+        return !(twiceArea > FLAT * longest * longest);
+    }
+
+    /**
+     * Turns triangles so that neighbours across every manifold edge agree. A piece that is closed then faces outward
+     * (positive signed volume); of an open piece the side that more of its triangles already showed is kept. A
+     * one-sided surface cannot agree everywhere and keeps a seam.
+     */
+    public static Result orient(TriangleMesh mesh) {
+        return MeshOrienter.orient(mesh, new EdgeTable(mesh));
+    }
+
+    /** Closes each boundary loop: three edges by a triangle, more by a fan about the loop's centroid. */
+    public static Result cap(TriangleMesh mesh) {
+        List<int[]> loops = new MeshTopology(mesh).boundaryLoops();
+        int newVertices = 0;
+        int newCorners = 0;
+        for (int[] loop : loops) {
+            newVertices += loop.length > 3 ? 1 : 0;
+            newCorners += loop.length > 3 ? 3 * loop.length : 3;
+        }
+        double[] p = Arrays.copyOf(mesh.positions(), mesh.positions().length + 3 * newVertices);
+        int[] t = Arrays.copyOf(mesh.triangles(), mesh.triangles().length + newCorners);
+        int vertex = mesh.vertexCount();
+        int corner = mesh.triangles().length;
+        for (int[] loop : loops) {
+            if (loop.length == 3) {
+                t[corner++] = loop[0];
+                t[corner++] = loop[2];
+                t[corner++] = loop[1];
+                continue;
+            }
+            for (int k = 0; k < loop.length; k++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    p[3 * vertex + axis] += p[3 * loop[k] + axis] / loop.length;
+                }
+                t[corner++] = loop[(k + 1) % loop.length];
+                t[corner++] = loop[k];
+                t[corner++] = vertex;
+            }
+            vertex++;
+        }
+        return new Result(new TriangleMesh(p, t), new Report(0, 0, 0, 0, 0, loops.size()));
+    }
+
+    /** Keeps the named vertices in their order and renames the corners (in place). */
+    static TriangleMesh compact(double[] positions, int[] triangles, boolean[] keep) {
+        int[] rename = new int[keep.length];
+        int count = 0;
+        for (int v = 0; v < keep.length; v++) {
+            rename[v] = count;
+            count += keep[v] ? 1 : 0;
+        }
+        double[] kept = new double[3 * count];
+        for (int v = 0; v < keep.length; v++) {
+            if (keep[v]) {
+                System.arraycopy(positions, 3 * v, kept, 3 * rename[v], 3);
+            }
+        }
+        for (int i = 0; i < triangles.length; i++) {
+            triangles[i] = rename[triangles[i]];
+        }
+        return new TriangleMesh(kept, triangles);
+    }
+}

@@ -1,0 +1,270 @@
+package org.phrenic.mesh.edit;
+
+import java.util.Arrays;
+import org.phrenic.engine.math.RadixSort;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+
+/**
+ * Isotropic remeshing to a given number of vertices (Botsch and Kobbelt 2004, A Remeshing Approach to Multiresolution
+ * Modeling, doi 10.1145/1057432.1057457): edges longer than 4/3 of a target length are split, shorter than 4/5
+ * collapsed, the rest flipped to Delaunay, vertices evened out on the original surface; the target follows the count.
+ * The last vertices are added at the longest edges or taken at the shortest, so the count is met exactly where the
+ * topology allows.
+ *
+ * <p>Where the surface becomes finer, edges bent by more than 60 degrees are creases: they keep their place and are
+ * only divided otherwise. Where it becomes coarser, what looks like a crease is a detail below the new length.
+ *
+ * <p>Closedness, genus and boundary loops are kept. On a closed surface the vertices are at last shifted along their
+ * normals by the one distance that restores the volume, since chords of a convex surface lie inside it.
+ */
+public final class Remesher {
+    private static final double LONG = 4.0 / 3;
+    private static final double SHORT = 4.0 / 5;
+    /** Below this cosine between its triangles (a bend of 60 degrees) an edge is a crease. */
+    private static final double CREASE = 0.5;
+
+    /** Edges below this part of the target length are taken out at the end, more boldly than the rest. */
+    private static final double SPLINTER = 0.4;
+
+    /** Edges below this part of it are taken out whatever side their triangles then show. */
+    private static final double CRUMB = 0.25;
+
+    private static final int LEAST_VERTICES = 12;
+    private static final int MOST_VERTICES = 20_000_000;
+    private static final int ROUNDS = 4;
+    private static final int FINAL_ROUNDS = 3;
+    private static final int MOST_SWEEPS = 12;
+    /** How far from its place a vertex may be drawn onto the original surface, in target lengths. */
+    private static final double REACH = 2;
+
+    private final TriangleMesh original;
+    private final int vertices;
+    private final HalfEdgeMesh mesh;
+    private final EdgeCollapser collapser;
+    private final EdgeFlipper flipper;
+    private final VertexRelaxer relaxer;
+    private double length;
+    private long[] queue = new long[1024];
+
+    private Remesher(TriangleMesh original, int vertices) {
+        this.original = original;
+        this.vertices = vertices;
+        mesh = new HalfEdgeMesh(original);
+        collapser = new EdgeCollapser(mesh);
+        flipper = new EdgeFlipper(mesh);
+        length = targetLength();
+        if (length < meanEdge()) {
+            markCreases();
+        }
+        relaxer = new VertexRelaxer(mesh, new TriangleTree(original), new TriangleTree(linesOf(mesh)));
+    }
+
+    /**
+     * A surface of the same shape and topology with {@code vertices} evenly spread vertices; more only where fewer
+     * would break the topology.
+     *
+     * @param mesh consistently oriented ({@link MeshRepair#repair}); where it is not manifold it is cut open
+     * @param vertices at least 4
+     * @throws IllegalArgumentException if the mesh has no area, or fewer than 4 vertices are asked for
+     */
+    public static TriangleMesh toVertexCount(TriangleMesh mesh, int vertices) {
+        if (vertices < 4) {
+            throw new IllegalArgumentException("remeshing to " + vertices + " vertices, expected at least 4");
+        }
+        if (!(MeshMeasure.area(mesh) > 0)) {
+            throw new IllegalArgumentException("remeshing " + mesh + ", expected a surface with area");
+        }
+        return new Remesher(mesh, vertices).run();
+    }
+
+    /**
+     * As {@link #toVertexCount} with as many vertices as give equilateral triangles of this edge.
+     *
+     * @param edgeMm above 0
+     * @throws IllegalArgumentException if the mesh has no area or the edge is not above 0
+     */
+    public static TriangleMesh toEdgeLength(TriangleMesh mesh, double edgeMm) {
+        if (!(edgeMm > 0)) {
+            throw new IllegalArgumentException("remeshing to edges of " + edgeMm + " mm, expected more than 0");
+        }
+        // A closed surface of F triangles has F / 2 vertices and as many again as its Euler characteristic says.
+        double triangles = MeshMeasure.area(mesh) / (Math.sqrt(3) / 4 * edgeMm * edgeMm);
+        return toVertexCount(
+                mesh, (int) Math.max(LEAST_VERTICES, Math.min(MOST_VERTICES, Math.rint(triangles / 2 + 2))));
+    }
+
+    private TriangleMesh run() {
+        flipper.flipAll();
+        for (int round = 0; round < ROUNDS; round++) {
+            splitLong(LONG * length);
+            collapseShort();
+            flipper.flipAll();
+            relaxer.relax(REACH * length);
+            double excess = Math.sqrt((double) mesh.vertexCount() / vertices);
+            length *= Math.max(0.8, Math.min(1.25, excess));
+        }
+        meetCount();
+        for (int round = 0; round < FINAL_ROUNDS; round++) {
+            flipper.flipAll();
+            relaxer.relax(REACH * length);
+            collapser.collapse(CRUMB * length, 2 * length, 4, EdgeCollapser.RECKLESS);
+            collapser.collapse(SPLINTER * length, 2 * length, 4, EdgeCollapser.BOLD);
+            meetCount();
+        }
+        flipper.flipAll();
+        return restoreVolume(mesh.toMesh());
+    }
+
+    /**
+     * The edge of the equilateral triangles that cover the area, F = 2 (V - euler) - B with B vertices on the boundary.
+     */
+    private double targetLength() {
+        double area = MeshMeasure.area(original);
+        double boundary = 0;
+        int edges = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.twin[h] == HalfEdgeMesh.NONE) {
+                boundary += Math.sqrt(mesh.squareLength(h));
+            }
+            edges += mesh.isPrimary(h) ? 1 : 0;
+        }
+        int euler = mesh.vertexCount() - edges + mesh.triangleEnd;
+        double guess = Math.sqrt(area / (Math.sqrt(3) / 4 * Math.max(2, 2.0 * (vertices - euler))));
+        for (int i = 0; i < 20; i++) {
+            double faces = Math.max(2, 2.0 * (vertices - euler) - boundary / guess);
+            guess = 0.5 * (guess + Math.sqrt(area / (Math.sqrt(3) / 4 * faces)));
+        }
+        return guess;
+    }
+
+    private double meanEdge() {
+        double sum = 0;
+        int edges = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.isPrimary(h)) {
+                sum += Math.sqrt(mesh.squareLength(h));
+                edges++;
+            }
+        }
+        return sum / edges;
+    }
+
+    private void markCreases() {
+        double[] normals = MeshMeasure.triangleNormals(mesh.toMesh());
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            int o = mesh.twin[h];
+            if (o < h && o != HalfEdgeMesh.NONE) {
+                int s = h - h % 3;
+                int t = o - o % 3;
+                double cosine =
+                        normals[s] * normals[t] + normals[s + 1] * normals[t + 1] + normals[s + 2] * normals[t + 2];
+                if (cosine < CREASE) {
+                    mesh.markCrease(h);
+                }
+            }
+        }
+    }
+
+    private static TriangleMesh linesOf(HalfEdgeMesh mesh) {
+        int[] t = new int[3 * 16];
+        int length = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.twin[h] == HalfEdgeMesh.NONE || (mesh.isCrease(h) && mesh.isPrimary(h))) {
+                if (length == t.length) {
+                    t = Arrays.copyOf(t, 2 * length);
+                }
+                t[length++] = mesh.start[h];
+                t[length++] = mesh.end(h);
+                t[length++] = mesh.end(h);
+            }
+        }
+        return new TriangleMesh(Arrays.copyOf(mesh.position, 3 * mesh.vertexEnd), Arrays.copyOf(t, length));
+    }
+
+    private void splitLong(double longest) {
+        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+            if (splitLongest(longest, Integer.MAX_VALUE) == 0) {
+                return;
+            }
+            flipper.flipAll();
+        }
+    }
+
+    /** Splits edges longer than {@code above} in the middle, longest first, up to a number of vertices. */
+    private int splitLongest(double above, int mostVertices) {
+        int length = 0;
+        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
+            if (mesh.isPrimary(h)) {
+                double square = mesh.squareLength(h);
+                if (square > above * above) {
+                    if (length == queue.length) {
+                        queue = Arrays.copyOf(queue, 2 * length);
+                    }
+                    queue[length++] = (long) -Float.floatToRawIntBits((float) square) << 32 | h;
+                }
+            }
+        }
+        RadixSort.sort(queue, length);
+        int done = 0;
+        for (int k = 0; k < length && mesh.vertexCount() < mostVertices; k++) {
+            int h = (int) queue[k];
+            if (mesh.squareLength(h) > above * above) {
+                splitInMiddle(h);
+                done++;
+            }
+        }
+        return done;
+    }
+
+    private void splitInMiddle(int h) {
+        double[] p = mesh.position;
+        int a = 3 * mesh.start[h];
+        int b = 3 * mesh.end(h);
+        mesh.split(h, (p[a] + p[b]) / 2, (p[a + 1] + p[b + 1]) / 2, (p[a + 2] + p[b + 2]) / 2);
+    }
+
+    private void collapseShort() {
+        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+            int before = mesh.vertexCount();
+            collapser.collapse(SHORT * length, LONG * length, 4, EdgeCollapser.CAREFUL);
+            if (before - mesh.vertexCount() <= before / 100) {
+                return;
+            }
+            flipper.flipAll();
+        }
+    }
+
+    private void meetCount() {
+        for (int sweep = 0; sweep < MOST_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
+            if (mesh.vertexCount() < vertices) {
+                // A few at a time: what is split stays out of the running until its neighbours have been.
+                splitLongest(length * Math.max(0, 1.2 - 0.1 * sweep), vertices);
+            } else {
+                double reach = 1 + 0.25 * sweep;
+                collapser.collapse(
+                        SHORT * reach * length, LONG * reach * reach * length, vertices, EdgeCollapser.CAREFUL);
+            }
+            flipper.flipAll();
+        }
+    }
+
+    private TriangleMesh restoreVolume(TriangleMesh remeshed) {
+        if (!mesh.inputClosed) {
+            return remeshed;
+        }
+        double volume = MeshMeasure.signedVolume(original);
+        TriangleMesh current = remeshed;
+        for (int step = 0; step < 3; step++) {
+            double shift = (volume - MeshMeasure.signedVolume(current)) / MeshMeasure.area(current);
+            double[] normals = MeshMeasure.vertexNormals(current);
+            double[] p = current.positions().clone();
+            for (int i = 0; i < p.length; i++) {
+                p[i] += shift * normals[i];
+            }
+            current = current.withPositions(p);
+        }
+        return current;
+    }
+}

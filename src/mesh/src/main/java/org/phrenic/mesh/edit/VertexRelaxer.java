@@ -1,0 +1,164 @@
+package org.phrenic.mesh.edit;
+
+import org.phrenic.mesh.query.TriangleTree;
+
+/**
+ * Evens out the vertices of a surface that is being remeshed: each moves in its tangent plane to the area-weighted
+ * centroid of the triangles about it and back onto the original surface, among those of the original's triangles that
+ * face its way. On a boundary or a crease it slides along the original's; the corners of creases stay. A move that
+ * would turn or flatten a triangle is not made.
+ */
+final class VertexRelaxer {
+    /**
+     * Original triangles that face away from the vertex by more than 100 degrees are on the far side of a thin sheet.
+     */
+    private static final double SAME_SIDE = -0.17;
+
+    private static final double LEAST_COSINE = 0.2;
+
+    private final HalfEdgeMesh mesh;
+    private final TriangleTree surface;
+    private final TriangleTree lines;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    /**
+     * @param surface the original surface
+     * @param lines the original's boundary edges and creases as triangles (a, b, b)
+     */
+    VertexRelaxer(HalfEdgeMesh mesh, TriangleTree surface, TriangleTree lines) {
+        this.mesh = mesh;
+        this.surface = surface;
+        this.lines = lines;
+    }
+
+    /** One pass over all vertices, each seeing those before it where they have moved to. */
+    void relax(double reach) {
+        for (int v = 0; v < mesh.vertexEnd; v++) {
+            if (mesh.out[v] != HalfEdgeMesh.NONE) {
+                int kind = mesh.featureKind(v);
+                if (kind == HalfEdgeMesh.SMOOTH) {
+                    relaxInTangentPlane(v, reach);
+                } else if (kind == HalfEdgeMesh.ON_FEATURE_LINE) {
+                    relaxAlongLine(v, reach);
+                }
+            }
+        }
+        mesh.clearAllFlipChecked();
+    }
+
+    /** Moves v halfway between its two neighbours on a line of the surface. */
+    private void relaxAlongLine(int v, double reach) {
+        double[] p = mesh.position;
+        int a = 3 * mesh.previousOnLine;
+        int b = 3 * mesh.nextOnLine;
+        double x = (p[a] + p[b]) / 2;
+        double y = (p[a + 1] + p[b + 1]) / 2;
+        double z = (p[a + 2] + p[b + 2]) / 2;
+        if (lines.closest(x, y, z, reach, hit)) {
+            mesh.collectRing(v);
+            int triangles = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
+            if (keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
+                setPosition(v, hit.x, hit.y, hit.z);
+            }
+        }
+    }
+
+    private void relaxInTangentPlane(int v, double reach) {
+        mesh.collectRing(v);
+        int size = mesh.ringSize;
+        int[] ring = mesh.ring;
+        double[] p = mesh.position;
+        double vx = p[3 * v];
+        double vy = p[3 * v + 1];
+        double vz = p[3 * v + 2];
+        double nx = 0;
+        double ny = 0;
+        double nz = 0;
+        double gx = 0;
+        double gy = 0;
+        double gz = 0;
+        double area = 0;
+        int c = 3 * ring[size - 1];
+        double ux = p[c] - vx;
+        double uy = p[c + 1] - vy;
+        double uz = p[c + 2] - vz;
+        for (int i = 0; i < size; i++) {
+            int d = 3 * ring[i];
+            double wx = p[d] - vx;
+            double wy = p[d + 1] - vy;
+            double wz = p[d + 2] - vz;
+            double mx = uy * wz - uz * wy;
+            double my = uz * wx - ux * wz;
+            double mz = ux * wy - uy * wx;
+            double weight = Math.sqrt(mx * mx + my * my + mz * mz);
+            nx += mx;
+            ny += my;
+            nz += mz;
+            area += weight;
+            gx += weight * (ux + wx);
+            gy += weight * (uy + wy);
+            gz += weight * (uz + wz);
+            ux = wx;
+            uy = wy;
+            uz = wz;
+        }
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        if (!(length > 0)) {
+            return;
+        }
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        // A third of the sum of corners is each triangle's centroid, relative to v, whose own corner is 0.
+        gx /= 3 * area;
+        gy /= 3 * area;
+        gz /= 3 * area;
+        double along = gx * nx + gy * ny + gz * nz;
+        double x = vx + gx - along * nx;
+        double y = vy + gy - along * ny;
+        double z = vz + gz - along * nz;
+        // A vertex that lay on the surface is no farther from it than it has moved: most searches end in that small
+        // ball.
+        double moved = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
+        boolean found = surface.closest(x, y, z, Math.min(reach, moved), nx, ny, nz, SAME_SIDE, hit)
+                || surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit);
+        if (found && keepsSides(v, size, hit.x, hit.y, hit.z)) {
+            setPosition(v, hit.x, hit.y, hit.z);
+        }
+    }
+
+    private void setPosition(int v, double x, double y, double z) {
+        mesh.position[3 * v] = x;
+        mesh.position[3 * v + 1] = y;
+        mesh.position[3 * v + 2] = z;
+    }
+
+    /** Whether each triangle of the gathered ring keeps its side when v moves to (x, y, z). */
+    private boolean keepsSides(int v, int triangles, double x, double y, double z) {
+        double[] p = mesh.position;
+        for (int i = 0; i < triangles; i++) {
+            int b = 3 * mesh.ring[i];
+            int c = 3 * mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1];
+            double ex = p[c] - p[b];
+            double ey = p[c + 1] - p[b + 1];
+            double ez = p[c + 2] - p[b + 2];
+            double ux = p[3 * v] - p[b];
+            double uy = p[3 * v + 1] - p[b + 1];
+            double uz = p[3 * v + 2] - p[b + 2];
+            double wx = x - p[b];
+            double wy = y - p[b + 1];
+            double wz = z - p[b + 2];
+            double nx = ey * uz - ez * uy;
+            double ny = ez * ux - ex * uz;
+            double nz = ex * uy - ey * ux;
+            double mx = ey * wz - ez * wy;
+            double my = ez * wx - ex * wz;
+            double mz = ex * wy - ey * wx;
+            double both = Math.sqrt((nx * nx + ny * ny + nz * nz) * (mx * mx + my * my + mz * mz));
+            if (nx * mx + ny * my + nz * mz < LEAST_COSINE * both) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,102 @@
+package org.phrenic.mesh.io;
+
+import java.util.StringTokenizer;
+import org.phrenic.file.ByteCursor;
+import org.phrenic.file.Numbers;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Wavefront OBJ: vertices ({@code v}) and polygons ({@code f} with v, v/vt, v//vn or v/vt/vn; negative indices count
+ * back from the latest vertex; a backslash joins lines). Groups, materials, normals, textures, points and lines are
+ * passed over. Coordinates are read in double precision, as written; vertices keep their order and number, used or not.
+ */
+final class ObjReader {
+    private final ByteCursor cursor;
+    private final PolygonSoup soup = new PolygonSoup();
+
+    private ObjReader(String file, byte[] bytes) {
+        this.cursor = new ByteCursor(file, bytes);
+    }
+
+    static TriangleMesh read(String file, byte[] bytes) {
+        ObjReader reader = new ObjReader(file, bytes);
+        reader.readLines();
+        return reader.soup.toMesh(file);
+    }
+
+    private void readLines() {
+        for (String line = cursor.lineOrNull(); line != null; line = cursor.lineOrNull()) {
+            String statement = line;
+            while (statement.endsWith("\\")) {
+                statement = statement.substring(0, statement.length() - 1) + " "
+                        + cursor.line("the rest of a line that ends with a backslash");
+            }
+            String[] words = words(statement);
+            switch (words.length == 0 ? "" : words[0]) {
+                case "v" -> readVertex(words);
+                case "f", "fo" -> readFace(words);
+                default -> {
+                    // Everything else says nothing about the surface.
+                }
+            }
+        }
+    }
+
+    private static String[] words(String statement) {
+        int comment = statement.indexOf('#');
+        StringTokenizer tokens = new StringTokenizer(comment < 0 ? statement : statement.substring(0, comment));
+        String[] words = new String[tokens.countTokens()];
+        for (int i = 0; i < words.length; i++) {
+            words[i] = tokens.nextToken();
+        }
+        return words;
+    }
+
+    private void readVertex(String[] words) {
+        if (words.length < 4) {
+            throw cursor.badInput("found a vertex of " + (words.length - 1) + " coordinates, expected 3");
+        }
+        soup.vertex(cursor, coordinate(words[1]), coordinate(words[2]), coordinate(words[3]));
+    }
+
+    private double coordinate(String word) {
+        return Numbers.parse(word)
+                .orElseThrow(() ->
+                        cursor.badInput("found " + Numbers.quote(word) + ", expected a coordinate as a finite number"));
+    }
+
+    private void readFace(String[] words) {
+        for (int i = 1; i < words.length; i++) {
+            int slash = words[i].indexOf('/');
+            long index = index(words[i], slash < 0 ? words[i] : words[i].substring(0, slash));
+            long vertex = index > 0 ? index - 1 : soup.vertexCount() + index;
+            if (vertex < 0) {
+                throw cursor.badInput("found vertex index " + index + " after " + soup.vertexCount()
+                        + " vertices, expected -" + soup.vertexCount() + " or nearer to zero");
+            }
+            for (int from = slash; from >= 0; ) {
+                int next = words[i].indexOf('/', from + 1);
+                String part = words[i].substring(from + 1, next < 0 ? words[i].length() : next);
+                if (!part.isEmpty()) {
+                    index(words[i], part);
+                }
+                from = next;
+            }
+            soup.corner(cursor, vertex);
+        }
+        soup.closePolygon(cursor);
+    }
+
+    private long index(String corner, String digits) {
+        try {
+            long index = Integer.parseInt(digits);
+            if (index != 0) {
+                return index;
+            }
+        } catch (NumberFormatException notWhole) {
+            // Told below, like zero.
+        }
+        throw cursor.badInput("found face corner " + Numbers.quote(corner)
+                + ", expected vertex indices as v, v/vt, v//vn or v/vt/vn, counted from 1 or backwards from -1");
+    }
+}

@@ -1,0 +1,144 @@
+package org.phrenic.mesh.io;
+
+import org.phrenic.file.ByteCursor;
+import org.phrenic.file.InputLocator;
+import org.phrenic.file.Numbers;
+import org.phrenic.file.ScalarType;
+
+/**
+ * The cell sections of a legacy VTK file, in both layouts: classic (each cell its length and its points) and, from
+ * version 5.1, OFFSETS and CONNECTIVITY.
+ */
+final class VtkCells {
+    private enum Kind {
+        POLYGONS,
+        STRIPS,
+        SKIPPED
+    }
+
+    private final ByteCursor cursor;
+    private final PolygonSoup soup;
+    private final boolean offsetLayout;
+
+    VtkCells(ByteCursor cursor, PolygonSoup soup, boolean offsetLayout) {
+        this.cursor = cursor;
+        this.soup = soup;
+        this.offsetLayout = offsetLayout;
+    }
+
+    void readPolygons() {
+        read(Kind.POLYGONS);
+    }
+
+    void readStrips() {
+        read(Kind.STRIPS);
+    }
+
+    /** Vertices and lines: checked for their length, otherwise passed over. */
+    void skip() {
+        read(Kind.SKIPPED);
+    }
+
+    private void read(Kind kind) {
+        int first = cursor.count("the number of cells");
+        int second = cursor.count("the size of the cells");
+        cursor.lineOrNull();
+        if (offsetLayout) {
+            readOffsetLayout(kind, first, second);
+        } else {
+            readClassic(kind, first, second);
+        }
+    }
+
+    private void readClassic(Kind kind, int cells, int size) {
+        cursor.requireValues(size, ScalarType.INT32, cells + " cells");
+        long left = size;
+        for (int c = 0; c < cells; c++) {
+            long length = cursor.readLong(ScalarType.INT32, "the number of points of a cell");
+            left -= length + 1;
+            if (length < 0 || left < 0) {
+                throw cursor.badInput("found a cell of " + length + " points, expected the cells to fill " + size
+                        + " numbers together");
+            }
+            long[] points = new long[(int) length];
+            for (int i = 0; i < length; i++) {
+                points[i] = cursor.readLong(ScalarType.INT32, "a point index");
+            }
+            add(kind, cursor, points, 0, points.length);
+        }
+        if (left != 0) {
+            throw cursor.badInput("found cells that leave " + left + " of " + size + " numbers, expected none left");
+        }
+    }
+
+    private void readOffsetLayout(Kind kind, int offsetCount, int connectivityCount) {
+        if (offsetCount == 0) {
+            return;
+        }
+        long[] offsets = array("OFFSETS", offsetCount);
+        long offsetsPlace = cursor.location();
+        long[] connectivity = array("CONNECTIVITY", connectivityCount);
+        if (offsets[0] != 0 || offsets[offsetCount - 1] != connectivityCount) {
+            throw cursor.badInput(
+                    offsetsPlace,
+                    "found offsets from " + offsets[0] + " to " + offsets[offsetCount - 1] + ", expected 0 to "
+                            + connectivityCount);
+        }
+        for (int c = 0; c + 1 < offsetCount; c++) {
+            if (offsets[c + 1] < offsets[c] || offsets[c + 1] > connectivityCount) {
+                throw cursor.badInput(
+                        offsetsPlace,
+                        "found offset " + offsets[c + 1] + " after " + offsets[c]
+                                + ", expected offsets that grow up to " + connectivityCount);
+            }
+            add(kind, cursor, connectivity, (int) offsets[c], (int) offsets[c + 1]);
+        }
+    }
+
+    private long[] array(String keyword, int count) {
+        String word = cursor.word(keyword);
+        if (!word.equalsIgnoreCase(keyword)) {
+            throw cursor.badInput("found " + Numbers.quote(word) + ", expected " + keyword);
+        }
+        String typeName = cursor.word("the type of " + keyword);
+        ScalarType type = VtkReader.type(cursor, typeName);
+        if (!type.isInteger()) {
+            throw cursor.badInput("found type " + Numbers.quote(typeName) + ", expected whole numbers for " + keyword);
+        }
+        cursor.lineOrNull();
+        cursor.requireValues(count, type, count + " numbers of " + keyword);
+        long[] values = new long[count];
+        for (int i = 0; i < count; i++) {
+            values[i] = cursor.readLong(type, "a number of " + keyword);
+        }
+        return values;
+    }
+
+    private void add(Kind kind, InputLocator source, long[] points, int from, int to) {
+        switch (kind) {
+            case POLYGONS -> addPolygon(soup, source, points, from, to);
+            case STRIPS -> addStrip(soup, source, points, from, to);
+            case SKIPPED -> {
+                // Vertices and lines are no part of a surface.
+            }
+        }
+    }
+
+    static void addPolygon(PolygonSoup soup, InputLocator source, long[] points, int from, int to) {
+        for (int i = from; i < to; i++) {
+            soup.corner(source, points[i]);
+        }
+        soup.closePolygon(source);
+    }
+
+    /** Every second triangle of a strip is turned over, so that all face the same way. */
+    static void addStrip(PolygonSoup soup, InputLocator source, long[] points, int from, int to) {
+        if (to - from < 3) {
+            throw source.badInput("found a strip of " + (to - from) + " points, expected 3 or more");
+        }
+        for (int i = from; i + 2 < to; i++) {
+            int odd = (i - from) % 2;
+            soup.triangle(source, points[i + odd], points[i + 1 - odd], points[i + 2]);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package org.phrenic.mesh.io;
+
+import java.nio.ByteOrder;
+import java.util.Locale;
+import org.phrenic.file.ByteCursor;
+import org.phrenic.file.Numbers;
+import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Legacy VTK files of POLYDATA, text or binary (big endian), as described in "VTK File Formats"
+ * (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html): POINTS, POLYGONS and TRIANGLE_STRIPS;
+ * vertices, lines, fields and metadata are skipped, and data on points and cells is not looked at.
+ */
+final class VtkReader {
+    private static final String MAGIC = "# vtk DataFile Version ";
+
+    private final ByteCursor cursor;
+    private final PolygonSoup soup = new PolygonSoup();
+    private boolean pointsSeen;
+
+    private VtkReader(String file, byte[] bytes) {
+        this.cursor = new ByteCursor(file, bytes);
+    }
+
+    static TriangleMesh read(String file, byte[] bytes) {
+        VtkReader reader = new VtkReader(file, bytes);
+        reader.readSections(reader.readHeader());
+        return reader.soup.toMesh(file);
+    }
+
+    private VtkCells readHeader() {
+        String magic = cursor.line("'" + MAGIC + "'");
+        if (!magic.toLowerCase(Locale.ROOT).startsWith(MAGIC.toLowerCase(Locale.ROOT))) {
+            throw cursor.badInput("found " + Numbers.quote(magic) + ", expected '" + MAGIC + "x.y'");
+        }
+        double version = Numbers.parse(magic.substring(MAGIC.length()).trim())
+                .orElseThrow(() -> cursor.badInput("found " + Numbers.quote(magic) + ", expected a version number"));
+        cursor.line("a title");
+        String encoding = cursor.word("ASCII or BINARY");
+        switch (encoding.toUpperCase(Locale.ROOT)) {
+            case "ASCII" -> cursor.lineOrNull();
+            case "BINARY" -> {
+                cursor.lineOrNull();
+                cursor.binary(ByteOrder.BIG_ENDIAN);
+            }
+            default -> throw cursor.badInput("found " + Numbers.quote(encoding) + ", expected ASCII or BINARY");
+        }
+        return new VtkCells(cursor, soup, version >= 5.1);
+    }
+
+    private void readSections(VtkCells cells) {
+        boolean datasetSeen = false;
+        for (String word = cursor.wordOrNull(); word != null; word = cursor.wordOrNull()) {
+            String keyword = word.toUpperCase(Locale.ROOT);
+            if (!datasetSeen && !keyword.equals("DATASET") && !keyword.equals("FIELD") && !keyword.equals("METADATA")) {
+                throw cursor.badInput("found " + Numbers.quote(word) + ", expected DATASET");
+            }
+            switch (keyword) {
+                case "DATASET" -> {
+                    String kind = cursor.word("POLYDATA");
+                    if (!kind.equalsIgnoreCase("POLYDATA")) {
+                        throw cursor.badInput("found a dataset " + Numbers.quote(kind) + ", expected POLYDATA");
+                    }
+                    datasetSeen = true;
+                }
+                case "POINTS" -> readPoints();
+                case "POLYGONS" -> cells.readPolygons();
+                case "TRIANGLE_STRIPS" -> cells.readStrips();
+                case "VERTICES", "LINES" -> cells.skip();
+                case "FIELD" -> VtkField.skip(cursor);
+                case "METADATA" -> VtkField.skipMetadata(cursor);
+                case "POINT_DATA", "CELL_DATA" -> {
+                    return;
+                }
+                default ->
+                    throw cursor.badInput("found " + Numbers.quote(word)
+                            + ", expected POINTS, POLYGONS, TRIANGLE_STRIPS or another section of POLYDATA");
+            }
+        }
+        if (!pointsSeen) {
+            throw cursor.badInput("found the end of the file, expected DATASET POLYDATA with POINTS");
+        }
+    }
+
+    private void readPoints() {
+        if (pointsSeen) {
+            throw cursor.badInput("found POINTS a second time, expected it once");
+        }
+        pointsSeen = true;
+        int count = cursor.count("the number of points");
+        ScalarType type = type(cursor, cursor.word("the type of the points"));
+        cursor.lineOrNull();
+        cursor.requireValues(3L * count, type, count + " points");
+        for (int i = 0; i < count; i++) {
+            double x = cursor.readDouble(type, "a coordinate");
+            double y = cursor.readDouble(type, "a coordinate");
+            double z = cursor.readDouble(type, "a coordinate");
+            soup.vertex(cursor, x, y, z);
+        }
+    }
+
+    static ScalarType type(ByteCursor cursor, String name) {
+        return switch (name.toLowerCase(Locale.ROOT)) {
+            case "char", "signed_char", "vtktypeint8" -> ScalarType.INT8;
+            case "unsigned_char", "vtktypeuint8" -> ScalarType.UINT8;
+            case "short", "vtktypeint16" -> ScalarType.INT16;
+            case "unsigned_short", "vtktypeuint16" -> ScalarType.UINT16;
+            // VTK writes a vtkIdType as a 32-bit number into legacy files, whatever its size in memory.
+            case "int", "vtkidtype", "vtktypeint32" -> ScalarType.INT32;
+            case "unsigned_int", "vtktypeuint32" -> ScalarType.UINT32;
+            case "long", "vtktypeint64" -> ScalarType.INT64;
+            case "unsigned_long", "vtktypeuint64" -> ScalarType.UINT64;
+            case "float" -> ScalarType.FLOAT32;
+            case "double" -> ScalarType.FLOAT64;
+            default ->
+                throw cursor.badInput("found type " + Numbers.quote(name) + ", expected float, double, int or alike");
+        };
+    }
+}

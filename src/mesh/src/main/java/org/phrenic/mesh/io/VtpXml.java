@@ -1,0 +1,256 @@
+package org.phrenic.mesh.io;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStreamReader;
+import java.io.SequenceInputStream;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
+import org.phrenic.file.ScalarType;
+
+/** Reads the XML part of a VTP file; raw appended data is no XML, so it is cut off before the parser sees it. */
+final class VtpXml {
+    private static final byte[] APPENDED_TAG = "<AppendedData".getBytes(StandardCharsets.US_ASCII);
+    private static final String TAIL = "</AppendedData></VTKFile>";
+
+    private final String file;
+    private final byte[] bytes;
+    private final int appendedTagEnd;
+    private final XMLStreamReader xml;
+    private final List<VtpDocument.Piece> pieces = new ArrayList<>();
+    private ByteOrder order = ByteOrder.LITTLE_ENDIAN;
+    private ScalarType headerType = ScalarType.UINT32;
+    private boolean compressed;
+    private boolean rootSeen;
+    private int appended = -1;
+    private boolean appendedRaw;
+    private VtpDocument.Piece piece;
+    private String section = "";
+
+    private VtpXml(String file, byte[] bytes) throws XMLStreamException {
+        this.file = file;
+        this.bytes = bytes;
+        this.appendedTagEnd = appendedTagEnd();
+        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        int length = appendedTagEnd < 0 ? bytes.length : appendedTagEnd;
+        String tail = appendedTagEnd < 0 ? "" : TAIL;
+        // Bytes that are no UTF-8 become replacement characters: the parser would print about them.
+        this.xml = factory.createXMLStreamReader(new InputStreamReader(
+                new SequenceInputStream(
+                        new ByteArrayInputStream(bytes, 0, length),
+                        new ByteArrayInputStream(tail.getBytes(StandardCharsets.US_ASCII))),
+                StandardCharsets.UTF_8));
+    }
+
+    static VtpDocument read(String file, byte[] bytes) {
+        try {
+            VtpXml reader = new VtpXml(file, bytes);
+            reader.readDocument();
+            return new VtpDocument(
+                    reader.order,
+                    reader.headerType,
+                    reader.compressed,
+                    reader.appended,
+                    reader.appendedRaw,
+                    reader.pieces);
+        } catch (XMLStreamException notXml) {
+            int line = notXml.getLocation() == null ? 1 : notXml.getLocation().getLineNumber();
+            throw new BadInputException(
+                    file + ": line " + line + ": found XML that breaks off or is not well-formed, expected a VTP file",
+                    notXml);
+        }
+    }
+
+    private int appendedTagEnd() {
+        for (int i = 0; i + APPENDED_TAG.length < bytes.length; i++) {
+            int matched = 0;
+            while (matched < APPENDED_TAG.length && bytes[i + matched] == APPENDED_TAG[matched]) {
+                matched++;
+            }
+            if (matched == APPENDED_TAG.length) {
+                int end = i + matched;
+                while (end < bytes.length && bytes[end] != '>') {
+                    end++;
+                }
+                return Math.min(end + 1, bytes.length);
+            }
+        }
+        return -1;
+    }
+
+    private void readDocument() throws XMLStreamException {
+        while (xml.hasNext()) {
+            switch (xml.next()) {
+                case XMLStreamConstants.DTD -> throw bad("found a DOCTYPE, expected none in a VTP file");
+                case XMLStreamConstants.START_ELEMENT -> startElement(xml.getLocalName());
+                case XMLStreamConstants.END_ELEMENT -> {
+                    if (xml.getLocalName().equals("Piece")) {
+                        piece = null;
+                    }
+                }
+                default -> {
+                    // Text between elements, comments.
+                }
+            }
+        }
+    }
+
+    private void startElement(String name) throws XMLStreamException {
+        if (!rootSeen) {
+            readRoot(name);
+            return;
+        }
+        switch (name) {
+            case "Piece" -> {
+                piece = new VtpDocument.Piece(
+                        line(),
+                        count("NumberOfPoints"),
+                        count("NumberOfPolys"),
+                        count("NumberOfStrips"),
+                        new LinkedHashMap<>());
+                pieces.add(piece);
+                section = "";
+            }
+            case "Points", "Polys", "Strips", "Verts", "Lines", "PointData", "CellData", "FieldData" -> section = name;
+            case "DataArray" -> {
+                if (piece != null && section.equals("Points")) {
+                    add("Points", 3);
+                } else if (piece != null && (section.equals("Polys") || section.equals("Strips"))) {
+                    add(section + "/" + attribute("Name", ""), 1);
+                }
+            }
+            case "AppendedData" -> startAppended();
+            default -> {
+                // Elements that later versions may add.
+            }
+        }
+    }
+
+    private void readRoot(String name) {
+        rootSeen = true;
+        String type = attribute("type", "");
+        if (!name.equals("VTKFile") || !type.equals("PolyData")) {
+            throw bad("found <" + name + " type=" + Numbers.quote(type) + ">, expected <VTKFile type='PolyData'>");
+        }
+        String byteOrder = attribute("byte_order", "LittleEndian");
+        order = switch (byteOrder) {
+            case "LittleEndian" -> ByteOrder.LITTLE_ENDIAN;
+            case "BigEndian" -> ByteOrder.BIG_ENDIAN;
+            default ->
+                throw bad("found byte_order " + Numbers.quote(byteOrder) + ", expected LittleEndian or BigEndian");
+        };
+        String header = attribute("header_type", "UInt32");
+        headerType = switch (header) {
+            case "UInt32" -> ScalarType.UINT32;
+            case "UInt64" -> ScalarType.UINT64;
+            default -> throw bad("found header_type " + Numbers.quote(header) + ", expected UInt32 or UInt64");
+        };
+        String compressor = attribute("compressor", "");
+        if (!compressor.isEmpty() && !compressor.equals("vtkZLibDataCompressor")) {
+            throw bad("found compressor " + Numbers.quote(compressor) + ", expected vtkZLibDataCompressor or none");
+        }
+        compressed = !compressor.isEmpty();
+    }
+
+    private void add(String key, int components) throws XMLStreamException {
+        int line = line();
+        String found = attribute("NumberOfComponents", "1");
+        if (!found.equals(Integer.toString(components))) {
+            throw bad("found NumberOfComponents " + Numbers.quote(found) + " for " + key + ", expected " + components);
+        }
+        String typeName = attribute("type", "");
+        ScalarType type =
+                switch (typeName) {
+                    case "Int8" -> ScalarType.INT8;
+                    case "UInt8" -> ScalarType.UINT8;
+                    case "Int16" -> ScalarType.INT16;
+                    case "UInt16" -> ScalarType.UINT16;
+                    case "Int32" -> ScalarType.INT32;
+                    case "UInt32" -> ScalarType.UINT32;
+                    case "Int64" -> ScalarType.INT64;
+                    case "UInt64" -> ScalarType.UINT64;
+                    case "Float32" -> ScalarType.FLOAT32;
+                    case "Float64" -> ScalarType.FLOAT64;
+                    default -> throw bad("found type " + Numbers.quote(typeName) + ", expected Int8 to Float64");
+                };
+        String format = attribute("format", "ascii");
+        if (!format.equals("ascii") && !format.equals("binary") && !format.equals("appended")) {
+            throw bad("found format " + Numbers.quote(format) + ", expected ascii, binary or appended");
+        }
+        long offset = format.equals("appended") ? count("offset") : 0;
+        piece.arrays().put(key, new VtpDocument.DataArray(key, type, format, offset, ownText(), line));
+    }
+
+    /** The text directly inside the element, without that of elements within (VTK puts InformationKey there). */
+    private String ownText() throws XMLStreamException {
+        StringBuilder text = new StringBuilder();
+        int depth = 1;
+        while (depth > 0) {
+            switch (xml.next()) {
+                case XMLStreamConstants.START_ELEMENT -> depth++;
+                case XMLStreamConstants.END_ELEMENT -> depth--;
+                case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA, XMLStreamConstants.SPACE -> {
+                    if (depth == 1) {
+                        text.append(xml.getTextCharacters(), xml.getTextStart(), xml.getTextLength());
+                    }
+                }
+                default -> {
+                    // Comments.
+                }
+            }
+        }
+        return text.toString();
+    }
+
+    private void startAppended() {
+        String encoding = attribute("encoding", "");
+        if (!encoding.equals("raw") && !encoding.equals("base64")) {
+            throw bad("found encoding " + Numbers.quote(encoding) + " of AppendedData, expected raw or base64");
+        }
+        int at = appendedTagEnd;
+        while (at < bytes.length && Character.isWhitespace(bytes[at])) {
+            at++;
+        }
+        if (at >= bytes.length || bytes[at] != '_') {
+            throw BadInputException.at(file, "byte " + at, "found no '_', expected one before the appended data");
+        }
+        appended = at + 1;
+        appendedRaw = encoding.equals("raw");
+    }
+
+    private String attribute(String name, String absent) {
+        String value = xml.getAttributeValue(null, name);
+        return value == null ? absent : value.trim();
+    }
+
+    private long count(String name) {
+        String text = attribute(name, "0");
+        try {
+            long count = Long.parseLong(text);
+            if (count >= 0) {
+                return count;
+            }
+        } catch (NumberFormatException notWhole) {
+            // Told below, like a negative count.
+        }
+        throw bad("found " + name + " " + Numbers.quote(text) + ", expected a whole number, 0 or more");
+    }
+
+    private int line() {
+        return xml.getLocation().getLineNumber();
+    }
+
+    private BadInputException bad(String problem) {
+        return BadInputException.at(file, "line " + line(), problem);
+    }
+}

@@ -1,0 +1,2 @@
+/** Mesh files: STL, OBJ, PLY, VTK, VTP, PVD. */
+package org.phrenic.mesh.io;

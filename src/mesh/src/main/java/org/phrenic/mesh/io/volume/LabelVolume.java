@@ -1,0 +1,21 @@
+package org.phrenic.mesh.io.volume;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * A volume of labels as a file holds it, in LPS and mm.
+ *
+ * @param grid labels and where they lie
+ * @param names of labels, as far as the file gives them
+ * @param notes what the file left open and how it was taken, one sentence each
+ */
+public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
+    public LabelVolume {
+        names = Collections.unmodifiableMap(new TreeMap<>(names));
+        notes = List.copyOf(notes);
+    }
+}

@@ -1,0 +1,178 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.zip.InflaterInputStream;
+import java.util.zip.ZipException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
+import org.phrenic.file.ScalarType;
+
+/**
+ * MetaImage, with voxels in the file ({@code .mha}) or apart ({@code .mhd}), plain or packed with zlib, in either byte
+ * order; after MetaIO as ITK uses it: axes are LPS, and three numbers of {@code TransformMatrix} in a row are the
+ * direction of one axis of the grid.
+ */
+final class MetaImageReader {
+    private final Path path;
+    private final String file;
+    private final VolumeHeader header;
+    private final List<String> notes = new ArrayList<>();
+
+    private MetaImageReader(Path path) {
+        this.path = path;
+        file = path.toString();
+        header = new VolumeHeader(file);
+    }
+
+    static LabelVolume read(Path path) {
+        MetaImageReader reader = new MetaImageReader(path);
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16)) {
+            return reader.volume(in);
+        } catch (ZipException | EOFException damaged) {
+            throw new BadInputException(
+                    path + ": found data that is damaged or ends too early, expected a whole MetaImage", damaged);
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(path, failure);
+        }
+    }
+
+    private LabelVolume volume(InputStream in) throws IOException {
+        readHeader(in);
+        int dimensions = header.integers("ndims")[0];
+        int[] sizes = header.integers("dimsize");
+        int last = dimensions == 4 && sizes.length == 4 ? sizes[3] : 1;
+        if ((dimensions != 3 && dimensions != 4) || last != 1) {
+            throw header.badInput(
+                    "ndims",
+                    "found " + dimensions + " dimensions" + (last > 1 ? " with " + last + " volumes" : "")
+                            + ", expected 3");
+        }
+        if (sizes.length != dimensions) {
+            throw header.badInput("dimsize", "found " + sizes.length + " numbers, expected " + dimensions);
+        }
+        if (header.has("elementnumberofchannels") && header.integers("elementnumberofchannels")[0] != 1) {
+            throw header.badInput(
+                    "elementnumberofchannels",
+                    "found " + header.text("elementnumberofchannels") + " values a voxel, expected 1");
+        }
+        if (!truth("binarydata", true)) {
+            throw header.badInput("binarydata", "found False, expected binary data");
+        }
+        VoxelDecoder voxels = new VoxelDecoder(new int[] {sizes[0], sizes[1], sizes[2]}, type(), order());
+        double[] affine = place(dimensions).affine(file);
+        boolean packed = truth("compresseddata", false);
+        if (header.text("elementdatafile").equals("LOCAL")) {
+            return volume(path, in, voxels, affine, packed);
+        }
+        Path data = header.fileBeside(path, "elementdatafile");
+        try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
+            apart.skipNBytes(skipped(data, voxels, packed));
+            return volume(data, apart, voxels, affine, packed);
+        }
+    }
+
+    private LabelVolume volume(Path data, InputStream in, VoxelDecoder voxels, double[] affine, boolean packed) {
+        voxels.validate(data.toString(), InputBytes.size(data), packed);
+        InputStream unpacked = packed ? new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16) : in;
+        return new LabelVolume(voxels.decode(data.toString(), unpacked, affine), Map.of(), notes);
+    }
+
+    private void readHeader(InputStream in) throws IOException {
+        while (!header.has("elementdatafile")) {
+            String text = header.line(in);
+            if (text == null) {
+                throw header.badInput("found the end of the header, expected 'ElementDataFile'");
+            }
+            int equals = text.indexOf('=');
+            if (equals < 1 && !text.isBlank()) {
+                throw header.badInput(
+                        "found " + Numbers.quote(text) + ", expected a line 'key = value' of a MetaImage");
+            }
+            if (equals > 0) {
+                header.put(text.substring(0, equals), text.substring(equals + 1));
+            }
+        }
+    }
+
+    /** Bytes before the voxels in a file of their own; -1 says that they are its last. */
+    private long skipped(Path data, VoxelDecoder voxels, boolean packed) {
+        int stated = header.has("headersize") ? header.integers("headersize")[0] : 0;
+        long bytes = stated < 0 && !packed ? InputBytes.size(data) - voxels.bytes() : stated;
+        return Math.max(0, bytes);
+    }
+
+    private boolean truth(String key, boolean absent) {
+        String word = header.text(key, Boolean.toString(absent)).toLowerCase(Locale.ROOT);
+        return switch (word) {
+            case "true", "1" -> true;
+            case "false", "0" -> false;
+            default -> throw header.badInput(key, "found " + Numbers.quote(word) + ", expected True or False");
+        };
+    }
+
+    private ScalarType type() {
+        String type = header.text("elementtype").toUpperCase(Locale.ROOT);
+        return switch (type) {
+            case "MET_CHAR" -> ScalarType.INT8;
+            case "MET_UCHAR" -> ScalarType.UINT8;
+            case "MET_SHORT" -> ScalarType.INT16;
+            case "MET_USHORT" -> ScalarType.UINT16;
+            case "MET_INT", "MET_LONG" -> ScalarType.INT32;
+            case "MET_UINT", "MET_ULONG" -> ScalarType.UINT32;
+            case "MET_LONG_LONG" -> ScalarType.INT64;
+            case "MET_ULONG_LONG" -> ScalarType.UINT64;
+            case "MET_FLOAT" -> ScalarType.FLOAT32;
+            case "MET_DOUBLE" -> ScalarType.FLOAT64;
+            default ->
+                throw header.badInput(
+                        "elementtype", "found " + Numbers.quote(type) + ", expected MET_UCHAR, MET_SHORT or alike");
+        };
+    }
+
+    private ByteOrder order() {
+        boolean big = truth("binarydatabyteordermsb", truth("elementbyteordermsb", false));
+        return big ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
+    }
+
+    private VolumeAxes place(int dimensions) {
+        String spacingKey = header.has("elementspacing") ? "elementspacing" : "elementsize";
+        double[] spacing = {1, 1, 1};
+        if (header.has(spacingKey)) {
+            spacing = header.numbers(spacingKey, dimensions);
+        } else {
+            notes.add("no ElementSpacing: voxels were taken to be 1 mm wide");
+        }
+        double[] origin = numbers(dimensions, "offset", "position", "origin");
+        double[] matrix = numbers(dimensions * dimensions, "transformmatrix", "rotation", "orientation");
+        double[][] steps = new double[3][3];
+        for (int axis = 0; axis < 3; axis++) {
+            for (int row = 0; row < 3; row++) {
+                double direction = matrix.length == 0 ? (axis == row ? 1 : 0) : matrix[dimensions * axis + row];
+                steps[axis][row] = spacing[axis] * direction;
+            }
+        }
+        return new VolumeAxes(
+                steps, origin.length == 0 ? new double[3] : new double[] {origin[0], origin[1], origin[2]});
+    }
+
+    /** The numbers of the first of these keys that is there; none without. */
+    private double[] numbers(int count, String... keys) {
+        for (String key : keys) {
+            if (header.has(key)) {
+                return header.numbers(key, count);
+            }
+        }
+        return new double[0];
+    }
+}

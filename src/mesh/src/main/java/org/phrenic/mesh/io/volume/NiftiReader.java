@@ -1,0 +1,215 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * NIfTI-1 in one file, plain or packed with gzip whatever its ending, in either byte order (Cox et al. 2004, A (sort
+ * of) new image data format standard: NIfTI-1). The sform places voxels if it is set, else the qform; axes are RAS
+ * there. Names come from a label table in an extension, as the Human Connectome Project's tools and TotalSegmentator
+ * write it.
+ */
+final class NiftiReader {
+    private static final int HEADER = 348;
+    private static final int HEADER_OF_NIFTI_2 = 540;
+    private static final int GZIP_MAGIC = 0x1f8b;
+    /** Extensions hold some text; more than this is passed over unread. */
+    private static final int LARGEST_EXTENSION = 1 << 24;
+
+    private static final Pattern LABEL =
+            Pattern.compile("<Label\\s+Key=\"(\\d{1,5})\"[^>]*>\\s*(?:<!\\[CDATA\\[(.*?)]]>|([^<]*))\\s*</Label>");
+
+    private final String file;
+    private final ByteBuffer header;
+    private final List<String> notes = new ArrayList<>();
+
+    private NiftiReader(String file, ByteBuffer header) {
+        this.file = file;
+        this.header = header;
+    }
+
+    static LabelVolume read(Path path) {
+        String file = path.toString();
+        long size = InputBytes.size(path);
+        try (BufferedInputStream raw = new BufferedInputStream(Files.newInputStream(path), 1 << 16)) {
+            raw.mark(2);
+            boolean packed = (raw.read() << 8 | raw.read()) == GZIP_MAGIC;
+            raw.reset();
+            try (InputStream in = packed ? new GZIPInputStream(raw, 1 << 16) : raw) {
+                return read(file, in, size, packed);
+            }
+        } catch (ZipException | EOFException damaged) {
+            throw new BadInputException(
+                    file + ": found data that is damaged or ends too early, expected a whole NIfTI-1 file", damaged);
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(path, failure);
+        }
+    }
+
+    private static LabelVolume read(String file, InputStream in, long size, boolean packed) throws IOException {
+        byte[] bytes = in.readNBytes(HEADER);
+        ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int little = bytes.length >= 4 ? header.getInt(0) : 0;
+        int big = Integer.reverseBytes(little);
+        if (little == HEADER_OF_NIFTI_2 || big == HEADER_OF_NIFTI_2) {
+            throw BadInputException.at(file, "byte 0", "found a NIfTI-2 header, expected NIfTI-1");
+        }
+        if (bytes.length < HEADER || (little != HEADER && big != HEADER)) {
+            throw BadInputException.at(file, "byte 0", "found no header of 348 bytes, expected a NIfTI-1 file");
+        }
+        header.order(little == HEADER ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        return new NiftiReader(file, header).volume(in, size, packed);
+    }
+
+    private LabelVolume volume(InputStream in, long size, boolean packed) throws IOException {
+        String magic = new String(magicBytes(), StandardCharsets.ISO_8859_1);
+        if (!magic.equals("n+1")) {
+            throw bad(
+                    344,
+                    magic.equals("ni1")
+                            ? "found the header of a pair .hdr and .img, expected one .nii file"
+                            : "found no 'n+1', expected a NIfTI-1 file");
+        }
+        float slope = header.getFloat(112);
+        boolean scaled = slope != 0 && Float.isFinite(slope);
+        VoxelDecoder voxels = new VoxelDecoder(
+                sizes(), type(), header.order(), scaled ? slope : 1, scaled ? header.getFloat(116) : 0);
+        double[] affine = axes().rasToLps().affine(file);
+        int offset = Math.round(header.getFloat(108));
+        if (offset < HEADER) {
+            throw bad(108, "found voxels at byte " + offset + ", expected " + HEADER + " or more");
+        }
+        voxels.validate(file, packed ? size : size - offset, packed);
+        Map<Integer, String> names = names(in, offset - HEADER);
+        LabelGrid grid = voxels.decode(file, in, affine);
+        return new LabelVolume(grid, names, notes);
+    }
+
+    private byte[] magicBytes() {
+        byte[] magic = new byte[3];
+        header.get(344, magic);
+        return magic;
+    }
+
+    private int[] sizes() {
+        int dimensions = header.getShort(40);
+        int more = 1;
+        for (int d = 4; d <= Math.min(7, dimensions); d++) {
+            more = Math.max(more, header.getShort(40 + 2 * d));
+        }
+        if (dimensions < 3 || dimensions > 7 || more > 1) {
+            throw bad(
+                    40,
+                    "found " + dimensions + " dimensions" + (more > 1 ? " with " + more + " volumes" : "")
+                            + ", expected 3");
+        }
+        return new int[] {header.getShort(42), header.getShort(44), header.getShort(46)};
+    }
+
+    private ScalarType type() {
+        int code = header.getShort(70);
+        return switch (code) {
+            case 2 -> ScalarType.UINT8;
+            case 4 -> ScalarType.INT16;
+            case 8 -> ScalarType.INT32;
+            case 16 -> ScalarType.FLOAT32;
+            case 64 -> ScalarType.FLOAT64;
+            case 256 -> ScalarType.INT8;
+            case 512 -> ScalarType.UINT16;
+            case 768 -> ScalarType.UINT32;
+            case 1024 -> ScalarType.INT64;
+            case 1280 -> ScalarType.UINT64;
+            default -> throw bad(70, "found datatype " + code + ", expected whole numbers or real ones");
+        };
+    }
+
+    private VolumeAxes axes() {
+        VolumeAxes axes;
+        if (header.getShort(254) > 0) {
+            double[][] steps = new double[3][3];
+            double[] origin = new double[3];
+            for (int row = 0; row < 3; row++) {
+                for (int column = 0; column < 3; column++) {
+                    steps[column][row] = header.getFloat(280 + 16 * row + 4 * column);
+                }
+                origin[row] = header.getFloat(292 + 16 * row);
+            }
+            axes = new VolumeAxes(steps, origin);
+        } else if (header.getShort(252) > 0) {
+            axes = qform();
+        } else {
+            notes.add(
+                    "neither sform nor qform is set: columns were taken to run to the right, rows to the front, slices up");
+            axes = VolumeAxes.axisAligned(pixel(1), pixel(2), pixel(3));
+        }
+        double mm =
+                switch (header.get(123) & 7) {
+                    case 1 -> 1000;
+                    case 3 -> 1e-3;
+                    default -> 1;
+                };
+        return axes.scaled(mm, mm, mm);
+    }
+
+    private double pixel(int i) {
+        return header.getFloat(76 + 4 * i);
+    }
+
+    /** The rotation of the quaternion (a, b, c, d) with a = sqrt(1 - b^2 - c^2 - d^2), times the spacing. */
+    private VolumeAxes qform() {
+        double b = header.getFloat(256);
+        double c = header.getFloat(260);
+        double d = header.getFloat(264);
+        double rest = 1 - b * b - c * c - d * d;
+        // Rounding leaves half turns a little longer than 1.
+        double a = rest > 0 ? Math.sqrt(rest) : 0;
+        double scale = rest > 0 ? 1 : 1 / Math.sqrt(b * b + c * c + d * d);
+        b *= scale;
+        c *= scale;
+        d *= scale;
+        double dz = pixel(0) < 0 ? -pixel(3) : pixel(3);
+        double dx = pixel(1);
+        double dy = pixel(2);
+        double[][] steps = {
+            {dx * (a * a + b * b - c * c - d * d), dx * 2 * (b * c + a * d), dx * 2 * (b * d - a * c)},
+            {dy * 2 * (b * c - a * d), dy * (a * a + c * c - b * b - d * d), dy * 2 * (c * d + a * b)},
+            {dz * 2 * (b * d + a * c), dz * 2 * (c * d - a * b), dz * (a * a + d * d - b * b - c * c)}
+        };
+        return new VolumeAxes(steps, new double[] {header.getFloat(268), header.getFloat(272), header.getFloat(276)});
+    }
+
+    private Map<Integer, String> names(InputStream in, int length) throws IOException {
+        Map<Integer, String> names = new TreeMap<>();
+        byte[] extension = in.readNBytes(Math.min(length, LARGEST_EXTENSION));
+        in.skipNBytes(length - extension.length);
+        Matcher label = LABEL.matcher(new String(extension, StandardCharsets.UTF_8));
+        while (label.find()) {
+            String name = label.group(2) == null ? label.group(3) : label.group(2);
+            names.put(Integer.parseInt(label.group(1)), name.strip());
+        }
+        return names;
+    }
+
+    private BadInputException bad(int at, String problem) {
+        return BadInputException.at(file, "byte " + at, problem);
+    }
+}

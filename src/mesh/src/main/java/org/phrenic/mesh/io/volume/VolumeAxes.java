@@ -1,0 +1,92 @@
+package org.phrenic.mesh.io.volume;
+
+import java.util.Locale;
+import org.phrenic.file.BadInputException;
+
+/** Where the voxels of a volume lie: one vector a direction of the grid, and the centre of the first voxel, mm. */
+final class VolumeAxes {
+    /** Files round directions to six digits or fewer: a right angle is one within half a degree. */
+    private static final double RIGHT_ANGLE = 0.0087;
+
+    private static final String[] DIRECTIONS = {"columns", "rows", "slices"};
+
+    private final double[][] steps;
+    private final double[] origin;
+
+    /**
+     * @param steps from voxel to voxel along columns, rows and slices: three vectors
+     * @param origin centre of the first voxel
+     */
+    VolumeAxes(double[][] steps, double[] origin) {
+        this.steps = steps;
+        this.origin = origin;
+    }
+
+    /** The axes of columns, rows and slices with these distances. */
+    static VolumeAxes axisAligned(double dx, double dy, double dz) {
+        return new VolumeAxes(new double[][] {{dx, 0, 0}, {0, dy, 0}, {0, 0, dz}}, new double[3]);
+    }
+
+    /** The same place where x and y run the other way: from RAS to LPS and back. */
+    VolumeAxes rasToLps() {
+        return scaled(-1, -1, 1);
+    }
+
+    /** Every coordinate times a factor of its own. */
+    VolumeAxes scaled(double fx, double fy, double fz) {
+        double[] f = {fx, fy, fz};
+        double[][] s = new double[3][3];
+        double[] o = new double[3];
+        for (int row = 0; row < 3; row++) {
+            o[row] = f[row] * origin[row];
+            for (int direction = 0; direction < 3; direction++) {
+                s[direction][row] = f[row] * steps[direction][row];
+            }
+        }
+        return new VolumeAxes(s, o);
+    }
+
+    /**
+     * Twelve numbers as {@link org.phrenic.geometry.LabelGrid} takes them.
+     *
+     * @param file to name in a sentence
+     * @throws BadInputException if a number is not finite, voxels have no size or the axes are not at right angles
+     */
+    double[] affine(String file) {
+        double[] length = new double[3];
+        double[] affine = new double[12];
+        for (int direction = 0; direction < 3; direction++) {
+            double[] s = steps[direction];
+            length[direction] = Math.sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+            if (!Double.isFinite(length[direction]) || !Double.isFinite(origin[direction])) {
+                throw new BadInputException(
+                        file + ": found a place of the voxels that is not finite, expected numbers");
+            }
+            if (!(length[direction] > 0)) {
+                throw new BadInputException(file + ": found a spacing of 0 mm along " + DIRECTIONS[direction]
+                        + ", expected voxels with a size");
+            }
+            for (int row = 0; row < 3; row++) {
+                affine[4 * row + direction] = s[row];
+                affine[4 * row + 3] = origin[row];
+            }
+        }
+        for (int one = 0; one < 3; one++) {
+            int other = (one + 1) % 3;
+            double cosine = 0;
+            for (int row = 0; row < 3; row++) {
+                cosine += steps[one][row] * steps[other][row] / (length[one] * length[other]);
+            }
+            if (Math.abs(cosine) > RIGHT_ANGLE) {
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "%s: found %s and %s at an angle of %.1f deg, expected right angles (resample the sheared volume first)",
+                        file,
+                        DIRECTIONS[one],
+                        DIRECTIONS[other],
+                        Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))))));
+            }
+        }
+        return affine;
+    }
+}

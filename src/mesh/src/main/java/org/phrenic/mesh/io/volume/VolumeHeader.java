@@ -1,0 +1,143 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
+
+/**
+ * The lines "key = value" or "key: value" at the head of a volume, by key in lower case, each with the line it stands
+ * on.
+ */
+final class VolumeHeader {
+    private static final int LONGEST_LINE = 1 << 20;
+
+    private final String file;
+    private final Map<String, String> values = new TreeMap<>();
+    private final Map<String, Integer> lines = new TreeMap<>();
+    private int line;
+
+    VolumeHeader(String file) {
+        this.file = file;
+    }
+
+    /** The next line without its end, or null at the end of the stream; reads not a byte beyond. */
+    String line(InputStream in) throws IOException {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        int c = in.read();
+        if (c < 0) {
+            return null;
+        }
+        line++;
+        while (c >= 0 && c != '\n') {
+            text.write(c);
+            if (text.size() > LONGEST_LINE) {
+                throw badInput("found a line without end, expected a text header");
+            }
+            c = in.read();
+        }
+        String read = text.toString(StandardCharsets.UTF_8);
+        return read.endsWith("\r") ? read.substring(0, read.length() - 1) : read;
+    }
+
+    void put(String key, String value) {
+        values.put(key.strip().toLowerCase(Locale.ROOT), value.strip());
+        lines.put(key.strip().toLowerCase(Locale.ROOT), line);
+    }
+
+    Map<String, String> values() {
+        return values;
+    }
+
+    boolean has(String key) {
+        return values.containsKey(key);
+    }
+
+    String text(String key, String absent) {
+        return values.getOrDefault(key, absent);
+    }
+
+    /** @throws BadInputException if the header has no such key */
+    String text(String key) {
+        String value = values.get(key);
+        if (value == null) {
+            throw new BadInputException(file + ": found no '" + key + "' in the header, expected one");
+        }
+        return value;
+    }
+
+    /** Whole numbers between blanks. */
+    int[] integers(String key) {
+        String[] words = text(key).split("\\s+", -1);
+        int[] numbers = new int[words.length];
+        for (int i = 0; i < words.length; i++) {
+            try {
+                numbers[i] = Integer.parseInt(words[i]);
+            } catch (NumberFormatException none) {
+                throw badInput(key, "found " + Numbers.quote(words[i]) + ", expected a whole number");
+            }
+        }
+        return numbers;
+    }
+
+    /**
+     * Numbers between blanks.
+     *
+     * @param count how many there have to be
+     */
+    double[] numbers(String key, int count) {
+        String[] words = text(key).split("\\s+", -1);
+        if (words.length != count) {
+            throw badInput(key, "found " + words.length + " numbers, expected " + count);
+        }
+        double[] numbers = new double[count];
+        for (int i = 0; i < count; i++) {
+            numbers[i] = number(key, words[i]);
+        }
+        return numbers;
+    }
+
+    double number(String key, String word) {
+        OptionalDouble value = Numbers.parse(word);
+        if (value.isEmpty()) {
+            throw badInput(key, "found " + Numbers.quote(word) + ", expected a number");
+        }
+        return value.getAsDouble();
+    }
+
+    /** The one file beside the header that a key names. */
+    Path fileBeside(Path headerFile, String key) {
+        String name = text(key);
+        if (name.toUpperCase(Locale.ROOT).startsWith("LIST") || name.contains("%")) {
+            throw badInput(key, "found " + Numbers.quote(name) + ", expected one file");
+        }
+        try {
+            Path beside = headerFile.resolveSibling(name);
+            if (Files.isRegularFile(beside)) {
+                return beside;
+            }
+        } catch (InvalidPathException none) {
+            // Told below, like a name that no file has.
+        }
+        throw badInput(key, "found " + Numbers.quote(name) + ", a file that is not there, expected the voxels' file");
+    }
+
+    /** An exception about the value of a key. */
+    BadInputException badInput(String key, String problem) {
+        return BadInputException.at(file, "line " + lines.getOrDefault(key, line) + ", key '" + key + "'", problem);
+    }
+
+    /** An exception about the line read last. */
+    BadInputException badInput(String problem) {
+        return BadInputException.at(file, "line " + line, problem);
+    }
+}

@@ -1,0 +1,204 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.zip.ZipException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * How the voxels of a volume are stored, and the way from there to labels: decoded as they come, a byte a label until
+ * one above 255 is met.
+ *
+ * @param sizes voxels along columns, rows and slices
+ * @param type of a stored value
+ * @param order of its bytes
+ * @param slope label = slope times stored value plus intercept
+ * @param intercept as above
+ */
+record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
+    private static final int CHUNK = 1 << 15;
+    /** Deflate packs at most 1,032 bytes into one. */
+    private static final long MOST_PACKED = 1032;
+
+    private static final long MOST_VOXELS = Integer.MAX_VALUE - 8;
+    /** Labels for which there is room at first: what a header promises beyond has to come before it takes memory. */
+    private static final int FIRST_ROOM = 1 << 22;
+    /**
+     * A volume of labels takes no more than this share of Java's memory, as an array that grows is held twice for a
+     * moment.
+     */
+    private static final double MOST_OF_MEMORY = 0.5;
+
+    /** Stored values are labels as they are. */
+    VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order) {
+        this(sizes, type, order, 1, 0);
+    }
+
+    /** Bytes that all voxels take unpacked. */
+    long bytes() {
+        return voxels() * type.size();
+    }
+
+    private long voxels() {
+        return (long) sizes[0] * sizes[1] * sizes[2];
+    }
+
+    /**
+     * Refuses, before anything is allocated, sizes that cannot be or that the file cannot hold.
+     *
+     * @param available bytes that the file still has
+     */
+    void validate(String file, long available, boolean packed) {
+        for (int size : sizes) {
+            if (size < 1) {
+                throw new BadInputException(
+                        file + ": found a size of " + shown(sizes) + " voxels, expected at least 1 each way");
+            }
+        }
+        // Three sizes below 2^31 overflow a long only beyond this product of two.
+        if ((long) sizes[0] * sizes[1] > MOST_VOXELS || voxels() > MOST_VOXELS) {
+            throw new BadInputException(
+                    file + ": found a size of " + shown(sizes) + " voxels, expected less than 2^31 in all");
+        }
+        long needed = bytes();
+        if (needed > available * (packed ? MOST_PACKED : 1)) {
+            throw new BadInputException(file + ": found " + available + " bytes of voxels, expected "
+                    + (packed ? "enough for " : "") + needed + " for " + shown(sizes) + " of " + type.size()
+                    + (type.size() == 1 ? " byte" : " bytes"));
+        }
+        checkMemory(file);
+    }
+
+    /** Refuses more labels than there is memory for. */
+    private void checkMemory(String file) {
+        long memory = Runtime.getRuntime().maxMemory();
+        if (voxels() > MOST_OF_MEMORY * memory) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "%s: found a size of %s voxels, expected no more than fit into half of Java's memory, which is %d MB (java -Xmx8g gives it 8 GB)",
+                    file,
+                    shown(sizes),
+                    memory >> 20));
+        }
+    }
+
+    private static String shown(int[] sizes) {
+        return sizes[0] + " x " + sizes[1] + " x " + sizes[2];
+    }
+
+    /**
+     * Reads all voxels.
+     *
+     * @param in at the first one, unpacked
+     * @param affine where they lie, see {@link LabelGrid}
+     */
+    LabelGrid decode(String file, InputStream in, double[] affine) {
+        int count = (int) voxels();
+        byte[] small = new byte[Math.min(count, FIRST_ROOM)];
+        short[] large = new short[0];
+        byte[] chunk = new byte[CHUNK * type.size()];
+        ByteBuffer buffer = ByteBuffer.wrap(chunk).order(order);
+        boolean plain = type == ScalarType.UINT8 && slope == 1 && intercept == 0;
+        int done = 0;
+        try {
+            while (done < count) {
+                int now = Math.min(CHUNK, count - done);
+                if (large.length > 0) {
+                    large = done + now > large.length ? Arrays.copyOf(large, room(large.length, count)) : large;
+                } else if (done + now > small.length) {
+                    small = Arrays.copyOf(small, room(small.length, count));
+                }
+                if (plain) {
+                    now = in.readNBytes(small, done, now);
+                } else {
+                    now = in.readNBytes(chunk, 0, now * type.size()) / type.size();
+                    if (large.length == 0 && !takeBytes(file, buffer, now, small, done)) {
+                        large = widened(small, done);
+                    }
+                    if (large.length > 0) {
+                        takeShorts(file, buffer, now, large, done);
+                    }
+                }
+                done += now;
+                if (now < Math.min(CHUNK, count - done + now)) {
+                    throw new EOFException();
+                }
+            }
+            // The checksum of a packed file stands after its last byte and is looked at when that is read.
+            in.read();
+        } catch (EOFException ended) {
+            throw new BadInputException(
+                    file + ": found the end after " + done + " voxels, expected " + count + " (" + shown(sizes) + ")",
+                    ended);
+        } catch (ZipException damaged) {
+            throw new BadInputException(
+                    file + ": found damaged packed data after " + done + " of " + count + " voxels ("
+                            + damaged.getMessage() + "), expected what was packed",
+                    damaged);
+        } catch (IOException failure) {
+            throw new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
+        }
+        return large.length > 0
+                ? LabelGrid.of(sizes[0], sizes[1], sizes[2], large, affine)
+                : LabelGrid.of(sizes[0], sizes[1], sizes[2], small, affine);
+    }
+
+    private static int room(int before, int count) {
+        return (int) Math.min(count, 2L * before);
+    }
+
+    /** False as soon as a label does not fit into a byte. */
+    private boolean takeBytes(String file, ByteBuffer from, int count, byte[] to, int first) {
+        for (int n = 0; n < count; n++) {
+            int label = label(file, from, n, first);
+            if (label > LabelGrid.MAX_BYTE_LABEL) {
+                return false;
+            }
+            to[first + n] = (byte) label;
+        }
+        return true;
+    }
+
+    private void takeShorts(String file, ByteBuffer from, int count, short[] to, int first) {
+        for (int n = 0; n < count; n++) {
+            to[first + n] = (short) label(file, from, n, first);
+        }
+    }
+
+    private int label(String file, ByteBuffer from, int n, int first) {
+        double value = type.isInteger()
+                ? slope * type.readLong(from, n * type.size()) + intercept
+                : slope * type.readDouble(from, n * type.size()) + intercept;
+        int label = (int) value;
+        if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
+            int voxel = first + n;
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "%s: voxel (%d, %d, %d): found %s, expected a label, a whole number from 0 to %d",
+                    file,
+                    voxel % sizes[0],
+                    voxel / sizes[0] % sizes[1],
+                    voxel / sizes[0] / sizes[1],
+                    value == Math.rint(value) && Math.abs(value) < 1e15
+                            ? Long.toString((long) value)
+                            : Double.toString(value),
+                    LabelGrid.MAX_LABEL));
+        }
+        return label;
+    }
+
+    private static short[] widened(byte[] labels, int count) {
+        short[] wide = new short[labels.length];
+        for (int i = 0; i < count; i++) {
+            wide[i] = (short) (labels[i] & LabelGrid.MAX_BYTE_LABEL);
+        }
+        return wide;
+    }
+}

@@ -1,0 +1,2 @@
+/** Files of label volumes: NIfTI, NRRD, MetaImage. */
+package org.phrenic.mesh.io.volume;

@@ -1,0 +1,129 @@
+package org.phrenic.mesh.query;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.mesh.Vectors;
+
+/**
+ * The curves in which a plane cuts a triangle mesh. A vertex in the plane counts as above it, so each cut edge is met
+ * once and a closed mesh gives closed curves.
+ */
+public final class PlaneCut {
+    private static final int EDGE_BITS = 32;
+
+    private final double[] origin;
+    private final double[] across;
+    private final double[] upward;
+    private final double[] normal;
+
+    /**
+     * @param origin of the plane's coordinates
+     * @param across unit vector of its first axis
+     * @param upward unit vector of its second axis, at a right angle to the first
+     */
+    public PlaneCut(double[] origin, double[] across, double[] upward) {
+        this.origin = origin.clone();
+        this.across = across.clone();
+        this.upward = upward.clone();
+        normal = Vectors.cross(across, upward);
+    }
+
+    /** A point in the plane's coordinates; its distance from the plane is left out. */
+    public double[] project(double[] point) {
+        double[] d = Vectors.subtract(point, origin);
+        return new double[] {Vectors.dot(d, across), Vectors.dot(d, upward)};
+    }
+
+    /** Distance of a point from the plane, mm; positive on the side of first x second axis. */
+    public double signedDistance(double[] point) {
+        return Vectors.dot(Vectors.subtract(point, origin), normal);
+    }
+
+    /**
+     * Cuts a mesh.
+     *
+     * @param positions three numbers a vertex
+     * @param triangles three vertices a triangle
+     * @return curves of pairs of plane coordinates; a closed one ends where it begins
+     */
+    public List<double[]> intersect(double[] positions, int[] triangles) {
+        int n = positions.length / 3;
+        double[] height = new double[n];
+        double offset = Vectors.dot(normal, origin);
+        for (int i = 0; i < n; i++) {
+            height[i] = normal[0] * positions[3 * i]
+                    + normal[1] * positions[3 * i + 1]
+                    + normal[2] * positions[3 * i + 2]
+                    - offset;
+        }
+        // From the edge at which the plane comes into a triangle to the edge at which it leaves it.
+        Map<Long, Long> next = new HashMap<>();
+        List<Long> order = new ArrayList<>();
+        for (int t = 0; t < triangles.length; t += 3) {
+            long in = -1;
+            long out = -1;
+            for (int k = 0; k < 3; k++) {
+                int a = triangles[t + k];
+                int b = triangles[t + (k + 1) % 3];
+                if (height[a] < 0 && height[b] >= 0) {
+                    in = edge(a, b);
+                } else if (height[a] >= 0 && height[b] < 0) {
+                    out = edge(a, b);
+                }
+            }
+            if (in >= 0) {
+                next.put(in, out);
+                order.add(in);
+            }
+        }
+        return curves(next, order, positions, height);
+    }
+
+    private List<double[]> curves(Map<Long, Long> next, List<Long> order, double[] positions, double[] height) {
+        List<double[]> curves = new ArrayList<>();
+        Map<Long, Integer> arrivals = new HashMap<>();
+        next.values().forEach(edge -> arrivals.merge(edge, 1, Integer::sum));
+        // Open curves first, from their beginnings; what is left is closed.
+        for (boolean open : new boolean[] {true, false}) {
+            for (long start : order) {
+                if (next.containsKey(start) && (!open || !arrivals.containsKey(start))) {
+                    curves.add(curve(start, next, positions, height));
+                }
+            }
+        }
+        return curves;
+    }
+
+    private double[] curve(long start, Map<Long, Long> next, double[] positions, double[] height) {
+        double[] points = new double[64];
+        int count = put(points, 0, start, positions, height);
+        for (Long edge = next.remove(start); edge != null; edge = next.remove(edge)) {
+            if (count + 2 > points.length) {
+                points = Arrays.copyOf(points, 2 * points.length);
+            }
+            count = put(points, count, edge, positions, height);
+        }
+        return Arrays.copyOf(points, count);
+    }
+
+    private int put(double[] points, int at, long edge, double[] positions, double[] height) {
+        int a = (int) (edge >> EDGE_BITS);
+        int b = (int) edge;
+        double t = height[a] / (height[a] - height[b]);
+        double[] p = new double[3];
+        for (int i = 0; i < 3; i++) {
+            p[i] = positions[3 * a + i] + t * (positions[3 * b + i] - positions[3 * a + i]);
+        }
+        double[] flat = project(p);
+        points[at] = flat[0];
+        points[at + 1] = flat[1];
+        return at + 2;
+    }
+
+    private static long edge(int a, int b) {
+        return (long) Math.min(a, b) << EDGE_BITS | Math.max(a, b);
+    }
+}

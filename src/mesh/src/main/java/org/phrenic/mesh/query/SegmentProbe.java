@@ -1,0 +1,332 @@
+package org.phrenic.mesh.query;
+
+import java.util.Arrays;
+
+/**
+ * A straight segment, and where it pierces surfaces or how near it comes to them.
+ *
+ * <p>Piercing is decided as by Woop, Benthin and Wald 2013 (JCGT 2:65): corners are sheared so that the segment runs
+ * along an axis through 0, and the signs of the three edges' determinants say whether 0 lies within the triangle. The
+ * signs are exact for the sheared corners, and a zero is broken by shifting the segment by an infinitesimal
+ * (Edelsbrunner and Muecke 1990, doi 10.1145/77635.77639), so that two triangles never disagree on the edge they share:
+ * through an edge or a corner of a closed surface the segment passes once, and entries and exits come in pairs.
+ *
+ * <p>Working memory is kept: make one a thread and use it again. Queries may run on several threads beside each other,
+ * but not beside {@link TriangleTree#refit}.
+ */
+public final class SegmentProbe {
+    private static final double BOX_SLACK_MM = 1e-7;
+    private static final int STACK = 64;
+
+    private final double[] from = new double[3];
+    private final double[] to = new double[3];
+    private final double[] unit = new double[3];
+    private double length;
+    private int kx;
+    private int ky;
+    private int kz;
+    private double shearX;
+    private double shearY;
+    private double scaleZ;
+
+    private int found;
+    private double[] depths = new double[STACK];
+    private int[] facings = new int[STACK];
+    private int[] triangles = new int[STACK];
+    private final double[] sheared = new double[9];
+    private final int[] stack = new int[STACK];
+    private final double[] bounds = new double[STACK];
+    private final double[] weights = new double[2];
+    private double nearestDepth;
+    private double depthOfPair;
+
+    /** The segment, mm. */
+    public void set(double fx, double fy, double fz, double tx, double ty, double tz) {
+        from[0] = fx;
+        from[1] = fy;
+        from[2] = fz;
+        to[0] = tx;
+        to[1] = ty;
+        to[2] = tz;
+        length = Math.sqrt((tx - fx) * (tx - fx) + (ty - fy) * (ty - fy) + (tz - fz) * (tz - fz));
+        for (int axis = 0; axis < 3; axis++) {
+            unit[axis] = length > 0 ? (to[axis] - from[axis]) / length : axis == 2 ? 1 : 0;
+        }
+        kz = Math.abs(unit[0]) > Math.abs(unit[1]) ? 0 : 1;
+        kz = Math.abs(unit[2]) > Math.abs(unit[kz]) ? 2 : kz;
+        kx = (kz + 1) % 3;
+        ky = (kx + 1) % 3;
+        if (unit[kz] < 0) {
+            int swap = kx;
+            kx = ky;
+            ky = swap;
+        }
+        shearX = unit[kx] / unit[kz];
+        shearY = unit[ky] / unit[kz];
+        scaleZ = 1 / unit[kz];
+    }
+
+    /** Length of the segment, mm. */
+    public double length() {
+        return length;
+    }
+
+    /** Finds all places where the segment pierces a surface, in order of depth; returns how many. */
+    public int intersect(TriangleTree tree) {
+        found = 0;
+        int depth = 0;
+        if (tree.nodes > 0) {
+            stack[depth++] = 0;
+        }
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (!meetsBox(tree.boxes, 6 * node)) {
+                continue;
+            }
+            if (tree.child[node] >= 0) {
+                stack[depth++] = tree.child[node];
+                stack[depth++] = node + 1;
+                continue;
+            }
+            int first = -1 - tree.child[node];
+            for (int place = first; place < first + tree.count[node]; place++) {
+                int facing = pierces(tree.corners, 9 * place);
+                if (facing != 0) {
+                    add(depthOfPair, facing, tree.order[place]);
+                }
+            }
+        }
+        return found;
+    }
+
+    /** Depth of the i-th piercing from the start of the segment, mm. */
+    public double depth(int i) {
+        return depths[i];
+    }
+
+    /** 1 where the segment goes in at the i-th piercing (against the outward normal), -1 where it comes out. */
+    public int facing(int i) {
+        return facings[i];
+    }
+
+    /** Triangle of the i-th piercing. */
+    public int triangle(int i) {
+        return triangles[i];
+    }
+
+    private void add(double depth, int facing, int triangle) {
+        if (found == depths.length) {
+            depths = Arrays.copyOf(depths, 2 * found);
+            facings = Arrays.copyOf(facings, 2 * found);
+            triangles = Arrays.copyOf(triangles, 2 * found);
+        }
+        int i = found++;
+        // Among equal depths the lower triangle comes first, whatever the tree looks like.
+        while (i > 0 && (depths[i - 1] > depth || (depths[i - 1] == depth && triangles[i - 1] > triangle))) {
+            depths[i] = depths[i - 1];
+            facings[i] = facings[i - 1];
+            triangles[i] = triangles[i - 1];
+            i--;
+        }
+        depths[i] = depth;
+        facings[i] = facing;
+        triangles[i] = triangle;
+    }
+
+    /**
+     * 1 where the segment enters through the triangle, -1 where it leaves, 0 where it passes by; the depth goes to
+     * {@code depthOfPair}.
+     */
+    private int pierces(double[] corners, int o) {
+        for (int k = 0; k < 9; k += 3) {
+            double z = corners[o + k + kz] - from[kz];
+            sheared[k] = corners[o + k + kx] - from[kx] - shearX * z;
+            sheared[k + 1] = corners[o + k + ky] - from[ky] - shearY * z;
+            sheared[k + 2] = scaleZ * z;
+        }
+        int u = side(3, 6);
+        if (side(6, 0) != u || side(0, 3) != u) {
+            return 0;
+        }
+        double a = sheared[3] * sheared[7] - sheared[4] * sheared[6];
+        double b = sheared[6] * sheared[1] - sheared[7] * sheared[0];
+        double c = sheared[0] * sheared[4] - sheared[1] * sheared[3];
+        double sum = a + b + c;
+        double depth = sum == 0
+                ? (sheared[2] + sheared[5] + sheared[8]) / 3
+                : (a * sheared[2] + b * sheared[5] + c * sheared[8]) / sum;
+        if (!(depth >= 0 && depth <= length)) {
+            return 0;
+        }
+        depthOfPair = depth;
+        return -u;
+    }
+
+    /** Sign of the determinant of two sheared corners, exact; never 0. */
+    private int side(int p, int q) {
+        double px = sheared[p];
+        double py = sheared[p + 1];
+        double qx = sheared[q];
+        double qy = sheared[q + 1];
+        double left = px * qy;
+        double right = py * qx;
+        if (left != right) {
+            return left > right ? 1 : -1;
+        }
+        double rest = Math.fma(px, qy, -left) - Math.fma(py, qx, -right);
+        if (rest != 0) {
+            return rest > 0 ? 1 : -1;
+        }
+        // The segment meets the edge: it is shifted by (e, e²), e without end smaller than anything.
+        if (qy != py) {
+            return qy < py ? 1 : -1;
+        }
+        return qx > px ? 1 : -1;
+    }
+
+    private boolean meetsBox(double[] boxes, int o) {
+        double near = 0;
+        double far = length;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = boxes[o + axis] - BOX_SLACK_MM - from[axis];
+            double high = boxes[o + 3 + axis] + BOX_SLACK_MM - from[axis];
+            double along = unit[axis];
+            if (along == 0) {
+                if (low > 0 || high < 0) {
+                    return false;
+                }
+                continue;
+            }
+            double t1 = low / along;
+            double t2 = high / along;
+            near = Math.max(near, Math.min(t1, t2));
+            far = Math.min(far, Math.max(t1, t2));
+        }
+        return near <= far + BOX_SLACK_MM;
+    }
+
+    /**
+     * Smallest distance between the segment and a surface, 0 where it is pierced; see {@link #nearestDepth}.
+     *
+     * @param limit mm; a surface farther than this counts as this far, and costs less
+     */
+    public double distance(TriangleTree tree, double limit) {
+        nearestDepth = Double.NaN;
+        double best = limit * limit;
+        int depth = 0;
+        if (tree.nodes > 0) {
+            stack[0] = 0;
+            bounds[depth++] = boxBound(tree.boxes, 0);
+        }
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (bounds[depth] >= best) {
+                continue;
+            }
+            if (tree.child[node] >= 0) {
+                int near = node + 1;
+                int far = tree.child[node];
+                double nearBound = boxBound(tree.boxes, 6 * near);
+                double farBound = boxBound(tree.boxes, 6 * far);
+                boolean swap = farBound < nearBound;
+                stack[depth] = swap ? near : far;
+                bounds[depth++] = swap ? nearBound : farBound;
+                stack[depth] = swap ? far : near;
+                bounds[depth++] = swap ? farBound : nearBound;
+                continue;
+            }
+            int first = -1 - tree.child[node];
+            for (int place = first; place < first + tree.count[node]; place++) {
+                double square = toTriangle(tree.corners, 9 * place);
+                if (square < best) {
+                    best = square;
+                    nearestDepth = depthOfPair;
+                }
+            }
+        }
+        return Double.isNaN(nearestDepth) ? limit : Math.sqrt(best);
+    }
+
+    /**
+     * How deep along the segment the place is that the last {@link #distance} was taken at, mm; NaN if the surface lay
+     * beyond the limit.
+     */
+    public double nearestDepth() {
+        return nearestDepth;
+    }
+
+    /**
+     * No more than the squared distance to a box: that to its bounding sphere, or between boxes, whichever is greater.
+     */
+    private double boxBound(double[] boxes, int o) {
+        double along = 0;
+        double apart = 0;
+        double radius = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = boxes[o + axis];
+            double high = boxes[o + 3 + axis];
+            along += (0.5 * (low + high) - from[axis]) * unit[axis];
+            radius += 0.25 * (high - low) * (high - low);
+            double gap =
+                    Math.max(0, Math.max(low - Math.max(from[axis], to[axis]), Math.min(from[axis], to[axis]) - high));
+            apart += gap * gap;
+        }
+        along = Math.max(0, Math.min(length, along));
+        double toMiddle = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double d = from[axis] + along * unit[axis] - 0.5 * (boxes[o + axis] + boxes[o + 3 + axis]);
+            toMiddle += d * d;
+        }
+        double beyond = Math.sqrt(toMiddle) - Math.sqrt(radius) - BOX_SLACK_MM;
+        return Math.max(beyond > 0 ? beyond * beyond : 0, apart * (1 - 1e-12));
+    }
+
+    /** Squared distance to a triangle; the depth of the nearest place goes to {@code depthOfPair}. */
+    private double toTriangle(double[] c, int o) {
+        if (pierces(c, o) != 0) {
+            return 0;
+        }
+        double best = PointTriangleDistance.squaredDistance(c, o, from[0], from[1], from[2], weights);
+        double at = 0;
+        double square = PointTriangleDistance.squaredDistance(c, o, to[0], to[1], to[2], weights);
+        if (square < best) {
+            best = square;
+            at = length;
+        }
+        for (int k = 0; k < 9; k += 3) {
+            square = toEdge(c, o + k, o + (k + 3) % 9);
+            if (square < best) {
+                best = square;
+                at = depthOfPair;
+            }
+        }
+        depthOfPair = at;
+        return best;
+    }
+
+    /** Squared distance to an edge (Ericson, Real-Time Collision Detection, 2005, section 5.1.9). */
+    private double toEdge(double[] c, int a, int b) {
+        double ex = c[b] - c[a];
+        double ey = c[b + 1] - c[a + 1];
+        double ez = c[b + 2] - c[a + 2];
+        double rx = from[0] - c[a];
+        double ry = from[1] - c[a + 1];
+        double rz = from[2] - c[a + 2];
+        double ee = ex * ex + ey * ey + ez * ez;
+        double er = ex * rx + ey * ry + ez * rz;
+        double ur = unit[0] * rx + unit[1] * ry + unit[2] * rz;
+        double ue = unit[0] * ex + unit[1] * ey + unit[2] * ez;
+        double divisor = ee - ue * ue;
+        double s = divisor > 0 ? Math.max(0, Math.min(length, (ue * er - ur * ee) / divisor)) : 0;
+        double t = ee > 0 ? (ue * s + er) / ee : 0;
+        if (!(t >= 0 && t <= 1)) {
+            t = t > 1 ? 1 : 0;
+            s = Math.max(0, Math.min(length, t * ue - ur));
+        }
+        double dx = rx + s * unit[0] - t * ex;
+        double dy = ry + s * unit[1] - t * ey;
+        double dz = rz + s * unit[2] - t * ez;
+        depthOfPair = s;
+        return dx * dx + dy * dy + dz * dz;
+    }
+}

@@ -1,0 +1,64 @@
+package org.phrenic.mesh.query;
+
+import java.util.Arrays;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Points spread over surfaces so that none of their triangles has a gap: each triangle is ruled like graph paper along
+ * two of its edges. Corners and edges that triangles share come more than once.
+ */
+public final class SurfaceSamples {
+    private final double spacing;
+    private double[] points = new double[1 << 12];
+    private int length;
+
+    /**
+     * @param spacing greatest distance of neighbouring points, mm
+     * @throws IllegalArgumentException if it is not positive
+     */
+    public SurfaceSamples(double spacing) {
+        if (!(spacing > 0)) {
+            throw new IllegalArgumentException("spacing: found " + spacing + " mm, expected more than 0");
+        }
+        this.spacing = spacing;
+    }
+
+    /** Adds points on a whole surface. */
+    public void add(TriangleMesh mesh) {
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            add(mesh, t);
+        }
+    }
+
+    /** Adds points on one triangle of a surface. */
+    public void add(TriangleMesh mesh, int triangle) {
+        int[] t = mesh.triangles();
+        double[] p = mesh.positions();
+        int a = t[3 * triangle];
+        int b = t[3 * triangle + 1];
+        int c = t[3 * triangle + 2];
+        double longest = Math.max(
+                MeshMeasure.distance(mesh, a, b),
+                Math.max(MeshMeasure.distance(mesh, b, c), MeshMeasure.distance(mesh, c, a)));
+        int parts = Math.max(1, (int) Math.ceil(longest / spacing));
+        int more = 3 * (parts + 1) * (parts + 2) / 2;
+        if (length + more > points.length) {
+            points = Arrays.copyOf(points, Math.max(2 * points.length, length + more));
+        }
+        for (int i = 0; i <= parts; i++) {
+            for (int j = 0; i + j <= parts; j++) {
+                double u = i / (double) parts;
+                double v = j / (double) parts;
+                for (int axis = 0; axis < 3; axis++) {
+                    points[length++] = (1 - u - v) * p[3 * a + axis] + u * p[3 * b + axis] + v * p[3 * c + axis];
+                }
+            }
+        }
+    }
+
+    /** All points so far, three numbers each, mm; a copy. */
+    public double[] points() {
+        return Arrays.copyOf(points, length);
+    }
+}

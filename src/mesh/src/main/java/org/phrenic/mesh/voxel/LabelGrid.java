@@ -1,0 +1,147 @@
+package org.phrenic.mesh.voxel;
+
+import java.util.Arrays;
+
+/**
+ * A box of voxels, each with a label from 0 to 65535; 0 is background. Voxel (i, j, k) is number {@code i + columns (j
+ * + rows k)}, and its centre lies at
+ *
+ * <pre>
+ * x = m0 i + m1 j + m2 k + m3,   y = m4 i + m5 j + m6 k + m7,   z = m8 i + m9 j + m10 k + m11   (mm)
+ * </pre>
+ *
+ * A label takes a byte, or two where one is above 255. Arrays are shared, not copied, and are not to be written to.
+ */
+public final class LabelGrid {
+    /** The largest label. */
+    public static final int MAX_LABEL = 0xFFFF;
+    /** The largest label that fits into a byte. */
+    public static final int MAX_BYTE_LABEL = 0xFF;
+
+    private final int columns;
+    private final int rows;
+    private final int slices;
+    private final byte[] bytes;
+    private final short[] shorts;
+    private final double[] toMm;
+
+    private LabelGrid(int columns, int rows, int slices, byte[] bytes, short[] shorts, double[] toMm) {
+        long voxels = (long) columns * rows * slices;
+        int given = Math.max(bytes.length, shorts.length);
+        if (columns < 1 || rows < 1 || slices < 1 || voxels != given) {
+            throw new IllegalArgumentException(
+                    columns + " x " + rows + " x " + slices + " voxels and " + given + " labels, expected as many");
+        }
+        if (toMm.length != 12) {
+            throw new IllegalArgumentException("affine of " + toMm.length + " numbers, expected 12");
+        }
+        this.columns = columns;
+        this.rows = rows;
+        this.slices = slices;
+        this.bytes = bytes;
+        this.shorts = shorts;
+        this.toMm = toMm.clone();
+    }
+
+    /**
+     * A grid of labels up to 255.
+     *
+     * @param toMm three rows of four numbers, as above
+     * @throws IllegalArgumentException if sizes do not fit
+     */
+    public static LabelGrid of(int columns, int rows, int slices, byte[] labels, double[] toMm) {
+        return new LabelGrid(columns, rows, slices, labels, new short[0], toMm);
+    }
+
+    /** A grid of labels up to 65535, read without sign. */
+    public static LabelGrid of(int columns, int rows, int slices, short[] labels, double[] toMm) {
+        return new LabelGrid(columns, rows, slices, new byte[0], labels, toMm);
+    }
+
+    /** The same voxels in another place. */
+    public LabelGrid withAffine(double[] otherToMm) {
+        return new LabelGrid(columns, rows, slices, bytes, shorts, otherToMm);
+    }
+
+    public int columns() {
+        return columns;
+    }
+
+    public int rows() {
+        return rows;
+    }
+
+    public int slices() {
+        return slices;
+    }
+
+    public int voxelCount() {
+        return Math.max(bytes.length, shorts.length);
+    }
+
+    /** Label of a voxel by its number. */
+    public int label(int voxel) {
+        return bytes.length > 0 ? bytes[voxel] & MAX_BYTE_LABEL : shorts[voxel] & MAX_LABEL;
+    }
+
+    /** Label of a voxel by its place; 0 outside the box. */
+    public int label(int i, int j, int k) {
+        boolean inside = i >= 0 && i < columns && j >= 0 && j < rows && k >= 0 && k < slices;
+        return inside ? label(i + columns * (j + rows * k)) : 0;
+    }
+
+    /** Writes where a point given in voxels lies, mm. */
+    public void voxelToMm(double i, double j, double k, double[] out) {
+        for (int row = 0; row < 3; row++) {
+            out[row] = toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
+        }
+    }
+
+    /** Distance of neighbours along a direction of the grid (0 columns, 1 rows, 2 slices), mm. */
+    public double spacing(int direction) {
+        double x = toMm[direction];
+        double y = toMm[4 + direction];
+        double z = toMm[8 + direction];
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** Volume of a voxel, mm^3. */
+    public double voxelVolume() {
+        return Math.abs(determinant());
+    }
+
+    /**
+     * Whether columns, rows and slices are left-handed, as in most images whose first row is at the front of the body.
+     */
+    public boolean isMirrored() {
+        return determinant() < 0;
+    }
+
+    private double determinant() {
+        double[] m = toMm;
+        return m[0] * (m[5] * m[10] - m[6] * m[9])
+                - m[1] * (m[4] * m[10] - m[6] * m[8])
+                + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    }
+
+    /** How many voxels each label has, by label; as long as the largest label needs. */
+    public int[] counts() {
+        int[] counts = new int[(bytes.length > 0 ? MAX_BYTE_LABEL : MAX_LABEL) + 1];
+        for (byte label : bytes) {
+            counts[label & MAX_BYTE_LABEL]++;
+        }
+        for (short label : shorts) {
+            counts[label & MAX_LABEL]++;
+        }
+        int length = counts.length;
+        while (length > 1 && counts[length - 1] == 0) {
+            length--;
+        }
+        return Arrays.copyOf(counts, length);
+    }
+
+    @Override
+    public String toString() {
+        return "LabelGrid[" + columns + " x " + rows + " x " + slices + "]";
+    }
+}

@@ -1,0 +1,168 @@
+package org.phrenic.mesh.voxel;
+
+import java.util.Arrays;
+import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Makes the faces of one part's voxels a closed manifold of triangles. At an edge of four faces those of one voxel are
+ * joined, so that voxels that touch along it are apart; at a vertex each fan of joined faces gets a vertex of its own.
+ * Where both pairs at such an edge still have the same two ends, one pair gets another vertex in its middle.
+ */
+final class QuadStitcher {
+    private static final int NONE = -1;
+
+    private final double[] given;
+    private final int[] quads;
+    private final long[] voxels;
+    private final QuadEdges edges;
+    /** The side that each side is joined with. */
+    private final int[] mate;
+    /** Corners of one fan lead to one corner. */
+    private final int[] fan;
+
+    private final int[] vertexOfFan;
+    private double[] positions;
+    private int vertices;
+    /** Vertex in the middle of a side, where it has one. */
+    private final int[] middle;
+
+    private int[] triangles;
+    private int length;
+
+    /**
+     * @param given positions that the quadrilaterals name
+     * @param quads four corners each
+     * @param voxels the voxel whose face each is
+     */
+    QuadStitcher(double[] given, int[] quads, long[] voxels) {
+        this.given = given;
+        this.quads = quads;
+        this.voxels = voxels;
+        edges = new QuadEdges(given.length / 3, quads);
+        mate = new int[quads.length];
+        fan = DisjointSets.singletons(quads.length);
+        vertexOfFan = new int[quads.length];
+        middle = new int[quads.length];
+        Arrays.fill(vertexOfFan, NONE);
+        Arrays.fill(middle, NONE);
+        positions = new double[3 * (quads.length / 4 + 64)];
+        triangles = new int[6 * (quads.length / 4) + 64];
+    }
+
+    TriangleMesh mesh() {
+        for (int place = 0; place < mate.length; place = edges.end(place)) {
+            join(place, edges.end(place));
+        }
+        for (int corner = 0; corner < quads.length; corner++) {
+            int root = DisjointSets.find(fan, corner);
+            if (vertexOfFan[root] == NONE) {
+                int v = 3 * quads[corner];
+                vertexOfFan[root] = addVertex(given[v], given[v + 1], given[v + 2]);
+            }
+        }
+        for (int place = 0; place < mate.length; place = edges.end(place)) {
+            if (edges.end(place) - place > 2) {
+                separate(place, edges.end(place));
+            }
+        }
+        for (int q = 0; q < quads.length / 4; q++) {
+            cut(q);
+        }
+        return new TriangleMesh(Arrays.copyOf(positions, 3 * vertices), Arrays.copyOf(triangles, length));
+    }
+
+    private void join(int from, int to) {
+        for (int i = from; i < to; i++) {
+            int side = edges.order()[i];
+            for (int j = i + 1; j < to; j++) {
+                int other = edges.order()[j];
+                if (to - from == 2 || voxels[side >> 2] == voxels[other >> 2]) {
+                    mate[side] = other;
+                    mate[other] = side;
+                    unite(side, other);
+                    unite(next(side), other);
+                }
+            }
+        }
+    }
+
+    private static int next(int side) {
+        return (side & 3) == 3 ? side - 3 : side + 1;
+    }
+
+    /** Where two joined sides name one vertex, their corners are one. */
+    private void unite(int corner, int side) {
+        DisjointSets.unionToLower(fan, corner, quads[corner] == quads[side] ? side : next(side));
+    }
+
+    private int vertex(int corner) {
+        return vertexOfFan[DisjointSets.find(fan, corner)];
+    }
+
+    private int addVertex(double x, double y, double z) {
+        if (3 * vertices == positions.length) {
+            positions = Arrays.copyOf(positions, 2 * positions.length);
+        }
+        positions[3 * vertices] = x;
+        positions[3 * vertices + 1] = y;
+        positions[3 * vertices + 2] = z;
+        return vertices++;
+    }
+
+    /** Two pairs of faces on one edge that still share both ends: the later pair gets a vertex between them. */
+    private void separate(int from, int to) {
+        int first = edges.order()[from];
+        for (int i = from + 1; i < to; i++) {
+            int side = edges.order()[i];
+            boolean sameEnds = Math.min(vertex(first), vertex(next(first)))
+                            == Math.min(vertex(side), vertex(next(side)))
+                    && Math.max(vertex(first), vertex(next(first))) == Math.max(vertex(side), vertex(next(side)));
+            if (side != mate[first] && sameEnds && middle[side] == NONE) {
+                int a = 3 * vertex(side);
+                int b = 3 * vertex(next(side));
+                middle[side] = addVertex(
+                        (positions[a] + positions[b]) / 2,
+                        (positions[a + 1] + positions[b + 1]) / 2,
+                        (positions[a + 2] + positions[b + 2]) / 2);
+                middle[mate[side]] = middle[side];
+            }
+        }
+    }
+
+    /** A quadrilateral along its shorter diagonal; one with vertices in its sides as a fan about the first of these. */
+    private void cut(int q) {
+        int[] ring = new int[8];
+        int size = 0;
+        int hub = NONE;
+        for (int side = 4 * q; side < 4 * q + 4; side++) {
+            ring[size++] = vertex(side);
+            if (middle[side] != NONE) {
+                hub = hub == NONE ? size : hub;
+                ring[size++] = middle[side];
+            }
+        }
+        if (hub == NONE) {
+            hub = square(ring[0], ring[2]) <= square(ring[1], ring[3]) ? 0 : 1;
+        }
+        for (int i = 1; i + 1 < size; i++) {
+            add(ring[hub], ring[(hub + i) % size], ring[(hub + i + 1) % size]);
+        }
+    }
+
+    private void add(int a, int b, int c) {
+        if (length + 3 > triangles.length) {
+            triangles = Arrays.copyOf(triangles, 2 * triangles.length);
+        }
+        triangles[length++] = a;
+        triangles[length++] = b;
+        triangles[length++] = c;
+    }
+
+    private double square(int a, int b) {
+        double dx = positions[3 * a] - positions[3 * b];
+        double dy = positions[3 * a + 1] - positions[3 * b + 1];
+        double dz = positions[3 * a + 2] - positions[3 * b + 2];
+        return dx * dx + dy * dy + dz * dz;
+    }
+}

@@ -1,0 +1,83 @@
+package org.phrenic.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class AtomicFileTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void missingFoldersAreMadeAndNothingElseIsLeft() throws IOException {
+        Path target = folder.resolve("a/b/summary.json");
+        AtomicFile.write(target, "one\n");
+        AtomicFile.write(target, "two\n");
+
+        assertThat(target).hasContent("two\n");
+        assertThat(target.getParent().toFile().list()).containsExactly("summary.json");
+    }
+
+    @Test
+    void aFailureLeavesTheOldContentAndNoSecondFile() throws IOException {
+        Path target = Files.writeString(folder.resolve("curves.csv"), "old");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> AtomicFile.write(target, out -> {
+                    out.write(new byte[100_000]);
+                    throw new IOException("No space left on device");
+                }))
+                .withMessage(target + ": writing into folder " + folder + " failed: No space left on device");
+        assertThatIllegalStateException()
+                .isThrownBy(() -> AtomicFile.write(target, out -> {
+                    throw new IllegalStateException("the content has a fault");
+                }));
+
+        assertThat(target).hasContent("old");
+        assertThat(folder.toFile().list()).containsExactly("curves.csv");
+    }
+
+    @Test
+    void whatIsLeftOfARunThatDiedIsNotInTheWay() throws IOException {
+        Files.writeString(folder.resolve(".a.txt.part0"), "half");
+        AtomicFile.write(folder.resolve("a.txt"), "whole");
+        assertThat(folder.resolve("a.txt")).hasContent("whole");
+    }
+
+    @Test
+    void aFolderAsTargetOrAFileAsFolderIsToldInOneSentence() throws IOException {
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> AtomicFile.write(folder, ""))
+                .withMessage(folder + ": found a folder, expected a file to write");
+        Path file = Files.writeString(folder.resolve("file"), "");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> AtomicFile.write(file.resolve("x.txt"), ""))
+                .withMessageContaining("is a file, expected a folder");
+    }
+
+    @Test
+    void aLinkKeepsPointingWhereItDid() throws IOException {
+        Path real = Files.writeString(folder.resolve("real.txt"), "old");
+        Path link = Files.createSymbolicLink(folder.resolve("link.txt"), real.getFileName());
+        AtomicFile.write(link, "new");
+
+        assertThat(link).isSymbolicLink();
+        assertThat(real).hasContent("new");
+    }
+
+    @Test
+    void aDeviceIsWrittenDirectlyAndAFullOneIsToldSo() {
+        Path full = Path.of("/dev/full");
+        Assumptions.assumeTrue(Files.exists(full), "this system has no /dev/full");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> AtomicFile.write(full, "text"))
+                .withMessageContaining("No space left");
+        assertThat(full).exists();
+    }
+}

@@ -1,0 +1,81 @@
+package org.phrenic.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import org.junit.jupiter.api.Test;
+
+class MeshMeasureTest {
+    private static final double ROUNDING = 1e-9;
+
+    @Property(tries = 50)
+    void aBoxHasTheAreaAndVolumeOfABoxWhereverItStands(
+            @ForAll @DoubleRange(min = 0.1, max = 100) double a,
+            @ForAll @DoubleRange(min = 0.1, max = 100) double b,
+            @ForAll @DoubleRange(min = 0.1, max = 100) double c,
+            @ForAll @DoubleRange(min = -2000, max = 2000) double away) {
+        TriangleMesh box = Shapes.moved(Shapes.box(a, b, c), away, -away, away / 2);
+        assertThat(MeshMeasure.area(box)).isCloseTo(2 * (a * b + b * c + c * a), within(1e-6));
+        assertThat(MeshMeasure.signedVolume(box)).isCloseTo(a * b * c, within(1e-6));
+    }
+
+    @Test
+    void aSphereApproachesItsAreaVolumeAndNormals() {
+        double r = 10;
+        TriangleMesh sphere = Shapes.sphere(r, 5);
+        assertThat(MeshMeasure.area(sphere) / (4 * Math.PI * r * r)).isCloseTo(1, within(2e-3));
+        assertThat(MeshMeasure.signedVolume(sphere) / (4 * Math.PI * r * r * r / 3))
+                .isCloseTo(1, within(2e-3));
+        double[] normals = MeshMeasure.vertexNormals(sphere);
+        for (int i = 0; i < normals.length; i++) {
+            assertThat(normals[i]).isCloseTo(sphere.positions()[i] / r, within(2e-3));
+        }
+    }
+
+    @Test
+    void angleWeightedNormalsOfABoxPointAlongItsDiagonalsHoweverItsFacesAreCut() {
+        double[] normals = MeshMeasure.vertexNormals(Shapes.box(1, 2, 3));
+        for (double component : normals) {
+            assertThat(Math.abs(component)).isCloseTo(1 / Math.sqrt(3), within(ROUNDING));
+        }
+    }
+
+    @Test
+    void vertexAreasSumToTheArea() {
+        TriangleMesh torus = Shapes.torus(5, 1, 40, 20);
+        double sum = 0;
+        for (double area : MeshMeasure.vertexAreas(torus)) {
+            sum += area;
+        }
+        assertThat(sum).isCloseTo(MeshMeasure.area(torus), within(ROUNDING));
+    }
+
+    @Test
+    void anOpenTubeClosedByFansHoldsThePrismItStandsFor() {
+        int n = 24;
+        // A regular n-gon of circumradius r has the area n r^2 sin(2 pi / n) / 2.
+        double prism = n * 4 * Math.sin(2 * Math.PI / n) / 2 * 5;
+        TriangleMesh tube = Shapes.moved(Shapes.tube(2, 5, n, 3), 100, 50, -70);
+        assertThat(MeshMeasure.cappedVolume(tube)).isCloseTo(prism, within(1e-8));
+    }
+
+    @Test
+    void theSmallestAngleOfHalfASquareIs45AndOfALineZero() {
+        TriangleMesh mesh =
+                new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0}, new int[] {0, 1, 2, 0, 1, 3});
+        assertThat(MeshMeasure.smallestAngles(mesh)[0]).isCloseTo(45, within(ROUNDING));
+        assertThat(MeshMeasure.smallestAngles(mesh)[1]).isZero();
+    }
+
+    @Test
+    void edgeLengthsOfARectangle() {
+        TriangleMesh sheet = Shapes.sheet(3, 4, 2, 2);
+        MeshMeasure.EdgeLengths lengths = MeshMeasure.edgeLengthSummary(sheet, new MeshTopology(sheet));
+        assertThat(lengths.minimum()).isEqualTo(3);
+        assertThat(lengths.maximum()).isEqualTo(5);
+        assertThat(lengths.mean()).isCloseTo((3 + 3 + 4 + 4 + 5) / 5.0, within(ROUNDING));
+    }
+}

@@ -1,0 +1,165 @@
+package org.phrenic.mesh.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.TriangleMesh;
+
+class MeshRepairTest {
+    private static final double ROUNDING = 1e-9;
+
+    @Test
+    void aSoupWeldsBackToTheSurfaceItWasCutFrom() {
+        TriangleMesh sphere = Shapes.sphere(10, 3);
+        MeshRepair.Result result = MeshRepair.weld(Shapes.soup(sphere), 0);
+        assertThat(result.mesh().vertexCount()).isEqualTo(sphere.vertexCount());
+        assertThat(result.report().verticesWelded()).isEqualTo(3 * sphere.triangleCount() - sphere.vertexCount());
+        assertThat(new MeshTopology(result.mesh()).isClosed()).isTrue();
+    }
+
+    @Property(tries = 20)
+    void verticesNearerThanTheToleranceBecomeOne(@ForAll @IntRange(min = 0, max = 1000) int seed) {
+        Random random = new Random(seed);
+        TriangleMesh soup = Shapes.soup(Shapes.sphere(10, 2));
+        double[] p = soup.positions().clone();
+        for (int i = 0; i < p.length; i++) {
+            // Corners of one vertex lie within 2 sqrt(3) * 0.01 = 0.035 mm, vertices apart by more than 2 mm.
+            p[i] += 0.01 * (2 * random.nextDouble() - 1);
+        }
+        assertThat(MeshRepair.weld(soup.withPositions(p), 0.05).mesh().vertexCount())
+                .isEqualTo(162);
+    }
+
+    @Test
+    void degenerateDuplicateAndUnusedGoAndAreCounted() {
+        double[] p = {0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 9, 9, 9};
+        int[] t = {0, 1, 2, 0, 0, 1, 0, 1, 3, 2, 0, 1, 1, 0, 2};
+        MeshRepair.Result result = MeshRepair.clean(new TriangleMesh(p, t));
+        assertThat(result.mesh().triangles()).containsExactly(0, 1, 2);
+        assertThat(result.mesh().vertexCount()).isEqualTo(3);
+        assertThat(result.report()).isEqualTo(new MeshRepair.Report(0, 2, 2, 2, 0, 0));
+        assertThat(result.report())
+                .hasToString("Repaired: 2 degenerate triangles removed, 2 duplicate triangles removed,"
+                        + " 2 unused vertices removed.");
+    }
+
+    @Property(tries = 20)
+    void scrambledSphereFacesOutwardAgain(@ForAll @IntRange(min = 0, max = 1000) int seed) {
+        TriangleMesh sphere = Shapes.sphere(10, 2);
+        int[] t = sphere.triangles().clone();
+        Random random = new Random(seed);
+        int scrambled = 0;
+        for (int i = 0; i < t.length; i += 3) {
+            if (random.nextBoolean()) {
+                int b = t[i + 1];
+                t[i + 1] = t[i + 2];
+                t[i + 2] = b;
+                scrambled++;
+            }
+        }
+        MeshRepair.Result result = MeshRepair.orient(new TriangleMesh(sphere.positions(), t));
+        assertThat(MeshMeasure.signedVolume(result.mesh())).isCloseTo(MeshMeasure.signedVolume(sphere), within(1e-6));
+        assertThat(result.report().trianglesFlipped()).isEqualTo(scrambled);
+    }
+
+    @Test
+    void anOpenSheetKeepsTheSideMostOfItShowed() {
+        TriangleMesh sheet = Shapes.sheet(3, 3, 4, 4);
+        int[] t = sheet.triangles().clone();
+        int b = t[1];
+        t[1] = t[2];
+        t[2] = b;
+        MeshRepair.Result result = MeshRepair.orient(new TriangleMesh(sheet.positions(), t));
+        assertThat(result.report().trianglesFlipped()).isEqualTo(1);
+        assertThat(result.mesh().triangles()).containsExactly(sheet.triangles());
+    }
+
+    @Test
+    void aCappedTubeIsClosedAndHoldsItsPrism() {
+        TriangleMesh tube = Shapes.tube(2, 5, 24, 3);
+        MeshRepair.Result result = MeshRepair.repairAndCap(tube, 0);
+        MeshTopology topology = new MeshTopology(result.mesh());
+        assertThat(topology.isClosed()).isTrue();
+        assertThat(topology.isManifold()).isTrue();
+        assertThat(topology.eulerCharacteristic()).isEqualTo(2);
+        assertThat(result.report()).isEqualTo(new MeshRepair.Report(0, 0, 0, 0, 0, 2));
+        assertThat(MeshMeasure.signedVolume(result.mesh())).isCloseTo(MeshMeasure.cappedVolume(tube), within(ROUNDING));
+    }
+
+    @Test
+    void aMissingTriangleIsPutBack() {
+        TriangleMesh box = Shapes.box(1, 2, 3);
+        TriangleMesh open = new TriangleMesh(box.positions(), java.util.Arrays.copyOfRange(box.triangles(), 3, 36));
+        TriangleMesh closed = MeshRepair.repairAndCap(open, 0).mesh();
+        assertThat(closed.vertexCount()).isEqualTo(8);
+        assertThat(MeshMeasure.signedVolume(closed)).isCloseTo(6, within(ROUNDING));
+    }
+
+    @Test
+    void patchesRoundedEachForItselfCloseAlongTheirSeam() {
+        TriangleMesh sphere = Shapes.sphere(10, 3);
+        TriangleMesh patches = Shapes.join(cap(sphere, 1), Shapes.moved(cap(sphere, -1), 0.004, -0.003, 0.005));
+        assertThat(MeshTopology.isClosed(MeshRepair.repair(patches, 1e-3).mesh()))
+                .isFalse();
+        MeshRepair.Result closed = MeshRepair.repair(patches, 1e-3, 0.05);
+        assertThat(closed.mesh().vertexCount()).isEqualTo(sphere.vertexCount());
+        assertThat(closed.mesh().triangleCount()).isEqualTo(sphere.triangleCount());
+        assertThat(MeshTopology.isClosed(closed.mesh())).isTrue();
+        // The lower half is off by 0.007 mm over a disc of 314 mm2: less than 3 mm3 of 4,100.
+        assertThat(MeshMeasure.signedVolume(closed.mesh())).isCloseTo(MeshMeasure.signedVolume(sphere), within(3.0));
+    }
+
+    @Test
+    void detailFinerThanASeamStaysWhereNoEdgeIsOpen() {
+        TriangleMesh tiny = Shapes.sphere(0.05, 2);
+        assertThat(MeshRepair.repair(tiny, 1e-3, 0.05).report()).hasToString("Nothing to repair.");
+    }
+
+    /**
+     * The triangles of a sphere whose centre lies on one side of the equator; those whose centre is on it are of the
+     * upper side.
+     */
+    private static TriangleMesh cap(TriangleMesh sphere, int side) {
+        int[] t = sphere.triangles();
+        int[] kept = java.util.stream.IntStream.range(0, t.length)
+                .filter(i ->
+                        side * (1e-6 + sphere.z(t[i - i % 3]) + sphere.z(t[i - i % 3 + 1]) + sphere.z(t[i - i % 3 + 2]))
+                                > 0)
+                .map(i -> t[i])
+                .toArray();
+        return MeshRepair.clean(new TriangleMesh(sphere.positions(), kept)).mesh();
+    }
+
+    @Test
+    void componentsComeApartInOrder() {
+        TriangleMesh both = Shapes.join(Shapes.box(1, 1, 1), Shapes.moved(Shapes.sphere(1, 1), 5, 0, 0));
+        List<TriangleMesh> parts = ConnectedComponents.of(both);
+        assertThat(parts).extracting(TriangleMesh::vertexCount).containsExactly(8, 42);
+        assertThat(MeshMeasure.signedVolume(parts.get(0))).isCloseTo(1, within(ROUNDING));
+    }
+
+    @Test
+    void aSoundMeshIsLeftAloneAndSaidSo() {
+        MeshRepair.Result result = MeshRepair.repair(Shapes.box(1, 2, 3), 1e-3);
+        assertThat(result.mesh().triangles())
+                .containsExactly(Shapes.box(1, 2, 3).triangles());
+        assertThat(result.report()).hasToString("Nothing to repair.");
+    }
+
+    @Test
+    void aNegativeToleranceIsRefused() {
+        assertThatThrownBy(() -> MeshRepair.weld(Shapes.box(1, 1, 1), -1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("-1.0 mm");
+    }
+}

@@ -1,0 +1,199 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** One small volume in every format, type and byte order: labels, places and names come out the same. */
+class LabelVolumeFilesTest {
+    private static final double SINGLE_MM = 1e-5;
+    private static final ByteOrder LITTLE = ByteOrder.LITTLE_ENDIAN;
+    private static final ByteOrder BIG = ByteOrder.BIG_ENDIAN;
+
+    @TempDir
+    private Path folder;
+
+    private LabelVolume read(String name, byte[] content) {
+        return LabelVolumeFiles.read(VolumeSamples.write(folder, name, content));
+    }
+
+    /** Columns run to the patient's right... in LPS the sample's voxels step by (2, 0, 0), (0, -3, 0), (0, 0, 4). */
+    private static void assertIsSample(LabelVolume volume) {
+        LabelGrid grid = volume.grid();
+        assertThat(new int[] {grid.columns(), grid.rows(), grid.slices()}).containsExactly(4, 3, 2);
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            assertThat(grid.label(v)).isEqualTo(v);
+        }
+        double[] place = new double[3];
+        grid.voxelToMm(0, 0, 0, place);
+        assertThat(place).containsExactly(new double[] {-10, -20, 30}, within(SINGLE_MM));
+        grid.voxelToMm(1, 1, 1, place);
+        assertThat(place).containsExactly(new double[] {-8, -23, 34}, within(SINGLE_MM));
+        assertThat(grid.isMirrored()).isTrue();
+        assertThat(grid.voxelVolume()).isCloseTo(24, within(SINGLE_MM));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 4, 8, 16, 64, 256, 512, 768, 1024, 1280})
+    void niftiOfEveryTypeInBothByteOrdersPlainAndPacked(int datatype) {
+        for (ByteOrder order : new ByteOrder[] {LITTLE, BIG}) {
+            byte[] file = VolumeSamples.nifti(datatype, order, h -> {});
+            assertIsSample(read("plain.nii", file));
+            assertIsSample(read("packed.nii.gz", VolumeSamples.gzip(file)));
+            assertIsSample(read("misnamed.nii", VolumeSamples.gzip(file)));
+        }
+    }
+
+    @Test
+    void withoutSformTheQformPlacesVoxelsTurnedAndMirrored() {
+        // Half a turn about y puts columns to the left and slices down; qfac -1 turns the slices back up.
+        LabelVolume volume = read("q.nii", VolumeSamples.nifti(2, LITTLE, h -> {
+            h.putShort(254, (short) 0);
+            h.putShort(252, (short) 1);
+            h.putFloat(76, -1);
+            h.putFloat(260, 1);
+            h.putFloat(268, 10);
+            h.putFloat(272, 20);
+            h.putFloat(276, 30);
+        }));
+        assertIsSample(volume);
+    }
+
+    @Test
+    void obliqueQformIsARotation() {
+        double half = Math.toRadians(15);
+        LabelGrid grid = read("oblique.nii", VolumeSamples.nifti(2, BIG, h -> {
+                    h.putShort(254, (short) 0);
+                    h.putShort(252, (short) 1);
+                    h.putFloat(264, (float) Math.sin(half));
+                }))
+                .grid();
+        double[] at = new double[3];
+        grid.voxelToMm(1, 0, 0, at);
+        // 30 degrees about z: columns of 2 mm run to (cos, sin) of RAS, so to minus that in LPS.
+        assertThat(at)
+                .containsExactly(new double[] {-2 * Math.cos(2 * half), -2 * Math.sin(2 * half), 0}, within(SINGLE_MM));
+    }
+
+    @Test
+    void aFourthDimensionOfOneVolumeUnitsAndScalingAreHonoured() {
+        byte[] file = VolumeSamples.nifti(16, LITTLE, h -> {
+            h.putShort(40, (short) 4);
+            h.put(123, (byte) 3);
+            h.putFloat(112, 2);
+            h.putFloat(116, 1);
+        });
+        LabelGrid grid = read("micrometres.nii", file).grid();
+        assertThat(grid.label(5)).isEqualTo(11);
+        assertThat(grid.spacing(0)).isCloseTo(2e-3, within(SINGLE_MM));
+    }
+
+    @Test
+    void withNeitherFormANoteSaysHowItWasTaken() {
+        LabelVolume volume = read("none.nii", VolumeSamples.nifti(2, LITTLE, h -> h.putShort(254, (short) 0)));
+        assertThat(volume.notes()).singleElement().asString().contains("neither sform nor qform");
+    }
+
+    @Test
+    void namesComeFromTheLabelTableOfAnExtension() {
+        String table = "<LabelTable>\n<Label Key=\"3\" Red=\"0.1\" Alpha=\"1\"><![CDATA[liver]]></Label>"
+                + "<Label Key=\"7\" Red=\"0\">lung left</Label></LabelTable>";
+        byte[] plain =
+                VolumeSamples.nifti(2, LITTLE, h -> h.putFloat(108, VolumeSamples.NIFTI_HEADER + table.length()));
+        byte[] file = ByteBuffer.allocate(plain.length + table.length())
+                .put(plain, 0, VolumeSamples.NIFTI_HEADER)
+                .put(table.getBytes(StandardCharsets.UTF_8))
+                .put(plain, VolumeSamples.NIFTI_HEADER, plain.length - VolumeSamples.NIFTI_HEADER)
+                .array();
+        LabelVolume volume = read("named.nii.gz", VolumeSamples.gzip(file));
+        assertIsSample(volume);
+        assertThat(volume.names()).containsEntry(3, "liver").containsEntry(7, "lung left");
+    }
+
+    @Test
+    void nrrdRawGzipBothByteOrdersAndDetached() {
+        byte[] shorts = VolumeSamples.voxels(4, LITTLE, 1);
+        assertIsSample(read("raw.nrrd", VolumeSamples.join(VolumeSamples.nrrd("short", "raw") + "\n", shorts)));
+        assertIsSample(read(
+                "packed.seg.nrrd",
+                VolumeSamples.join(VolumeSamples.nrrd("short", "gzip") + "\n", VolumeSamples.gzip(shorts))));
+        assertIsSample(read(
+                "big.nrrd",
+                VolumeSamples.join(
+                        VolumeSamples.nrrd("int", "raw").replace("endian: little", "endian: big") + "\n",
+                        VolumeSamples.voxels(8, BIG, 1))));
+        VolumeSamples.write(folder, "voxels.raw", shorts);
+        assertIsSample(read(
+                "apart.nhdr",
+                VolumeSamples.join(
+                        VolumeSamples.nrrd("short", "raw"),
+                        "data file: voxels.raw\r\n\r\n".getBytes(StandardCharsets.UTF_8))));
+    }
+
+    @Test
+    void nrrdOfLpsOfOneLayerAndWithSegmentNames() {
+        String header = VolumeSamples.nrrd("uchar", "gzip")
+                        .replace("right-anterior-superior", "left-posterior-superior")
+                        .replace("dimension: 3", "dimension: 4")
+                        .replace("sizes: 4 3 2", "sizes: 1 4 3 2")
+                        .replace("(-2,0,0) (0,3,0) (0,0,4)", "none (2,0,0) (0,-3,0) (0,0,4)")
+                        .replace("domain domain domain", "list domain domain domain")
+                        .replace("(10,20,30)", "(-10,-20,30)")
+                + "Segment0_LabelValue:=5\nSegment0_Name:=lung: right\nSegment1_Name:=liver\nSegment1_LabelValue:=9\n\n";
+        LabelVolume volume =
+                read("s.seg.nrrd", VolumeSamples.join(header, VolumeSamples.gzip(VolumeSamples.voxels(2, LITTLE, 1))));
+        assertIsSample(volume);
+        assertThat(volume.names()).containsEntry(5, "lung: right").containsEntry(9, "liver");
+    }
+
+    @Test
+    void metaImageLocalPackedApartAndBigEndian() {
+        byte[] bytes = VolumeSamples.voxels(2, LITTLE, 1);
+        assertIsSample(
+                read("local.mha", VolumeSamples.join(VolumeSamples.meta("MET_UCHAR", false) + "LOCAL\n", bytes)));
+        assertIsSample(read(
+                "packed.mha",
+                VolumeSamples.join(VolumeSamples.meta("MET_UCHAR", true) + "LOCAL\n", VolumeSamples.zlib(bytes))));
+        byte[] big = VolumeSamples.voxels(16, BIG, 1);
+        VolumeSamples.write(folder, "voxels.raw", VolumeSamples.join(new byte[7], big));
+        String header = VolumeSamples.meta("MET_FLOAT", false)
+                .replace("MSB = False", "MSB = True")
+                .replace("DimSize", "HeaderSize = -1\nDimSize");
+        assertIsSample(read("apart.mhd", (header + "voxels.raw\n").getBytes(StandardCharsets.UTF_8)));
+    }
+
+    @Test
+    void labelsAboveABytesTakeTwo() {
+        String header = VolumeSamples.nrrd("ushort", "raw");
+        LabelVolume volume =
+                read("large.nrrd", VolumeSamples.join(header + "\n", VolumeSamples.voxels(512, LITTLE, 2000)));
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            assertThat(volume.grid().label(v)).isEqualTo(2000 * v);
+        }
+        assertThat(volume.grid().counts()).hasSize(2000 * (VolumeSamples.VOXELS - 1) + 1);
+    }
+
+    @Test
+    void realVolumesOfOtherToolsHaveTheVolumesTheirSourceStates() {
+        Path real = Path.of("../shared/segmentations");
+        assumeTrue(Files.isDirectory(real), "no ../shared/segmentations here: volumes of other tools are not read");
+        LabelVolume lung = LabelVolumeFiles.read(real.resolve("3DCT_lung_baseline_mask.mha"));
+        assertThat(lung.grid().counts()[1] * lung.grid().voxelVolume() / 1000).isCloseTo(3364, within(1.0));
+        LabelVolume slab = LabelVolumeFiles.read(real.resolve("example_seg.nii.gz"));
+        assertThat(slab.names()).containsEntry(5, "liver");
+        assertThat(slab.grid().spacing(2)).isCloseTo(3, within(SINGLE_MM));
+        LabelVolume pair = LabelVolumeFiles.read(real.resolve("breath-pairs/patient1_expiration.nii.gz"));
+        assertThat(pair.grid().counts()[1] * pair.grid().voxelVolume() / 1e6).isCloseTo(3.06, within(0.01));
+    }
+}

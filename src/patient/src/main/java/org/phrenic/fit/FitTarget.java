@@ -1,0 +1,118 @@
+package org.phrenic.fit;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.document.CsvTable;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.patient.registration.DiaphragmaticSurface;
+
+/**
+ * Where a part of the body is at the second breath level: a surface, or pairs of points. In the axes of the body, mm.
+ *
+ * @param name what to call it
+ * @param part of the body
+ * @param surface where it is; null for pairs of points
+ * @param from points at end-expiration, x, y, z in turn, that lie on the part or near it; empty for a surface
+ * @param to where they are at the second breath level
+ * @param weight what it counts beside other targets, 0 if it is only reported on
+ */
+public record FitTarget(String name, FitPart part, TriangleMesh surface, double[] from, double[] to, double weight) {
+    private static final String[] FROM = {"x_mm", "y_mm", "z_mm"};
+    private static final String[] TO = {"to_x_mm", "to_y_mm", "to_z_mm"};
+
+    public FitTarget {
+        if (from.length != to.length || from.length % 3 != 0) {
+            throw new IllegalArgumentException(
+                    name + ": found " + from.length + " and " + to.length + " coordinates, expected pairs of points");
+        }
+        if (surface == null == (from.length == 0)) {
+            throw new IllegalArgumentException(name + ": expected a surface or pairs of points");
+        }
+        if (!(weight >= 0)) {
+            throw new IllegalArgumentException(name + ": found weight " + weight + ", expected 0 or more");
+        }
+        from = from.clone();
+        to = to.clone();
+    }
+
+    /** A surface that counts once. */
+    public static FitTarget of(FitPart part, TriangleMesh surface) {
+        return new FitTarget(part.label(), part, surface, new double[0], new double[0], 1);
+    }
+
+    /** Pairs of points that count once. */
+    public static FitTarget ofPointPairs(FitPart part, double[] from, double[] to) {
+        return new FitTarget(part.label() + "_points", part, null, from, to, 1);
+    }
+
+    /** The same with another weight; 0 holds it out: it is reported on and not fitted to. */
+    public FitTarget withWeight(double other) {
+        return new FitTarget(name, part, surface, from, to, other);
+    }
+
+    /**
+     * The targets, and after each lung its base as a target of its own with the same weight, where none is given and
+     * its shape has one: a dome is a small part of a lung's surface, and alone decides how its base lies.
+     */
+    public static List<FitTarget> withBases(List<FitTarget> targets) {
+        List<FitTarget> all = new ArrayList<>();
+        for (FitTarget target : targets) {
+            all.add(target);
+            FitPart base = target.isPointPairs() ? null : target.part().base();
+            if (base != null
+                    && DiaphragmaticSurface.of(target.surface).triangleCount() > 0
+                    && targets.stream().noneMatch(t -> t.part() == base)) {
+                all.add(of(base, target.surface).withWeight(target.weight));
+            }
+        }
+        return all;
+    }
+
+    /** Whether it is pairs of points. */
+    public boolean isPointPairs() {
+        return surface == null;
+    }
+
+    /**
+     * Reads {@code PART=FILE}, or {@code FILE} whose name without its ending is a part. A CSV file holds pairs of
+     * points in columns x_mm, y_mm, z_mm, to_x_mm, to_y_mm, to_z_mm.
+     *
+     * @throws BadInputException with one sentence
+     */
+    public static FitTarget read(String text) {
+        int equals = text.indexOf('=');
+        Path file = Path.of(text.substring(equals + 1));
+        String label = equals > 0
+                ? text.substring(0, equals)
+                : String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+        FitPart part = FitPart.of(label)
+                .orElseThrow(() -> new BadInputException("--target " + text + ": found part '" + label
+                        + "', expected PART=FILE with one of " + FitPart.labels()));
+        if (text.toLowerCase(java.util.Locale.ROOT).endsWith(".csv")) {
+            CsvTable table = CsvTable.read(file);
+            if (table.rowCount() == 0) {
+                throw new BadInputException(file + ": found no row, expected pairs of points");
+            }
+            return ofPointPairs(part, points(table, FROM), points(table, TO));
+        }
+        TriangleMesh mesh = MeshFiles.read(file);
+        if (mesh.triangleCount() == 0) {
+            throw new BadInputException(file + ": found no triangle, expected a surface");
+        }
+        return of(part, mesh);
+    }
+
+    private static double[] points(CsvTable table, String[] columns) {
+        double[] out = new double[3 * table.rowCount()];
+        for (int axis = 0; axis < 3; axis++) {
+            double[] column = table.numbers(columns[axis]);
+            for (int i = 0; i < column.length; i++) {
+                out[3 * i + axis] = column[i];
+            }
+        }
+        return out;
+    }
+}

@@ -1,0 +1,107 @@
+package org.phrenic.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.Decimator;
+import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Where a synthetic patient is at the second breath level, as a scan would show it. What made it is not what is fitted:
+ * the body is meshed otherwise, its central tendon is another one (all above a plane), two rigid links a node, a
+ * sternum that moves as one body, and the breath is taken at a breath's own pace; the surfaces are halved and each
+ * vertex is moved along its normal by noise.
+ *
+ * @param targets the parts that are seen
+ * @param domeRightMm height of the right dome from end-expiration
+ * @param domeLeftMm that of the left
+ * @param floorMm mean distance, both ways by area, of the targets from themselves without noise and not halved: no fit
+ *     can be expected to come nearer
+ */
+public record GroundTruth(List<FitTarget> targets, double domeRightMm, double domeLeftMm, double floorMm) {
+    private static final double STEP_S = 1e-3;
+    private static final long STOP_STEP = 2150;
+    private static final long STEPS = 3200;
+
+    /**
+     * Breathes, and shows both lungs.
+     *
+     * @param resolution of the truth
+     * @param noiseMm standard deviation of the noise
+     * @param seed of the noise
+     */
+    public static GroundTruth of(SyntheticPatient patient, Resolution resolution, double noiseMm, long seed) {
+        return of(patient, resolution, List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT), noiseMm, seed);
+    }
+
+    /** Breathes, and shows these parts; parameters as for the other. */
+    static GroundTruth of(
+            SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
+        List<String> settings = new ArrayList<>(List.of(
+                "preset=deep",
+                "time_step_s=" + STEP_S,
+                "rate_per_min=12",
+                "inspiratory_fraction=0.45",
+                "tendon=plane",
+                "links_per_node=2",
+                "sternum=kinematic",
+                "threads=1",
+                "anatomy=" + patient.anatomy(),
+                "resolution=" + resolution.name().toLowerCase(java.util.Locale.ROOT)));
+        settings.addAll(patient.hidden());
+        Scenario scenario = Scenario.defaults()
+                .with(settings.toArray(String[]::new))
+                .withChanges(List.of(ScheduledChange.parse(STOP_STEP + ":hold=true")));
+        try (Simulation simulation = Simulation.of(scenario, patient.body(resolution))) {
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            while (simulation.steps() < STEPS) {
+                simulation.step();
+            }
+            return seen(surfaces, parts, noiseMm, new Random(seed));
+        }
+    }
+
+    private static GroundTruth seen(SceneSurfaces surfaces, List<FitPart> parts, double noiseMm, Random random) {
+        List<FitTarget> targets = new ArrayList<>();
+        double floor = 0;
+        for (FitPart part : parts) {
+            List<Surface> all = surfaces.surfaces();
+            for (int i = 0; i < all.size(); i++) {
+                if (part.matches(all.get(i))) {
+                    TriangleMesh exact = surfaces.mesh(i);
+                    TriangleMesh seen =
+                            noisy(Decimator.toVertexCount(exact, exact.vertexCount() / 2, noiseMm), noiseMm, random);
+                    targets.add(FitTarget.of(part, seen));
+                    floor += SurfaceComparison.of(exact, seen).byArea().mean() / parts.size();
+                }
+            }
+        }
+        double[] observed = surfaces.observe();
+        return new GroundTruth(
+                targets,
+                observed[Observation.COLUMNS.indexOf("dome_right_mm")],
+                observed[Observation.COLUMNS.indexOf("dome_left_mm")],
+                floor);
+    }
+
+    private static TriangleMesh noisy(TriangleMesh mesh, double noiseMm, Random random) {
+        double[] p = mesh.positions().clone();
+        double[] normals = MeshMeasure.vertexNormals(mesh);
+        for (int i = 0; i < p.length; i += 3) {
+            double by = noiseMm * random.nextGaussian();
+            for (int axis = 0; axis < 3; axis++) {
+                p[i + axis] += by * normals[i + axis];
+            }
+        }
+        return mesh.withPositions(p);
+    }
+}

@@ -1,0 +1,242 @@
+package org.phrenic.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntFunction;
+import org.phrenic.file.BadInputException;
+import org.phrenic.fit.search.DistanceGradient;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.patient.registration.DiaphragmaticSurface;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by
+ * area. Of a lung's base only the vertices of its {@link DiaphragmaticSurface} count on either side, but their nearest
+ * points may lie anywhere, so that where the base ends does not matter.
+ *
+ * <p>Used by one thread.
+ */
+final class TargetDistance {
+    private final FitTarget target;
+    private final List<Integer> surfaces = new ArrayList<>();
+    private final TriangleMesh rest;
+    private final SurfaceDistance fromModel;
+    private final SurfaceDistance fromTarget;
+    private final boolean[] modelBase;
+    private final boolean[] targetBase;
+    private final double[] targetAreas;
+    private final Anchors anchors;
+
+    /**
+     * @param scene of the body
+     * @throws BadInputException if the body has no such part
+     */
+    TargetDistance(FitTarget target, SceneSurfaces scene) {
+        this.target = target;
+        List<Surface> all = scene.surfaces();
+        for (int i = 0; i < all.size(); i++) {
+            if (target.part().matches(all.get(i)) && all.get(i).motion() != Surface.Motion.STILL) {
+                surfaces.add(i);
+            }
+        }
+        if (surfaces.isEmpty()) {
+            throw new BadInputException("target " + target.name() + ": found no "
+                    + target.part().label() + " that moves in the body, expected a part that it has");
+        }
+        rest = joined(i -> all.get(i).rest());
+        if (target.isPointPairs()) {
+            anchors = new Anchors(rest, target.from());
+            fromModel = null;
+            fromTarget = null;
+            modelBase = null;
+            targetBase = null;
+            targetAreas = new double[0];
+        } else {
+            anchors = null;
+            fromModel = new SurfaceDistance(rest);
+            fromTarget = new SurfaceDistance(target.surface());
+            modelBase = target.part().isBase() ? base(rest, "the body's lung") : null;
+            targetBase = target.part().isBase() ? base(target.surface(), "its surface") : null;
+            targetAreas = MeshMeasure.vertexAreas(target.surface());
+        }
+    }
+
+    private boolean[] base(TriangleMesh lung, String whose) {
+        boolean[] base = DiaphragmaticSurface.vertexMask(lung);
+        for (boolean corner : base) {
+            if (corner) {
+                return base;
+            }
+        }
+        throw new BadInputException("target " + target.name() + ": found nothing that looks down in " + whose
+                + ", expected a whole lung with a base");
+    }
+
+    FitTarget target() {
+        return target;
+    }
+
+    /** The part at rest. */
+    FitDistances atRest(FitHalf half) {
+        return of(rest, half);
+    }
+
+    /** The part as the body stands. */
+    FitDistances of(InspiratoryHold breath, FitHalf half) {
+        return of(joined(breath::mesh), half);
+    }
+
+    /**
+     * Mean of the distances with the part's vertices at these places: what {@link FitDistances#mean} says, without
+     * distances that do not count.
+     */
+    double mean(double[] positions, FitHalf half) {
+        TriangleMesh model = rest.withPositions(positions);
+        if (anchors != null) {
+            return of(model, half).mean();
+        }
+        fromModel.refit(positions);
+        double[] weights = weights(MeshMeasure.vertexAreas(model), modelBase, rest, half);
+        double[] targetWeights = weights(targetAreas, targetBase, target.surface(), half);
+        double sum = counted(fromTarget, model, weights) + counted(fromModel, target.surface(), targetWeights);
+        double total =
+                Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
+        return total > 0 ? sum / total : 0;
+    }
+
+    private static double counted(SurfaceDistance from, TriangleMesh of, double[] weights) {
+        double sum = 0;
+        for (int v = 0; v < weights.length; v++) {
+            if (weights[v] > 0) {
+                sum += weights[v] * from.unsignedDistance(of.x(v), of.y(v), of.z(v));
+            }
+        }
+        return sum;
+    }
+
+    /** Places of the part's vertices as the body stands. */
+    double[] positions(InspiratoryHold breath) {
+        return joined(breath::mesh).positions();
+    }
+
+    /** How many numbers {@link #positions} has. */
+    int length() {
+        return rest.positions().length;
+    }
+
+    /** Whether another looks at the same surfaces of the body. */
+    boolean sharesSurfaces(TargetDistance other) {
+        return surfaces.equals(other.surfaces);
+    }
+
+    /** How the mean distance changes as the part moves; not of pairs of points. */
+    DistanceGradient gradient(FitHalf half) {
+        double[] all = new double[rest.vertexCount()];
+        Arrays.fill(all, 1);
+        return new DistanceGradient(
+                rest,
+                weights(all, modelBase, rest, half),
+                target.surface(),
+                weights(targetAreas, targetBase, target.surface(), half));
+    }
+
+    private FitDistances of(TriangleMesh model, FitHalf half) {
+        if (anchors != null) {
+            double[] distances = anchors.distances(model, target.to());
+            double[] weights = new double[distances.length];
+            for (int i = 0; i < weights.length; i++) {
+                weights[i] = half.contains(target.to()[3 * i], target.to()[3 * i + 1]) ? 1 : 0;
+            }
+            return new FitDistances(null, distances, weights, new double[0], new double[0]);
+        }
+        fromModel.refit(model.positions());
+        double[] areas = MeshMeasure.vertexAreas(model);
+        return new FitDistances(
+                model,
+                fromTarget.unsignedDistance(model.positions()),
+                weights(areas, modelBase, rest, half),
+                fromModel.unsignedDistance(target.surface().positions()),
+                weights(targetAreas, targetBase, target.surface(), half));
+    }
+
+    private static double[] weights(double[] areas, boolean[] base, TriangleMesh place, FitHalf half) {
+        double[] weights = areas.clone();
+        for (int v = 0; v < weights.length; v++) {
+            if ((base != null && !base[v]) || !half.contains(place.x(v), place.y(v))) {
+                weights[v] = 0;
+            }
+        }
+        return weights;
+    }
+
+    /** The surfaces of the part as one mesh. */
+    private TriangleMesh joined(IntFunction<TriangleMesh> meshes) {
+        List<TriangleMesh> parts = surfaces.stream().map(meshes::apply).toList();
+        if (parts.size() == 1) {
+            return parts.get(0);
+        }
+        int vertices = parts.stream().mapToInt(TriangleMesh::vertexCount).sum();
+        int corners = parts.stream().mapToInt(m -> m.triangles().length).sum();
+        double[] positions = new double[3 * vertices];
+        int[] triangles = new int[corners];
+        int vertex = 0;
+        int corner = 0;
+        for (TriangleMesh part : parts) {
+            System.arraycopy(part.positions(), 0, positions, 3 * vertex, part.positions().length);
+            for (int v : part.triangles()) {
+                triangles[corner++] = vertex + v;
+            }
+            vertex += part.vertexCount();
+        }
+        return new TriangleMesh(positions, triangles);
+    }
+
+    /** Points that go with the nearest places of a surface, each keeping its offset from there. */
+    private static final class Anchors {
+        private final int[] corners;
+        private final double[] weights;
+        private final double[] offsets;
+
+        Anchors(TriangleMesh rest, double[] points) {
+            TriangleTree tree = new TriangleTree(rest);
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            corners = new int[points.length];
+            weights = new double[points.length];
+            offsets = new double[points.length];
+            for (int i = 0; i < points.length; i += 3) {
+                tree.closest(points[i], points[i + 1], points[i + 2], hit);
+                for (int c = 0; c < 3; c++) {
+                    corners[i + c] = rest.triangles()[3 * hit.triangle + c];
+                }
+                weights[i] = hit.weightA;
+                weights[i + 1] = hit.weightB;
+                weights[i + 2] = hit.weightC;
+                offsets[i] = points[i] - hit.x;
+                offsets[i + 1] = points[i + 1] - hit.y;
+                offsets[i + 2] = points[i + 2] - hit.z;
+            }
+        }
+
+        double[] distances(TriangleMesh model, double[] to) {
+            double[] p = model.positions();
+            double[] out = new double[to.length / 3];
+            for (int i = 0; i < to.length; i += 3) {
+                double squares = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    double at = offsets[i + axis];
+                    for (int c = 0; c < 3; c++) {
+                        at += weights[i + c] * p[3 * corners[i + c] + axis];
+                    }
+                    squares += (at - to[i + axis]) * (at - to[i + axis]);
+                }
+                out[i / 3] = Math.sqrt(squares);
+            }
+            return out;
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** A segmented scan becomes a body. */
+package org.phrenic.patient;

@@ -1,0 +1,100 @@
+package org.phrenic.patient.registration;
+
+import org.phrenic.engine.kinematics.RigidMotion;
+
+/** x' = A x + t: found by least squares from pairs of points, a turn with one scale, or a stretch along each axis. */
+final class AffineTransform3D implements PointTransform {
+    /** Three rows of four numbers. */
+    private final double[] m;
+
+    AffineTransform3D(double[] rows) {
+        m = rows.clone();
+    }
+
+    /** Moves the middle of one box to that of another and scales each axis by their sizes. */
+    static AffineTransform3D betweenBoxes(double[] from, double[] to) {
+        double[] rows = new double[12];
+        for (int k = 0; k < 3; k++) {
+            double scale = (to[3 + k] - to[k]) / (from[3 + k] - from[k]);
+            rows[5 * k] = scale;
+            rows[4 * k + 3] = (to[k] + to[3 + k]) / 2 - scale * (from[k] + from[3 + k]) / 2;
+        }
+        return new AffineTransform3D(rows);
+    }
+
+    /**
+     * The similarity nearest to the pairs: rotation of {@link RigidMotion#fit}, scale after Umeyama 1991 (doi
+     * 10.1109/34.88573).
+     */
+    static AffineTransform3D similarity(double[] from, double[] to) {
+        RigidMotion turn = RigidMotion.fit(from, to);
+        double[] p = centroid(from);
+        double[] q = centroid(to);
+        double along = 0;
+        double square = 0;
+        for (int i = 0; i < from.length; i += 3) {
+            for (int row = 0; row < 3; row++) {
+                double turned = 0;
+                for (int k = 0; k < 3; k++) {
+                    turned += turn.rotation(row, k) * (from[i + k] - p[k]);
+                }
+                along += turned * (to[i + row] - q[row]);
+                square += turned * turned;
+            }
+        }
+        double scale = along / square;
+        double[] rows = new double[12];
+        for (int row = 0; row < 3; row++) {
+            rows[4 * row + 3] = q[row];
+            for (int k = 0; k < 3; k++) {
+                rows[4 * row + k] = scale * turn.rotation(row, k);
+                rows[4 * row + 3] -= rows[4 * row + k] * p[k];
+            }
+        }
+        return new AffineTransform3D(rows);
+    }
+
+    /**
+     * The stretch across and from front to back, with a shift, nearest to the pairs: x' = diag(s1, s2, 1) x + t. The
+     * height stays, for points that lie nearest say little of it along a wall; and a freer map would shear: lungs
+     * hardly tell the slope of ribs from the slant of their own fronts.
+     */
+    static AffineTransform3D horizontalScaling(double[] from, double[] to) {
+        double[] p = centroid(from);
+        double[] q = centroid(to);
+        double[] along = new double[3];
+        double[] square = new double[3];
+        for (int i = 0; i < from.length; i++) {
+            int k = i % 3;
+            along[k] += (from[i] - p[k]) * (to[i] - q[k]);
+            square[k] += (from[i] - p[k]) * (from[i] - p[k]);
+        }
+        double[] rows = new double[12];
+        for (int k = 0; k < 3; k++) {
+            double scale = k < 2 && square[k] > 0 ? along[k] / square[k] : 1;
+            rows[5 * k] = scale;
+            rows[4 * k + 3] = q[k] - scale * p[k];
+        }
+        return new AffineTransform3D(rows);
+    }
+
+    private static double[] centroid(double[] points) {
+        double[] c = new double[3];
+        for (int i = 0; i < points.length; i++) {
+            c[i % 3] += points[i] * 3 / points.length;
+        }
+        return c;
+    }
+
+    @Override
+    public void apply(double[] points) {
+        for (int i = 0; i < points.length; i += 3) {
+            double x = points[i];
+            double y = points[i + 1];
+            double z = points[i + 2];
+            for (int row = 0; row < 3; row++) {
+                points[i + row] = m[4 * row] * x + m[4 * row + 1] * y + m[4 * row + 2] * z + m[4 * row + 3];
+            }
+        }
+    }
+}

@@ -1,0 +1,165 @@
+package org.phrenic.patient.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.patient.PatientStructure;
+
+/**
+ * A structure that scan and template both have, or a part of one: pairs of points on the two that lie nearest to each
+ * other.
+ */
+final class SurfacePair {
+    /** Points taken of each surface. */
+    private static final int POINTS = 500;
+    /** What lies so near to the end of the scan is no surface of the body but the cut, mm. */
+    private static final double CUT_MM = 8;
+
+    private final StructureKind kind;
+    private final TriangleMesh scan;
+    private final TriangleTree scanTree;
+    private final boolean guidesBones;
+    private final boolean whole;
+    private final boolean[] atCut;
+    private final boolean[] atScanBorder;
+    private final boolean[] atTemplateBorder;
+    private TriangleMesh template;
+    private final TriangleTree templateTree;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    /**
+     * A part of an organ and the same part of the template.
+     *
+     * @param scan all of the organ's surface, or a part of it
+     * @param guidesBones whether bones lie by it; a lung's base says nothing of them, as it goes up and down without
+     *     them
+     */
+    SurfacePair(PatientStructure organ, TriangleMesh scan, TriangleMesh template, boolean guidesBones) {
+        kind = organ.structure().kind();
+        this.scan = scan;
+        this.guidesBones = guidesBones;
+        scanTree = new TriangleTree(scan);
+        whole = organ.scan().map(PatientStructure.Scan::isComplete).orElse(true);
+        atCut = atCut(organ, scan);
+        this.template = template;
+        templateTree = new TriangleTree(template);
+        atScanBorder = atBorder(scan, guidesBones);
+        atTemplateBorder = atBorder(template, guidesBones);
+    }
+
+    /**
+     * Which triangles lie at the border of an open surface: what is nearest to them lies beyond, and belongs to nothing
+     * of it. Lungs end at their base where breath has left it, not where bones do.
+     */
+    private static boolean[] atBorder(TriangleMesh mesh, boolean counts) {
+        boolean[] at = new boolean[mesh.triangleCount()];
+        if (counts) {
+            boolean[] border = new boolean[mesh.vertexCount()];
+            for (int[] loop : new MeshTopology(mesh).boundaryLoops()) {
+                for (int v : loop) {
+                    border[v] = true;
+                }
+            }
+            for (int i = 0; i < mesh.triangles().length; i++) {
+                at[i / 3] |= border[mesh.triangles()[i]];
+            }
+        }
+        return at;
+    }
+
+    /** Which vertices lie at the end of the scan. */
+    private static boolean[] atCut(PatientStructure organ, TriangleMesh part) {
+        String cutAt = organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
+        boolean[] atCut = new boolean[part.vertexCount()];
+        double[] box = organ.structure().mesh().bounds();
+        for (int v = 0; v < atCut.length; v++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double x = part.positions()[3 * v + axis];
+                boolean high = cutAt.indexOf("LPS".charAt(axis)) >= 0 && x > box[3 + axis] - CUT_MM;
+                boolean low = cutAt.indexOf("RAI".charAt(axis)) >= 0 && x < box[axis] + CUT_MM;
+                atCut[v] |= high || low;
+            }
+        }
+        return atCut;
+    }
+
+    StructureKind kind() {
+        return kind;
+    }
+
+    boolean guidesBones() {
+        return guidesBones;
+    }
+
+    boolean isComplete() {
+        return whole;
+    }
+
+    TriangleMesh scan() {
+        return scan;
+    }
+
+    TriangleMesh template() {
+        return template;
+    }
+
+    void transformTemplate(PointTransform map) {
+        double[] p = template.positions().clone();
+        map.apply(p);
+        template = template.withPositions(p);
+        templateTree.refit(p);
+    }
+
+    /**
+     * Points of the template and where on the scan they belong.
+     *
+     * @param from x y z each
+     * @param to x y z each, in the same order
+     */
+    record Correspondences(List<double[]> from, List<double[]> to) {}
+
+    /**
+     * Points of the template and where on the scan they belong. Of a scan that is cut off, only its own points are
+     * asked: the template's may have nothing to belong to.
+     */
+    Correspondences correspondences() {
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
+        double[] s = scan.positions();
+        int step = Math.max(1, scan.vertexCount() / POINTS);
+        for (int v = 0; v < scan.vertexCount(); v += step) {
+            if (!atCut[v]
+                    && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)
+                    && !atTemplateBorder[hit.triangle]) {
+                from.add(new double[] {hit.x, hit.y, hit.z});
+                to.add(new double[] {s[3 * v], s[3 * v + 1], s[3 * v + 2]});
+            }
+        }
+        double[] t = template.positions();
+        step = Math.max(1, template.vertexCount() / POINTS);
+        for (int v = 0; whole && v < template.vertexCount(); v += step) {
+            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {
+                from.add(new double[] {t[3 * v], t[3 * v + 1], t[3 * v + 2]});
+                to.add(new double[] {hit.x, hit.y, hit.z});
+            }
+        }
+        return new Correspondences(from, to);
+    }
+
+    /** How far a template lies from the vertices of an organ in the scan, by area, without the cut. */
+    static DistanceSummary distanceToScan(PatientStructure organ, TriangleMesh template) {
+        TriangleMesh scan = organ.structure().mesh();
+        boolean[] atCut = atCut(organ, scan);
+        double[] weights = MeshMeasure.vertexAreas(scan);
+        for (int v = 0; v < weights.length; v++) {
+            weights[v] = atCut[v] ? 0 : weights[v];
+        }
+        return DistanceSummary.of(new SurfaceDistance(template).unsignedDistance(scan.positions()), weights);
+    }
+}

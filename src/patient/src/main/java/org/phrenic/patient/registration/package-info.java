@@ -1,0 +1,2 @@
+/** Alignment of scans and the warp of a template body to them. */
+package org.phrenic.patient.registration;

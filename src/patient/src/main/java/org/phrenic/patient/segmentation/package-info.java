@@ -1,0 +1,2 @@
+/** Label maps, mending of labels and the meshes made of them. */
+package org.phrenic.patient.segmentation;

@@ -1,0 +1,154 @@
+package org.phrenic.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.offset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.BadInputException;
+import org.phrenic.fit.search.FitParameter;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.Scenario;
+
+/**
+ * A short form of a fit to a known breath: the sheet alone, three parameters, one generation. {@code phrenic fit
+ * --synthetic 5} is the long one.
+ */
+class FitTest {
+    private static final String[] SHEET_ALONE = {
+        "preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
+    };
+
+    private static Scenario base;
+    private static Thorax body;
+    private static GroundTruth truth;
+
+    @TempDir
+    Path folder;
+
+    @BeforeAll
+    static void breathe() {
+        SyntheticPatient patient = new SyntheticPatient(
+                "test",
+                "virtual/adult-male",
+                1,
+                1.05,
+                1,
+                -0.05,
+                List.of(
+                        "muscle_activation=0.4",
+                        "left_over_right=0.9",
+                        "rib_rotation=0.6",
+                        "lungs=off",
+                        "liver=false"));
+        truth = GroundTruth.of(patient, Resolution.MEDIUM, List.of(FitPart.DIAPHRAGM), 1, 1);
+        base = Scenario.defaults().with(SHEET_ALONE);
+        body = patient.body(Resolution.LOW);
+    }
+
+    private static FitSetup setup(int evaluations, int threads) {
+        List<FitParameter> parameters = List.of(
+                FitParameter.of(Parameter.MUSCLE_ACTIVATION, base),
+                FitParameter.of(Parameter.LEFT_OVER_RIGHT, base),
+                FitParameter.of(Parameter.RIB_ROTATION, base));
+        return new FitSetup(
+                base,
+                body,
+                truth.targets(),
+                parameters,
+                false,
+                "none",
+                1,
+                6,
+                FitSetup.SIGMA,
+                threads,
+                evaluations,
+                Double.POSITIVE_INFINITY,
+                false);
+    }
+
+    @Test
+    void findsTheBreathAndTheScenarioDoesItAgain() throws IOException {
+        Path journal = folder.resolve("journal.csv");
+        FitResult result = Fit.run(setup(8, 2), journal, (count, most, best, initial) -> {});
+        assertThat(result.reproduced()).isTrue();
+        assertThat(result.ratio()).isLessThan(0.35);
+        assertThat(result.trials()).hasSize(8);
+        assertThat(result.bestMm()).isLessThan(result.trials()[0]);
+
+        // Killed while the last evaluations were written.
+        String whole = Files.readString(journal);
+        Files.writeString(journal, whole.substring(0, whole.length() - 150));
+        Path shapes = folder.resolve("journal.shapes");
+        byte[] bytes = Files.readAllBytes(shapes);
+        Files.write(shapes, Arrays.copyOf(bytes, bytes.length - 99));
+        FitResult again = Fit.run(setup(8, 1), journal, (count, most, best, initial) -> {});
+        assertThat(again.values()).containsExactly(result.values());
+        assertThat(again.trials()).containsExactly(result.trials());
+        assertThat(Files.readString(journal).lines().sorted().toList())
+                .isEqualTo(whole.lines().sorted().toList());
+        assertThat(shapes).hasSize(bytes.length);
+    }
+
+    @Test
+    void distancesAreThoseOfACompareAndPairsGoWithTheSurface() {
+        FitTarget target = truth.targets().get(0);
+        try (InspiratoryHold breath =
+                new InspiratoryHold(base, body, setup(1, 1).parameters())) {
+            int sheet = 0;
+            while (!FitPart.DIAPHRAGM.matches(breath.surfaces().surfaces().get(sheet))) {
+                sheet++;
+            }
+            TriangleMesh rest = breath.surfaces().surfaces().get(sheet).rest();
+            TargetDistance distance = new TargetDistance(target, breath.surfaces());
+            DistanceSummary compared =
+                    SurfaceComparison.of(rest, target.surface()).byArea();
+            assertThat(distance.atRest(FitHalf.ALL).mean()).isCloseTo(compared.mean(), offset(1e-9));
+            assertThat(distance.mean(rest.positions(), FitHalf.FITTED))
+                    .isCloseTo(distance.atRest(FitHalf.FITTED).mean(), offset(1e-9));
+            assertThat(distance.atRest(FitHalf.ALL).summary().percentile95())
+                    .isCloseTo(compared.percentile95(), offset(1e-9));
+            assertThat(weight(distance, FitHalf.FITTED) + weight(distance, FitHalf.HELD_OUT))
+                    .isCloseTo(weight(distance, FitHalf.ALL), offset(1e-6));
+
+            breath.breatheIn(new double[] {0.3, 1, 0.5});
+            double[] from = Arrays.copyOf(rest.positions(), 300);
+            double[] to = Arrays.copyOf(breath.mesh(sheet).positions(), 300);
+            // Off the surface, a point keeps its way from it.
+            from[0] += 0.5;
+            to[0] += 0.5;
+            TargetDistance pairs =
+                    new TargetDistance(FitTarget.ofPointPairs(FitPart.DIAPHRAGM, from, to), breath.surfaces());
+            assertThat(pairs.atRest(FitHalf.ALL).mean()).isGreaterThan(0.1);
+            assertThat(pairs.of(breath, FitHalf.ALL).mean()).isCloseTo(0, offset(0.02));
+        }
+    }
+
+    private static double weight(TargetDistance distance, FitHalf half) {
+        FitDistances d = distance.atRest(half);
+        return Arrays.stream(d.modelWeights()).sum()
+                + Arrays.stream(d.targetWeights()).sum();
+    }
+
+    @Test
+    void refusesATargetThatTheBodyDoesNotHave() {
+        FitTarget liver = FitTarget.of(FitPart.LUNGS, truth.targets().get(0).surface());
+        FitSetup wrong = FitSetup.of(base, body, List.of(liver), setup(1, 1).parameters(), 1);
+        assertThatThrownBy(() -> Fit.run(wrong, folder.resolve("journal.csv"), (count, most, best, initial) -> {}))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found no lungs that moves in the body");
+        assertThat(folder.resolve("journal.csv")).doesNotExist();
+    }
+}

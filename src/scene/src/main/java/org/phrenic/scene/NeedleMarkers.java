@@ -1,0 +1,153 @@
+package org.phrenic.scene;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.PathAdvice;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.gl.Renderer;
+import org.phrenic.scene.style.Appearance;
+import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.scene.surface.Markers;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * What a rehearsal adds to a scene: target, needle, and the way that it is to go, coloured as it may be gone. Drawn
+ * thicker than they are, so that they are seen.
+ *
+ * @param state how the rehearsal stands
+ * @param level how the way is marked
+ */
+public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
+    private static final String NEEDLE = Markers.PREFIX + "needle";
+    private static final String HUB = Markers.PREFIX + "hub";
+    private static final String TARGET = Markers.PREFIX + "target";
+    private static final String PATH = Markers.PREFIX + "way_";
+    private static final String ENTRY = Markers.PREFIX + "entry_";
+    private static final Color TARGET_LINE = new Color(0xb38f00);
+    private static final Color NEEDLE_LINE = new Color(0x1f4e79);
+    private static final double NEEDLE_MM = 1.2;
+    private static final double HUB_MM = 2.6;
+    private static final double HUB_LENGTH_MM = 18;
+    private static final double PATH_MM = 0.9;
+    private static final double ENTRY_MM = 3;
+
+    /** Surfaces to be added to those of a body. */
+    public static List<Surface> surfaces() {
+        List<Surface> all = new ArrayList<>();
+        all.add(Markers.movingRod(NEEDLE));
+        all.add(Markers.movingRod(HUB));
+        all.add(Markers.movingBall(TARGET));
+        for (PathAdvice.Level level : PathAdvice.Level.values()) {
+            all.add(Markers.movingRod(PATH + level));
+            all.add(Markers.movingBall(ENTRY + level));
+        }
+        return all;
+    }
+
+    /** Puts the marks where they are, and gives the style in which they are seen. */
+    public static SceneStyle apply(Optional<NeedleMarkers> marks, Renderer renderer, SceneStyle style) {
+        if (marks.isEmpty()) {
+            return style;
+        }
+        NeedleState state = marks.get().state();
+        Map<String, Appearance> looks = new LinkedHashMap<>(style.appearances());
+        renderer.setPose(TARGET, Markers.ballPose(state.target(), state.targetRadiusMm()));
+        looks.put(TARGET, NeedlePictures.TARGET_APPEARANCE);
+        if (state.entry().isPresent()) {
+            double[] entry = state.entry().get();
+            PathAdvice.Level level = marks.get().level();
+            double[] end = pointAlong(entry, state.tip(), state.hub(), state.aimedDepthMm());
+            renderer.setPose(PATH + level, Markers.rodPose(entry, end, PATH_MM));
+            renderer.setPose(ENTRY + level, Markers.ballPose(entry, ENTRY_MM));
+            looks.put(PATH + level, appearance(level));
+            looks.put(ENTRY + level, appearance(level));
+            if (state.placed()) {
+                double[] hub = state.hub();
+                renderer.setPose(NEEDLE, Markers.rodPose(hub, state.tip(), NEEDLE_MM));
+                renderer.setPose(HUB, Markers.rodPose(hub, pointAlong(hub, state.tip(), hub, -HUB_LENGTH_MM), HUB_MM));
+                looks.put(NEEDLE, NeedlePictures.NEEDLE_APPEARANCE);
+                looks.put(HUB, NeedlePictures.NEEDLE_APPEARANCE);
+            }
+        }
+        return style.withAppearances(looks);
+    }
+
+    /**
+     * Draws outlines of target, way and needle over a picture, so that they are seen through whatever lies before them.
+     *
+     * @param width of the picture, in pixels of {@code graphics}
+     * @param height as above
+     */
+    public void drawOutlines(Graphics2D graphics, Camera camera, int width, int height) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        double[] at = new double[2];
+        double[] target = state.target();
+        if (camera.project(target[0], target[1], target[2], width, height, at)) {
+            double r = state.targetRadiusMm() / camera.mmPerPixel(height);
+            line(g, new Ellipse2D.Double(at[0] - r, at[1] - r, 2 * r, 2 * r), TARGET_LINE, 2, false);
+        }
+        if (state.entry().isPresent()) {
+            double[] entry = state.entry().get();
+            double[] end = pointAlong(entry, state.tip(), state.hub(), state.aimedDepthMm());
+            segment(camera, entry, end, width, height).ifPresent(s -> line(g, s, new Color(rgb(level)), 2, true));
+            if (state.placed()) {
+                segment(camera, state.hub(), state.tip(), width, height)
+                        .ifPresent(s -> line(g, s, NEEDLE_LINE, 2.5f, false));
+            }
+        }
+        g.dispose();
+    }
+
+    private static Optional<Line2D> segment(Camera camera, double[] a, double[] b, int width, int height) {
+        double[] from = new double[2];
+        double[] to = new double[2];
+        boolean seen = camera.project(a[0], a[1], a[2], width, height, from)
+                && camera.project(b[0], b[1], b[2], width, height, to);
+        return seen ? Optional.of(new Line2D.Double(from[0], from[1], to[0], to[1])) : Optional.empty();
+    }
+
+    private static void line(Graphics2D g, Shape shape, Color colour, float width, boolean dashed) {
+        float[] dashes = dashed ? new float[] {7, 5} : null;
+        g.setColor(new Color(255, 255, 255, 150));
+        g.setStroke(new BasicStroke(width + 2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
+        g.draw(shape);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
+        g.draw(shape);
+    }
+
+    private static double[] pointAlong(double[] from, double[] tip, double[] hub, double mm) {
+        double[] along = Vectors.normalize(Vectors.subtract(tip, hub));
+        return Vectors.addScaled(from, along, mm);
+    }
+
+    private static Appearance appearance(PathAdvice.Level level) {
+        return Appearance.of(
+                switch (level) {
+                    case FREE -> 0x0f8a7c;
+                    case CAREFUL -> 0xe08a12;
+                    case BARRED -> 0xc8321f;
+                },
+                1);
+    }
+
+    /** Colour of a mark as {@code 0xRRGGBB}. */
+    public static int rgb(PathAdvice.Level level) {
+        float[] c = appearance(level).rgb();
+        return Math.round(255 * c[0]) << 16 | Math.round(255 * c[1]) << 8 | Math.round(255 * c[2]);
+    }
+}

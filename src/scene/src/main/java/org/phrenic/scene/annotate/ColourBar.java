@@ -1,0 +1,118 @@
+package org.phrenic.scene.annotate;
+
+import java.awt.Color;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.scene.style.ColourScale;
+
+/** The colours of a scale as an upright bar with its range, round values between, name and unit. */
+final class ColourBar {
+    private static final double WIDTH = 14;
+    private static final double TEXT_SIZE = 11;
+    private static final double GAP = 5;
+    private static final int MAX_TICKS = 5;
+    /** Room between two numbers, in their heights. */
+    private static final double MIN_TICK_SPACING = 1.9;
+
+    private ColourBar() {}
+
+    /**
+     * Draws it.
+     *
+     * @param right edge that its numbers reach, pixels
+     * @param top edge of the name above it, pixels
+     * @param bottom edge of the bar, pixels
+     */
+    static void draw(HaloGraphics ink, String name, ColourScale scale, double right, double top, double bottom) {
+        List<Double> values = tickValues(scale);
+        String pattern = numberPattern(values);
+        double textHeight = ink.measure("0", TEXT_SIZE, false).getHeight();
+        double numbers = values.stream()
+                .mapToDouble(
+                        v -> ink.measure(text(pattern, v), TEXT_SIZE, false).getWidth())
+                .max()
+                .orElseThrow();
+        double left = right - numbers - ink.toPixels(GAP) - ink.toPixels(WIDTH);
+        double barTop = top + textHeight + ink.toPixels(2 * GAP);
+        String title = scale.unit().isEmpty() ? name : name + ", " + scale.unit();
+        double size = ink.fittingSize(title, TEXT_SIZE, right - ink.toPixels(GAP));
+        ink.drawText(ink.ellipsized(title, size, right - ink.toPixels(GAP)), right, top + textHeight, 1, size, false);
+        Rectangle2D bar = new Rectangle2D.Double(left, barTop, ink.toPixels(WIDTH), bottom - barTop);
+        ink.fillShape(bar, ink.toPixels(3));
+        int rows = (int) Math.ceil(bar.getHeight());
+        for (int i = 0; i < rows; i++) {
+            ink.graphics().setColor(new Color(scale.map().rgb(1 - (i + 0.5) / rows)));
+            ink.graphics()
+                    .fill(new Rectangle2D.Double(left, barTop + i, bar.getWidth(), Math.min(1, bottom - barTop - i)));
+        }
+        double free = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < values.size(); i++) {
+            double y = bottom - scale.fraction(values.get(i)) * bar.getHeight();
+            boolean end = i == 0 || i == values.size() - 1;
+            double lowEnd = bottom - y;
+            double highEnd = y - barTop;
+            if (!end && Math.min(lowEnd, highEnd) < MIN_TICK_SPACING * textHeight) {
+                continue;
+            }
+            if (!end && Math.abs(y - free) < MIN_TICK_SPACING * textHeight) {
+                continue;
+            }
+            free = end ? free : y;
+            ink.drawText(text(pattern, values.get(i)), right, y + textHeight / 2, 1, TEXT_SIZE, false);
+            ink.graphics().setColor(ink.foreground());
+            ink.graphics().setStroke(new java.awt.BasicStroke((float) Math.max(1, ink.toPixels(1))));
+            ink.graphics()
+                    .draw(new Line2D.Double(left + bar.getWidth(), y, left + bar.getWidth() + ink.toPixels(3), y));
+        }
+    }
+
+    /** Both ends of the range and the round values within. */
+    static List<Double> tickValues(ColourScale scale) {
+        double step = tickStep(scale.max() - scale.min());
+        List<Double> values = new ArrayList<>();
+        values.add(scale.min());
+        for (double i = Math.ceil(scale.min() / step); i * step < scale.max(); i++) {
+            if (i * step > scale.min()) {
+                // 0.0 and not -0.0.
+                values.add(i * step + 0.0);
+            }
+        }
+        values.add(scale.max());
+        return values;
+    }
+
+    /** 1, 2 or 5 times a power of ten, so that a range has at most five of them. */
+    private static double tickStep(double range) {
+        double power = Math.pow(10, Math.floor(Math.log10(range / MAX_TICKS)));
+        for (double times : new double[] {1, 2, 5}) {
+            if (range / (times * power) <= MAX_TICKS) {
+                return times * power;
+            }
+        }
+        return 10 * power;
+    }
+
+    /** As many decimals as it takes to tell all values. */
+    private static String numberPattern(List<Double> values) {
+        double largest = values.stream().mapToDouble(Math::abs).max().orElse(1);
+        if (largest >= 1e6 || largest < 1e-4) {
+            return "%.2e";
+        }
+        for (int decimals = 0; decimals < 6; decimals++) {
+            double scale = Math.pow(10, decimals);
+            if (values.stream()
+                    .allMatch(v -> Math.abs(v * scale - Math.rint(v * scale)) < 1e-3 * scale * largest / 100)) {
+                return "%." + decimals + "f";
+            }
+        }
+        return "%.3g";
+    }
+
+    private static String text(String pattern, double value) {
+        String text = String.format(Locale.ROOT, pattern, value);
+        return text.startsWith("-") ? "\u2212" + text.substring(1) : text;
+    }
+}

@@ -1,0 +1,53 @@
+package org.phrenic.scene.annotate;
+
+import java.awt.geom.Path2D;
+
+/** A bar of a round length in millimetres, for parallel projection, where a length is the same everywhere. */
+final class Ruler {
+    private static final double[] ROUND_LENGTHS_MM = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
+    private static final double TEXT_SIZE = 11.5;
+
+    private Ruler() {}
+
+    /** The longest round length that takes at most {@code pixels}, mm; 0 if none does. */
+    static double roundLength(double mmPerPixel, double pixels) {
+        double found = 0;
+        for (double length : ROUND_LENGTHS_MM) {
+            if (length <= pixels * mmPerPixel) {
+                found = length;
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Draws it.
+     *
+     * @param left where it begins, pixels
+     * @param bottom its lower edge, pixels
+     * @param most its greatest width, pixels
+     */
+    static void draw(HaloGraphics ink, double mmPerPixel, double left, double bottom, double most) {
+        double length = roundLength(mmPerPixel, most);
+        if (length == 0) {
+            return;
+        }
+        double width = length / mmPerPixel;
+        double tick = ink.toPixels(5);
+        Path2D path = new Path2D.Double();
+        path.moveTo(left, bottom - tick);
+        path.lineTo(left, bottom);
+        path.lineTo(left + width, bottom);
+        path.lineTo(left + width, bottom - tick);
+        path.moveTo(left + width / 2, bottom - tick * 0.6);
+        path.lineTo(left + width / 2, bottom);
+        ink.drawLine(path, Math.max(1, ink.toPixels(1.4)));
+        ink.drawText(
+                String.format(java.util.Locale.ROOT, "%.0f mm", length),
+                left + width / 2,
+                bottom - ink.toPixels(9),
+                0.5,
+                TEXT_SIZE,
+                false);
+    }
+}

@@ -1,0 +1,35 @@
+package org.phrenic.scene.camera;
+
+/**
+ * One way to take a picture.
+ *
+ * @param view from where
+ * @param width pixels
+ * @param height pixels
+ * @param orthographic parallel projection; else perspective
+ * @param zoom enlargement about the middle, 1 for all of the body
+ * @param annotated whether letters, figure, scale and notice are written over it
+ * @param title what is shown, written over it
+ */
+public record PictureSettings(
+        AnatomicalView view,
+        int width,
+        int height,
+        boolean orthographic,
+        double zoom,
+        boolean annotated,
+        String title) {
+    public static final int MIN_SIZE = 16;
+    public static final int MAX_SIZE = 8192;
+
+    /** An annotated picture of all of the body in perspective. */
+    public static PictureSettings of(AnatomicalView view, int width, int height, String title) {
+        return new PictureSettings(view, width, height, false, 1, true, title);
+    }
+
+    /** Camera of this shot on a box that is to be seen. */
+    public Camera camera(double[] bounds) {
+        Camera whole = Camera.of(view, bounds, (double) width / height).withProjection(orthographic);
+        return whole.zoom(zoom, width / 2.0, height / 2.0, width, height);
+    }
+}

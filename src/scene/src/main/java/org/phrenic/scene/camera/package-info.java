@@ -1,0 +1,2 @@
+/** Cameras, views, rays and picking. */
+package org.phrenic.scene.camera;

@@ -1,0 +1,2 @@
+/** Picture and movie files. */
+package org.phrenic.scene.export;

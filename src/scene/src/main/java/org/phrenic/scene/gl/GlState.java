@@ -1,0 +1,35 @@
+package org.phrenic.scene.gl;
+
+import com.jogamp.opengl.GL3;
+
+/**
+ * What others had bound in a context, to be bound again. A Swing panel of JOGL draws into a framebuffer of its own and
+ * expects its vertex array; with none bound core OpenGL raises an error in each of its pictures.
+ */
+record GlState(int drawFramebuffer, int readFramebuffer, int[] viewport) {
+    static GlState of(GL3 gl) {
+        int[] viewport = new int[4];
+        gl.glGetIntegerv(GL3.GL_VIEWPORT, viewport, 0);
+        return new GlState(
+                GraphicsQuery.number(gl, GL3.GL_DRAW_FRAMEBUFFER_BINDING),
+                GraphicsQuery.number(gl, GL3.GL_READ_FRAMEBUFFER_BINDING),
+                viewport);
+    }
+
+    void restore(GL3 gl) {
+        gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, drawFramebuffer);
+        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, readFramebuffer);
+        gl.glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+        gl.glBindVertexArray(gl.getContext().getDefaultVAO());
+        gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, 0);
+        gl.glUseProgram(0);
+        gl.glDisable(GL3.GL_DEPTH_TEST);
+        gl.glDisable(GL3.GL_CULL_FACE);
+        gl.glDisable(GL3.GL_BLEND);
+        for (int unit = 2; unit >= 0; unit--) {
+            gl.glActiveTexture(GL3.GL_TEXTURE0 + unit);
+            gl.glBindTexture(GL3.GL_TEXTURE_2D, 0);
+            gl.glBindTexture(GL3.GL_TEXTURE_1D, 0);
+        }
+    }
+}

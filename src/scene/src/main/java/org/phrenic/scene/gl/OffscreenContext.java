@@ -1,0 +1,159 @@
+package org.phrenic.scene.gl;
+
+import com.jogamp.opengl.DebugGL3;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import com.jogamp.opengl.GLCapabilities;
+import com.jogamp.opengl.GLContext;
+import com.jogamp.opengl.GLDrawableFactory;
+import com.jogamp.opengl.GLException;
+import com.jogamp.opengl.GLOffscreenAutoDrawable;
+import com.jogamp.opengl.GLProfile;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.camera.Tile;
+import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.simulation.observe.Frame;
+
+/**
+ * OpenGL without a window. On Linux without an X server it draws through EGL; where an X server answers, or a window of
+ * this program is open, through that; on macOS and Windows through the system. Used by one thread at a time.
+ */
+public final class OffscreenContext implements AutoCloseable {
+    /** Drivers start in well under a second; one that hangs is given up. */
+    private static final long START_TIMEOUT_S = 30;
+
+    /** Pictures larger than this are drawn in tiles: more would ask for much memory at once. */
+    static final int MAX_TILE = 3072;
+
+    private final GLOffscreenAutoDrawable drawable;
+    private final GLContext context;
+    private final GraphicsInfo info;
+    private boolean debugging;
+
+    private OffscreenContext(GLOffscreenAutoDrawable drawable) {
+        this.drawable = drawable;
+        context = drawable.getContext();
+        GraphicsInfo[] found = new GraphicsInfo[1];
+        run(gl -> found[0] = GraphicsQuery.info(gl));
+        info = found[0];
+    }
+
+    /**
+     * A context, without a display where the platform allows it.
+     *
+     * @throws NoGraphicsException if there is none to be had
+     */
+    public static OffscreenContext open() throws NoGraphicsException {
+        FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
+        Thread thread = new Thread(task, "graphics start");
+        thread.setDaemon(true);
+        thread.start();
+        try {
+            return task.get(START_TIMEOUT_S, TimeUnit.SECONDS);
+        } catch (TimeoutException e) {
+            throw new NoGraphicsException(
+                    "No pictures can be made here: the graphics driver did not answer within " + START_TIMEOUT_S + " s",
+                    e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new NoGraphicsException("No pictures were made: starting the graphics was interrupted", e);
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            throw cause instanceof NoGraphicsException known
+                    ? known
+                    : new NoGraphicsException("No pictures can be made here: " + reason(cause), cause);
+        }
+    }
+
+    private static String reason(Throwable cause) {
+        String text = String.valueOf(cause.getMessage()).strip();
+        int end = text.indexOf('\n');
+        return "OpenGL 3.3 could not be started (" + (end < 0 ? text : text.substring(0, end)) + ")";
+    }
+
+    private static OffscreenContext start() throws NoGraphicsException {
+        boolean display = DisplayServer.isNotNeeded() || DisplayServer.isReachable(System.getenv("DISPLAY"));
+        GLDrawableFactory factory = display ? GLDrawableFactory.getDesktopFactory() : SurfacelessEgl.factory();
+        if (factory == null) {
+            throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
+        }
+        GLCapabilities wanted = new GLCapabilities(GLProfile.get(factory.getDefaultDevice(), GLProfile.GL3));
+        wanted.setOnscreen(false);
+        wanted.setFBO(true);
+        GLOffscreenAutoDrawable drawable =
+                factory.createOffscreenAutoDrawable(factory.getDefaultDevice(), wanted, null, 64, 64);
+        drawable.display();
+        if (drawable.getContext() == null || !drawable.getContext().isCreated()) {
+            drawable.destroy();
+            throw new NoGraphicsException("No pictures can be made here: the driver has no OpenGL 3.3");
+        }
+        return new OffscreenContext(drawable);
+    }
+
+    /** Draws one picture of any size. */
+    public BufferedImage render(
+            Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
+        int side = Tile.maxSide(style, Math.min(MAX_TILE, info.maxSize()));
+        return render(renderer, frame, camera, style, width, height, side);
+    }
+
+    /** Draws one picture in tiles of at most this side. */
+    BufferedImage render(
+            Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height, int side) {
+        BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        run(gl -> {
+            for (Tile tile : Tile.split(width, height, side)) {
+                renderer.draw(gl, frame, camera, style, tile);
+                tile.paste(renderer.readPixels(gl), whole);
+            }
+        });
+        return whole;
+    }
+
+    /** Gives back what the graphics card holds for a renderer. */
+    public void release(Renderer renderer) {
+        run(renderer::dispose);
+    }
+
+    /**
+     * Does something with the context of this thread.
+     *
+     * @throws IllegalStateException if the context cannot be had
+     */
+    public void run(Consumer<GL3> drawing) {
+        try {
+            if (context.makeCurrent() == GLContext.CONTEXT_NOT_CURRENT) {
+                throw new IllegalStateException("the graphics context is in use elsewhere");
+            }
+            GL gl = context.getGL();
+            drawing.accept(debugging ? new DebugGL3(gl.getGL3()) : gl.getGL3());
+        } catch (GLException e) {
+            throw new IllegalStateException("drawing failed: " + e.getMessage(), e);
+        } finally {
+            if (context.isCurrent()) {
+                context.release();
+            }
+        }
+    }
+
+    /** From now on any error of OpenGL is thrown. */
+    void enableDebugging() {
+        debugging = true;
+    }
+
+    /** What draws. */
+    public GraphicsInfo info() {
+        return info;
+    }
+
+    @Override
+    public void close() {
+        drawable.destroy();
+    }
+}

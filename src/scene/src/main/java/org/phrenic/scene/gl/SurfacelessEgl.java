@@ -1,0 +1,116 @@
+package org.phrenic.scene.gl;
+
+import com.jogamp.common.jvm.JNILibLoaderBase;
+import com.jogamp.common.os.Platform;
+import com.jogamp.common.util.LongObjectHashMap;
+import com.jogamp.common.util.cache.TempJarCache;
+import com.jogamp.nativewindow.NativeWindowFactory;
+import com.jogamp.opengl.GLDrawableFactory;
+import com.jogamp.opengl.GLProfile;
+import com.jogamp.opengl.GLRendererQuirks;
+import com.jogamp.opengl.egl.EGL;
+import java.lang.reflect.Field;
+import java.lang.reflect.Method;
+
+/**
+ * Readies JOGL to draw through EGL where no X server runs (Linux). JOGL does not do so by itself: it has to be told
+ * before it is first used that there is no window system, that Mesa has no surface to share a context by, and which
+ * library holds desktop OpenGL; and it takes its EGL display from X unless another is put in its place, which only
+ * reflection reaches.
+ */
+final class SurfacelessEgl extends JNILibLoaderBase {
+    /** EGL_PLATFORM_SURFACELESS_MESA. */
+    private static final int PLATFORM_SURFACELESS_MESA = 0x31DD;
+
+    /**
+     * NativeWindowFactory.TYPE_EGL, which to ask for would be too early: that class reads the property below as it
+     * loads.
+     */
+    private static final String WINDOW_SYSTEM = ".egl";
+
+    private static final String UNKNOWN_VERSION =
+            "No pictures can be made here: this version of JOGL cannot be told to draw without a display";
+
+    private SurfacelessEgl() {}
+
+    /** Must come before anything else of JOGL in this process. */
+    static GLDrawableFactory factory() throws NoGraphicsException {
+        System.setProperty("nativewindow.ws.name", WINDOW_SYSTEM);
+        overrideQuirks();
+        Platform.initSingleton();
+        NativeWindowFactory.initSingleton();
+        if (TempJarCache.isInitialized(true)) {
+            addNativeJarLibs(new Class<?>[] {GLProfile.class}, null);
+        }
+        if (!loadLibrary("jogl_desktop", true, SurfacelessEgl.class.getClassLoader())) {
+            throw new NoGraphicsException("No pictures can be made here: the library jogl_desktop could not be loaded,"
+                    + " it needs the X11 client libraries (libX11), though no X server");
+        }
+        GLDrawableFactory.initSingleton();
+        installSurfacelessDisplay();
+        GLDrawableFactory factory = GLDrawableFactory.getEGLFactory();
+        if (factory == null) {
+            throw new NoGraphicsException("No pictures can be made here: there is no display, and no EGL library"
+                    + " (libEGL) to draw without one");
+        }
+        return factory;
+    }
+
+    /** As the properties jogl.quirks.force and jogl.quirks.ignore would, which are read aloud on stderr. */
+    private static void overrideQuirks() throws NoGraphicsException {
+        try {
+            override("_bitmaskOverrideForce", GLRendererQuirks.NoSurfacelessCtx);
+            override("_bitmaskOverrideIgnore", GLRendererQuirks.GLES3ViaEGLES2Config);
+        } catch (ReflectiveOperationException e) {
+            throw new NoGraphicsException(UNKNOWN_VERSION, e);
+        }
+    }
+
+    private static void override(String mask, int quirk) throws ReflectiveOperationException {
+        Field field = GLRendererQuirks.class.getDeclaredField(mask);
+        field.setAccessible(true);
+        field.setInt(null, field.getInt(null) | 1 << quirk);
+    }
+
+    private static void installSurfacelessDisplay() throws NoGraphicsException {
+        long display;
+        try {
+            display = EGL.eglGetPlatformDisplay(PLATFORM_SURFACELESS_MESA, 0L, null);
+        } catch (RuntimeException | LinkageError e) {
+            throw new NoGraphicsException(
+                    "No pictures can be made here: there is no display, and no EGL library (libEGL 1.5) to draw without one",
+                    e);
+        }
+        if (display == 0) {
+            throw new NoGraphicsException(
+                    "No pictures can be made here: there is no display, and EGL has no driver that"
+                            + " draws without one (Mesa's libEGL is missing)");
+        }
+        try {
+            Class<?> displays = Class.forName("jogamp.opengl.egl.EGLDisplayUtil");
+            Method initialize = displays.getDeclaredMethod("eglInitialize", long.class, int[].class, int[].class);
+            Method only = displays.getDeclaredMethod("setSingletonEGLDisplayOnly", boolean.class);
+            initialize.setAccessible(true);
+            only.setAccessible(true);
+            if (!(boolean) initialize.invoke(null, display, new int[1], new int[1])) {
+                throw new NoGraphicsException(
+                        "No pictures can be made here: there is no display, and the driver of EGL does not start without one");
+            }
+            only.invoke(null, true);
+            suppressShutdownWarning(displays);
+        } catch (ReflectiveOperationException e) {
+            throw new NoGraphicsException(UNKNOWN_VERSION, e);
+        }
+    }
+
+    /**
+     * The driver takes the display back as the process ends. JOGL would then say on stderr that it was left open, which
+     * is of no use to anyone; so it forgets it first.
+     */
+    private static void suppressShutdownWarning(Class<?> displays) throws ReflectiveOperationException {
+        Field open = displays.getDeclaredField("openEGLDisplays");
+        open.setAccessible(true);
+        LongObjectHashMap left = (LongObjectHashMap) open.get(null);
+        NativeWindowFactory.addCustomShutdownHook(true, left::clear);
+    }
+}

@@ -1,0 +1,2 @@
+/** OpenGL: renderer, passes, buffers, framebuffers, with and without a display. */
+package org.phrenic.scene.gl;

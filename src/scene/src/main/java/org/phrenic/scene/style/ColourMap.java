@@ -1,0 +1,76 @@
+package org.phrenic.scene.style;
+
+/**
+ * A way to show a number as a colour: perceptually uniform and readable with any colour vision. Colours are 33 sRGB
+ * values at equal steps, with straight lines between.
+ *
+ * <p>{@link #VIRIDIS}, for magnitudes: Smith and van der Walt 2015, dedicated to the public domain (CC0), sampled from
+ * its 256 values. {@link #COOL_WARM}, for what has a sign: Moreland 2009 (doi 10.1007/978-3-642-10520-3_9), worked out
+ * from the equations of the paper with its end points (59, 76, 192) and (180, 4, 38); the middle is a light grey.
+ */
+public enum ColourMap {
+    /** From dark blue over green to yellow; the larger the lighter. */
+    VIRIDIS("440154470d6048186a482374472d7b4536814240863f49893b528b375a8d33638d"
+            + "2f6a8e2c728e297a8e26818e23898e21908c1f988b1f9f8821a68528ae8031b57b"
+            + "3ebc744cc26c5dc9636ece5882d34c96d83fabdc32c0df24d5e21aeae51afde725"),
+    /** From blue over light grey to red; zero belongs in the middle. */
+    COOL_WARM("3b4cc0445acc4e68d75875e16282ea6c8ef1779af782a5fb8db0fe98b9ffa3c2ff"
+            + "aec9fdb8d0f9c2d5f4ccd9eed5dbe6dddddde5d8d1ecd3c6f1ccb9f5c4adf7bba0"
+            + "f7b194f7a687f49a7bf18d6fec7f63e57057de614cd55042cb3e38c0282fb40426"),
+    /**
+     * How far something is free: the colour of skin for never, light to deep amber for in part, bluish green for
+     * always. Told apart with any colour vision by lightness and hue.
+     */
+    ACCESS("dbb9a2f6d56bf5d268f4cf65f3cc62f2c95ef1c65bf0c358efc055eebc52edb94e"
+            + "ecb64bebb348eab045e9ad42e8aa3fe8a73ce7a438e6a135e59e32e49b2fe3982c"
+            + "e29528e19225e08e22df8b1fde881cdd8519dc8216db7f12da7c0fd9790c108a7c");
+
+    private static final int DIGITS = 6;
+
+    /** Six hexadecimal digits a colour. */
+    private final String samples;
+
+    ColourMap(String samples) {
+        this.samples = samples;
+    }
+
+    /**
+     * The colour at a share of the range.
+     *
+     * @param share 0 to 1; beyond, the colour of that end
+     * @param rgb receives red, green and blue, sRGB, 0 to 1
+     */
+    public void sample(double share, float[] rgb) {
+        int last = samples.length() / DIGITS - 1;
+        double place = Math.max(0, Math.min(1, share)) * last;
+        int below = Math.min((int) place, last - 1);
+        float over = (float) (place - below);
+        for (int i = 0; i < 3; i++) {
+            float from = channel(below, i);
+            rgb[i] = from + over * (channel(below + 1, i) - from);
+        }
+    }
+
+    /** The colour at a share of the range, as {@code 0xRRGGBB}. */
+    public int rgb(double share) {
+        float[] rgb = new float[3];
+        sample(share, rgb);
+        return Math.round(rgb[0] * 255) << 16 | Math.round(rgb[1] * 255) << 8 | Math.round(rgb[2] * 255);
+    }
+
+    /** Colours at {@code count} equal steps, three sRGB numbers each, 0 to 1: what a one-dimensional texture holds. */
+    public float[] table(int count) {
+        float[] table = new float[3 * count];
+        float[] rgb = new float[3];
+        for (int i = 0; i < count; i++) {
+            sample(count == 1 ? 0 : i / (count - 1.0), rgb);
+            System.arraycopy(rgb, 0, table, 3 * i, 3);
+        }
+        return table;
+    }
+
+    private float channel(int sample, int channel) {
+        int at = DIGITS * sample + 2 * channel;
+        return Integer.parseInt(samples, at, at + 2, 16) / 255f;
+    }
+}

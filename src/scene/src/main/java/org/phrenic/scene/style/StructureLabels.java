@@ -1,0 +1,75 @@
+package org.phrenic.scene.style;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.simulation.observe.Surface;
+
+/** What structures are called when people read it: {@code rib_05_R} is "Rib 5 right". */
+public final class StructureLabels {
+    private StructureLabels() {}
+
+    /** Name of a surface for people. */
+    public static String of(Surface surface) {
+        return of(surface.name());
+    }
+
+    /** Name for people of the structure that is called {@code name} in files. */
+    public static String of(String name) {
+        Optional<StructureName> known = StructureName.parse(name);
+        if (known.isEmpty()) {
+            return capitalized(name);
+        }
+        StructureName s = known.get();
+        return switch (s.kind()) {
+            case RIB -> "Rib " + s.level() + side(s.side());
+            case COSTAL_CARTILAGE -> "Costal cartilage " + s.level() + side(s.side());
+            case VERTEBRA -> "Vertebra " + level(s.level());
+            case DISC -> s.level() == 0 ? "Disc C7-T1" : "Disc " + level(s.level()) + "-" + below(s.level());
+            case LUNG -> lung(name, s.side());
+            case SKIN -> "Skin";
+            default -> capitalized(name);
+        };
+    }
+
+    /** Name of a kind of structure in the plural, for lists: "Ribs". */
+    public static String of(StructureKind kind) {
+        return switch (kind) {
+            case RIB -> "Ribs";
+            case COSTAL_CARTILAGE -> "Costal cartilages";
+            case STERNUM -> "Sternum";
+            case VERTEBRA -> "Vertebrae";
+            case DISC -> "Discs";
+            case DIAPHRAGM -> "Diaphragm";
+            case LUNG -> "Lungs";
+            case LIVER -> "Liver";
+            case SKIN -> "Skin";
+            case OTHER -> "Other";
+        };
+    }
+
+    private static String lung(String name, Side side) {
+        String[] parts = name.split("_", 3);
+        String lobe = parts.length > 2 ? ", " + parts[2].replace('_', ' ').toLowerCase(Locale.ROOT) + " lobe" : "";
+        return "Lung" + side(side) + lobe;
+    }
+
+    private static String side(Side side) {
+        return side == Side.MIDLINE ? "" : " " + side.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static String level(int level) {
+        return level < StructureName.FIRST_LUMBAR ? "T" + level : "L" + (level - StructureName.FIRST_LUMBAR + 1);
+    }
+
+    private static String below(int level) {
+        return level == StructureName.FIRST_LUMBAR + 4 ? "S1" : level(level + 1);
+    }
+
+    private static String capitalized(String name) {
+        String words = name.replace('_', ' ').strip();
+        return words.isEmpty() ? name : words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+    }
+}

@@ -1,0 +1,30 @@
+package org.phrenic.scene.style;
+
+import org.phrenic.anatomy.StructureKind;
+
+/**
+ * What a kind of structure looks like in an atlas: colour, and how it shines.
+ *
+ * @param appearance colour and opacity
+ * @param specular strength of the highlight
+ * @param shininess exponent of the highlight: larger is smaller and sharper
+ */
+public record SurfaceMaterial(Appearance appearance, float specular, float shininess) {
+    /** Colour of the central tendon; the diaphragm's own colour is that of its muscle. */
+    public static final int TENDON_RGB = 0xe2d6bf;
+
+    public static SurfaceMaterial of(StructureKind kind) {
+        return switch (kind) {
+            case RIB -> new SurfaceMaterial(Appearance.of(0xecd9ae, 1), 0.20f, 30);
+            case STERNUM -> new SurfaceMaterial(Appearance.of(0xead5aa, 1), 0.20f, 30);
+            case VERTEBRA -> new SurfaceMaterial(Appearance.of(0xe3cda0, 1), 0.14f, 24);
+            case COSTAL_CARTILAGE -> new SurfaceMaterial(Appearance.of(0xb9cdd2, 1), 0.30f, 48);
+            case DISC -> new SurfaceMaterial(Appearance.of(0xa9bcc0, 1), 0.20f, 32);
+            case DIAPHRAGM -> new SurfaceMaterial(Appearance.of(0x8d3c35, 1), 0.11f, 22);
+            case LUNG -> new SurfaceMaterial(Appearance.of(0xd98f8d, 0.42f), 0.22f, 36);
+            case LIVER -> new SurfaceMaterial(Appearance.of(0x68352a, 1), 0.42f, 55);
+            case SKIN -> new SurfaceMaterial(Appearance.of(0xd8a283, 0.15f), 0.25f, 40);
+            case OTHER -> new SurfaceMaterial(Appearance.of(0xb9a98f, 1), 0.15f, 30);
+        };
+    }
+}

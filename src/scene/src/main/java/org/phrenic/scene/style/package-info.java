@@ -1,0 +1,2 @@
+/** Colours, materials and visibility of structures. */
+package org.phrenic.scene.style;

@@ -1,0 +1,171 @@
+package org.phrenic.scene.surface;
+
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * How much light from all around reaches a place of the body at rest: 1 in the open, less in clefts and behind ribs.
+ * Bone, cartilage and liver are scattered into a grid of cells, the grid is halved a few times, and along the normal of
+ * a vertex ever coarser grids are looked up ever farther away, as if a cone were traced (Crassin and others 2011, doi
+ * 10.1111/j.1467-8659.2011.02063.x, with a grid instead of an octree). Worked out once; costs nothing a picture.
+ */
+public final class AmbientOcclusion {
+    private static final double CELL_MM = 4;
+    private static final int LEVELS = 4;
+
+    /** Share of light that a full cell takes away, from near to far. */
+    private static final double[] LEVEL_WEIGHT = {0.55, 0.60, 0.55, 0.40};
+
+    private static final double MIN_VISIBILITY = 0.30;
+
+    private final double[] origin = new double[3];
+    private final int[] size = new int[3];
+    private final float[][] levels = new float[LEVELS][];
+
+    public AmbientOcclusion(List<Surface> surfaces) {
+        List<TriangleMesh> blockers = surfaces.stream()
+                .filter(s -> occludes(s.kind()))
+                .map(Surface::rest)
+                .toList();
+        double[] box = {1, 1, 1, -1, -1, -1};
+        blockers.forEach(mesh -> extend(box, mesh.bounds()));
+        int even = 1 << LEVELS;
+        for (int i = 0; i < 3; i++) {
+            origin[i] = box[i] - 2 * CELL_MM;
+            int cells = (int) Math.ceil((box[3 + i] - box[i]) / CELL_MM) + 4;
+            size[i] = Math.max(even, (cells + even - 1) / even * even);
+        }
+        levels[0] = new float[size[0] * size[1] * size[2]];
+        blockers.forEach(this::voxelize);
+        for (int level = 1; level < LEVELS; level++) {
+            levels[level] = downsampled(levels[level - 1], level - 1);
+        }
+    }
+
+    private static boolean occludes(StructureKind kind) {
+        return kind != StructureKind.SKIN && kind != StructureKind.LUNG && kind != StructureKind.DIAPHRAGM;
+    }
+
+    private static void extend(double[] box, double[] with) {
+        boolean first = box[0] > box[3];
+        for (int i = 0; i < 3; i++) {
+            box[i] = first ? with[i] : Math.min(box[i], with[i]);
+            box[3 + i] = first ? with[3 + i] : Math.max(box[3 + i], with[3 + i]);
+        }
+    }
+
+    /** Fills the cells that a surface passes through. */
+    private void voxelize(TriangleMesh mesh) {
+        int[] t = mesh.triangles();
+        double[] p = mesh.positions();
+        for (int i = 0; i < t.length; i += 3) {
+            int a = 3 * t[i];
+            int b = 3 * t[i + 1];
+            int c = 3 * t[i + 2];
+            double longest = Math.max(distance(p, a, b), Math.max(distance(p, b, c), distance(p, c, a)));
+            int parts = Math.max(1, (int) Math.ceil(longest / (CELL_MM / 2)));
+            for (int u = 0; u <= parts; u++) {
+                for (int v = 0; v <= parts - u; v++) {
+                    double wb = (double) u / parts;
+                    double wc = (double) v / parts;
+                    int cell = 0;
+                    for (int k = 2; k >= 0; k--) {
+                        double x = p[a + k] + wb * (p[b + k] - p[a + k]) + wc * (p[c + k] - p[a + k]);
+                        int at = (int) Math.floor((x - origin[k]) / CELL_MM);
+                        cell = cell * size[k] + Math.max(0, Math.min(size[k] - 1, at));
+                    }
+                    levels[0][cell] = 1;
+                }
+            }
+        }
+    }
+
+    private static double distance(double[] p, int a, int b) {
+        double x = p[a] - p[b];
+        double y = p[a + 1] - p[b + 1];
+        double z = p[a + 2] - p[b + 2];
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    private float[] downsampled(float[] fine, int level) {
+        int nx = size[0] >> level;
+        int ny = size[1] >> level;
+        int nz = size[2] >> level;
+        float[] coarse = new float[nx / 2 * (ny / 2) * (nz / 2)];
+        for (int z = 0; z < nz; z++) {
+            for (int y = 0; y < ny; y++) {
+                for (int x = 0; x < nx; x++) {
+                    coarse[(z / 2 * (ny / 2) + y / 2) * (nx / 2) + x / 2] += fine[(z * ny + y) * nx + x] / 8;
+                }
+            }
+        }
+        return coarse;
+    }
+
+    /**
+     * Openness of every vertex, 0 to 1.
+     *
+     * @param normals of the mesh as it rests
+     */
+    public float[] visibility(TriangleMesh mesh, VertexNormals normals) {
+        float[] open = new float[mesh.vertexCount()];
+        double[] n = new double[3];
+        for (int i = 0; i < open.length; i++) {
+            normals.normal(i, n);
+            double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            double light = 1;
+            for (int level = 0; level < LEVELS && length > 0; level++) {
+                double away = CELL_MM * (1 << level) * 1.6 / length;
+                light *= 1
+                        - LEVEL_WEIGHT[level]
+                                * occupancy(
+                                        level,
+                                        mesh.x(i) + away * n[0],
+                                        mesh.y(i) + away * n[1],
+                                        mesh.z(i) + away * n[2]);
+            }
+            open[i] = (float) Math.max(MIN_VISIBILITY, light);
+        }
+        return open;
+    }
+
+    /** How full a grid is about a place, between its cells in a straight line; empty outside. */
+    private double occupancy(int level, double x, double y, double z) {
+        double cell = CELL_MM * (1 << level);
+        double[] at = {(x - origin[0]) / cell - 0.5, (y - origin[1]) / cell - 0.5, (z - origin[2]) / cell - 0.5};
+        int[] low = new int[3];
+        for (int k = 0; k < 3; k++) {
+            low[k] = (int) Math.floor(at[k]);
+            at[k] -= low[k];
+        }
+        double sum = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            double weight = 1;
+            int index = 0;
+            boolean inside = true;
+            for (int k = 2; k >= 0; k--) {
+                int far = corner >> k & 1;
+                int i = low[k] + far;
+                int n = size[k] >> level;
+                inside &= i >= 0 && i < n;
+                index = index * n + i;
+                weight *= far == 1 ? at[k] : 1 - at[k];
+            }
+            if (inside) {
+                sum += weight * levels[level][index];
+            }
+        }
+        // A surface fills a share of a coarse cell that falls with its size: made up for.
+        return Math.min(1, sum * (1 + 0.5 * level));
+    }
+
+    /** Openness of a mesh that nothing shades. */
+    static float[] unoccluded(TriangleMesh mesh) {
+        float[] open = new float[mesh.vertexCount()];
+        Arrays.fill(open, 1);
+        return open;
+    }
+}

@@ -1,0 +1,2 @@
+/** Per-vertex quantities of surfaces that shading needs. */
+package org.phrenic.scene.surface;

@@ -1,0 +1,137 @@
+package org.phrenic.scene.annotate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.style.ColourMap;
+import org.phrenic.scene.style.ColourScale;
+
+/** What is written over a picture: right, readable and within it. */
+class AnnotationsTest {
+    private static final double[] BODY = {-180, -120, 900, 190, 110, 1450};
+    private static final int LIGHT = 0xf2f4f6;
+    private static final int DARK = 0x15181c;
+
+    private static BufferedImage annotated(int width, int height, boolean light, Camera camera) {
+        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = picture.createGraphics();
+        g.setColor(new Color(light ? LIGHT : DARK));
+        g.fillRect(0, 0, width, height);
+        g.dispose();
+        Annotations.forBackground(light)
+                .withTitle("Quiet breath, virtual adult male with a name that is long")
+                .withTimestamp("1.25 s, breath 1 at 31 %")
+                .withScale("Displacement of the diaphragm", ColourScale.sequential(20, "mm"))
+                .draw(picture, camera);
+        return picture;
+    }
+
+    private static int marked(BufferedImage picture, int x0, int y0, int x1, int y1, int background) {
+        int count = 0;
+        for (int y = y0; y < y1; y++) {
+            for (int x = x0; x < x1; x++) {
+                if ((picture.getRGB(x, y) & 0xffffff) != background) {
+                    count++;
+                }
+            }
+        }
+        return count;
+    }
+
+    /** The darkest ink stays off the border; only rims may touch it. */
+    @ParameterizedTest
+    @CsvSource({"320,240", "240,320", "800,800", "1280,300", "8192,128", "2000,1500"})
+    void nothingIsCutOff(int width, int height) {
+        for (AnatomicalView view : AnatomicalView.values()) {
+            for (boolean light : new boolean[] {true, false}) {
+                Camera camera = Camera.of(view, BODY, (double) width / height).withProjection(true);
+                BufferedImage p = annotated(width, height, light, camera);
+                int background = light ? LIGHT : DARK;
+                int border = marked(p, 0, 0, width, 1, background)
+                        + marked(p, 0, height - 1, width, height, background)
+                        + marked(p, 0, 0, 1, height, background)
+                        + marked(p, width - 1, 0, width, height, background);
+                assertThat(border).as("%s %d x %d", view, width, height).isZero();
+                assertThat(marked(p, 0, 0, width, height, background)).isGreaterThan(500);
+            }
+        }
+    }
+
+    @Test
+    void theSmallestPictureIsDrawnToo() {
+        assertThat(annotated(16, 16, true, Camera.of(AnatomicalView.LEFT, BODY)).getWidth())
+                .isEqualTo(16);
+    }
+
+    @ParameterizedTest
+    @EnumSource(AnatomicalView.class)
+    void lettersNameTheSidesOfThePicture(AnatomicalView view) {
+        Camera camera = Camera.of(view, BODY);
+        double[] r = camera.right();
+        double[] u = camera.up();
+        String expected =
+                switch (view) {
+                    case ANTERIOR -> "LS";
+                    case POSTERIOR -> "RS";
+                    case LEFT -> "PS";
+                    case RIGHT -> "AS";
+                    case SUPERIOR -> "LP";
+                    case INFERIOR -> "LA";
+                };
+        assertThat(PatientOrientation.letters(r[0], r[1], r[2]) + PatientOrientation.letters(u[0], u[1], u[2]))
+                .isEqualTo(expected);
+    }
+
+    @Test
+    void aSlantedSideHasTwoLettersTheStrongerFirst() {
+        double[] r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(30, 0).right();
+        assertThat(PatientOrientation.letters(r[0], r[1], r[2])).isEqualTo("LP");
+        r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(20, 0).right();
+        assertThat(PatientOrientation.letters(r[0], r[1], r[2])).isEqualTo("L");
+    }
+
+    @Test
+    void theRulerIsTheLongestRoundLengthThatFits() {
+        assertThat(Ruler.roundLength(0.5, 250)).isEqualTo(100);
+        assertThat(Ruler.roundLength(0.5, 190)).isEqualTo(50);
+        assertThat(Ruler.roundLength(0.05, 250)).isEqualTo(10);
+        assertThat(Ruler.roundLength(0.001, 100)).isZero();
+    }
+
+    @Test
+    void theScaleShowsItsEndsAndRoundValuesBetween() {
+        assertThat(ColourBar.tickValues(ColourScale.sequential(20, "mm"))).containsExactly(0.0, 5.0, 10.0, 15.0, 20.0);
+        assertThat(ColourBar.tickValues(ColourScale.diverging(12.5, "%")))
+                .containsExactly(-12.5, -10.0, -5.0, 0.0, 5.0, 10.0, 12.5);
+        double[] tiny = ColourBar.tickValues(new ColourScale(ColourMap.VIRIDIS, 0.001, 0.0013, "mm")).stream()
+                .mapToDouble(Double::doubleValue)
+                .toArray();
+        assertThat(tiny[1]).isCloseTo(0.0011, within(1e-9));
+        assertThat(Arrays.stream(tiny).distinct().count()).isEqualTo(tiny.length);
+    }
+
+    @Test
+    void lettersCanBeReadOnBothBackgrounds() {
+        for (boolean light : new boolean[] {true, false}) {
+            BufferedImage p = annotated(640, 480, light, Camera.of(AnatomicalView.ANTERIOR, BODY));
+            int strongest = 0;
+            for (int y = 0; y < 40; y++) {
+                for (int x = 300; x < 340; x++) {
+                    strongest =
+                            Math.max(strongest, Math.abs((p.getRGB(x, y) & 0xff) - ((light ? LIGHT : DARK) & 0xff)));
+                }
+            }
+            assertThat(strongest).as("contrast of the letter S, of 255").isGreaterThan(180);
+        }
+    }
+}

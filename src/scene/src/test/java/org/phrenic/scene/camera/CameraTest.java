@@ -1,0 +1,221 @@
+package org.phrenic.scene.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** What a camera must do whoever turns it: nothing mirrored, nothing lost, the cursor keeps what it points at. */
+class CameraTest {
+    private static final double PIXEL = 1e-6;
+    private static final double MM = 1e-9;
+    private static final double UNIT = 1e-12;
+
+    /** A body about as large as a torso, off the origin. */
+    private static final double[] BODY = {-180, -120, 900, 190, 110, 1450};
+
+    private static Camera camera(double azimuth, double elevation, boolean parallel) {
+        return Camera.of(AnatomicalView.ANTERIOR, BODY)
+                .orbit(azimuth, elevation)
+                .withProjection(parallel);
+    }
+
+    @Property
+    void aPointOnTheRayOfAPixelIsSeenInThatPixel(
+            @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
+            @ForAll @DoubleRange(min = -90, max = 90) double elevation,
+            @ForAll boolean parallel,
+            @ForAll @DoubleRange(min = 0, max = 640) double px,
+            @ForAll @DoubleRange(min = 0, max = 480) double py,
+            @ForAll @DoubleRange(min = 0, max = 900) double along) {
+        Camera camera = camera(azimuth, elevation, parallel);
+        double[] ray = camera.ray(px, py, 640, 480);
+        double[] xy = new double[2];
+        assertThat(camera.project(
+                        ray[0] + along * ray[3], ray[1] + along * ray[4], ray[2] + along * ray[5], 640, 480, xy))
+                .isTrue();
+        assertThat(xy[0]).isCloseTo(px, within(PIXEL));
+        assertThat(xy[1]).isCloseTo(py, within(PIXEL));
+        assertThat(Math.hypot(Math.hypot(ray[3], ray[4]), ray[5])).isCloseTo(1, within(UNIT));
+    }
+
+    @Property
+    void matricesPutAPointWhereProjectDoes(
+            @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
+            @ForAll @DoubleRange(min = -90, max = 90) double elevation,
+            @ForAll boolean parallel,
+            @ForAll @DoubleRange(min = -150, max = 150) double x,
+            @ForAll @DoubleRange(min = -100, max = 100) double y,
+            @ForAll @DoubleRange(min = 950, max = 1400) double z) {
+        Camera camera = camera(azimuth, elevation, parallel);
+        double[] clip = times(camera.projectionMatrix(1.5), times(camera.viewMatrix(), new double[] {x, y, z, 1}));
+        double[] xy = new double[2];
+        camera.project(x, y, z, 900, 600, xy);
+        assertThat((clip[0] / clip[3] + 1) * 450).isCloseTo(xy[0], within(0.01));
+        assertThat((1 - clip[1] / clip[3]) * 300).isCloseTo(xy[1], within(0.01));
+        assertThat(clip[2] / clip[3]).as("depth of what is in the body").isBetween(-1.0, 1.0);
+    }
+
+    private static double[] times(float[] columnMajor, double[] v) {
+        double[] product = new double[4];
+        for (int i = 0; i < 16; i++) {
+            product[i % 4] += columnMajor[i] * v[i / 4];
+        }
+        return product;
+    }
+
+    @Property
+    void noDirectionMirrorsTheBody(
+            @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
+            @ForAll @DoubleRange(min = -200, max = 200) double elevation) {
+        Camera camera = camera(azimuth, elevation, false);
+        float[] m = camera.viewMatrix();
+        double determinant = m[0] * (m[5] * m[10] - m[9] * m[6])
+                - m[4] * (m[1] * m[10] - m[9] * m[2])
+                + m[8] * (m[1] * m[6] - m[5] * m[2]);
+        assertThat(determinant).isCloseTo(1, within(1e-6));
+        assertThat(camera.up()[2]).as("superior stays up").isGreaterThanOrEqualTo(0);
+        float[] p = camera.projectionMatrix(1);
+        assertThat(p[0]).isPositive();
+        assertThat(p[5]).isPositive();
+    }
+
+    @Property
+    void zoomKeepsWhatTheCursorPointsAt(
+            @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
+            @ForAll @DoubleRange(min = -90, max = 90) double elevation,
+            @ForAll boolean parallel,
+            @ForAll @DoubleRange(min = 0.2, max = 8) double factor,
+            @ForAll @IntRange(min = 0, max = 640) int px,
+            @ForAll @IntRange(min = 0, max = 480) int py) {
+        Camera before = camera(azimuth, elevation, parallel);
+        double[] ray = before.ray(px, py, 640, 480);
+        double[] d = before.towardsViewer();
+        double toPlane = ((before.targetX() - ray[0]) * d[0]
+                        + (before.targetY() - ray[1]) * d[1]
+                        + (before.targetZ() - ray[2]) * d[2])
+                / (ray[3] * d[0] + ray[4] * d[1] + ray[5] * d[2]);
+        double[] xy = new double[2];
+        Camera after = before.zoom(factor, px, py, 640, 480);
+        after.project(ray[0] + toPlane * ray[3], ray[1] + toPlane * ray[4], ray[2] + toPlane * ray[5], 640, 480, xy);
+        assertThat(xy[0]).isCloseTo(px, within(PIXEL));
+        assertThat(xy[1]).isCloseTo(py, within(PIXEL));
+        assertThat(after.mmPerPixel(480) * factor).isCloseTo(before.mmPerPixel(480), within(MM));
+    }
+
+    @Property
+    void panMovesTheTargetPlaneWithTheCursor(
+            @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
+            @ForAll @DoubleRange(min = -300, max = 300) double dx,
+            @ForAll @DoubleRange(min = -300, max = 300) double dy) {
+        Camera before = camera(azimuth, 20, false);
+        double[] xy = new double[2];
+        before.pan(dx, dy, 480).project(before.targetX(), before.targetY(), before.targetZ(), 640, 480, xy);
+        assertThat(xy[0]).isCloseTo(320 + dx, within(PIXEL));
+        assertThat(xy[1]).isCloseTo(240 + dy, within(PIXEL));
+    }
+
+    @Test
+    void aFullTurnReturns() {
+        Camera start = Camera.of(AnatomicalView.ANTERIOR, BODY);
+        Camera turned = start;
+        for (int i = 0; i < 36; i++) {
+            turned = turned.orbit(10, 0);
+        }
+        assertThat(turned).isEqualTo(start);
+    }
+
+    @Test
+    void thePolesAreTheEndOfTheTurntable() {
+        Camera top = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(0, 500);
+        assertThat(top.elevationDeg()).isEqualTo(90);
+        assertThat(top.right()[0]).isCloseTo(1, within(UNIT));
+        assertThat(top.up()[1]).as("from above the front is at the bottom").isCloseTo(1, within(UNIT));
+    }
+
+    @Test
+    void bothProjectionsShowTheSameExtentAtTheTarget() {
+        Camera perspective = Camera.of(AnatomicalView.LEFT, BODY);
+        Camera parallel = perspective.withProjection(true);
+        double[] u = perspective.up();
+        double[] one = new double[2];
+        double[] other = new double[2];
+        double x = perspective.targetX() + 50 * u[0];
+        double y = perspective.targetY() + 50 * u[1];
+        double z = perspective.targetZ() + 50 * u[2];
+        perspective.project(x, y, z, 640, 480, one);
+        parallel.project(x, y, z, 640, 480, other);
+        assertThat(one[1]).isCloseTo(other[1], within(PIXEL));
+        assertThat(50 / perspective.mmPerPixel(480)).isCloseTo(240 - one[1], within(PIXEL));
+    }
+
+    @ParameterizedTest
+    @EnumSource(AnatomicalView.class)
+    void aStandardViewHoldsAllOfTheBody(AnatomicalView view) {
+        for (double aspect : new double[] {0.5, 1, 2}) {
+            Camera camera = Camera.of(view, BODY, aspect);
+            double[] xy = new double[2];
+            for (int corner = 0; corner < 8; corner++) {
+                camera.project(
+                        BODY[(corner & 1) * 3],
+                        BODY[1 + (corner >> 1 & 1) * 3],
+                        BODY[2 + (corner >> 2 & 1) * 3],
+                        (int) (800 * aspect),
+                        800,
+                        xy);
+                assertThat(xy[0]).isBetween(0.0, 800 * aspect);
+                assertThat(xy[1]).isBetween(0.0, 800.0);
+            }
+        }
+    }
+
+    /** What is at the right of the picture and at its top, as an anatomist expects of each view. */
+    @ParameterizedTest
+    @EnumSource(AnatomicalView.class)
+    void eachViewShowsTheRightSides(AnatomicalView view) {
+        Camera camera = Camera.of(view, BODY);
+        double[] rightward =
+                switch (view) {
+                    case ANTERIOR, SUPERIOR, INFERIOR -> new double[] {1, 0, 0};
+                    case POSTERIOR -> new double[] {-1, 0, 0};
+                    case LEFT -> new double[] {0, 1, 0};
+                    case RIGHT -> new double[] {0, -1, 0};
+                };
+        double[] upward =
+                switch (view) {
+                    case SUPERIOR -> new double[] {0, 1, 0};
+                    case INFERIOR -> new double[] {0, -1, 0};
+                    default -> new double[] {0, 0, 1};
+                };
+        for (int i = 0; i < 3; i++) {
+            assertThat(camera.right()[i]).isCloseTo(rightward[i], within(UNIT));
+            assertThat(camera.up()[i]).isCloseTo(upward[i], within(UNIT));
+        }
+    }
+
+    @Test
+    void aPointBehindTheEyeIsNotSeen() {
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, BODY);
+        double[] eye = camera.eye();
+        double[] xy = {7, 7};
+        assertThat(camera.project(eye[0], eye[1] - 10, eye[2], 640, 480, xy)).isFalse();
+        assertThat(xy).containsExactly(7, 7);
+    }
+
+    @Test
+    void anEmptySceneHasACameraToo() {
+        double[] none = {
+            Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+            Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+        };
+        for (float number : Camera.of(AnatomicalView.LEFT, none).projectionMatrix(1)) {
+            assertThat(number).isFinite();
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.breathing.RespiratoryPhase;
+
+/**
+ * What was seen of a run over time, and where its breaths begin and are deepest.
+ *
+ * <p>A breath begins at its first sample (end-expiration) and is deepest where both domes together stand lowest
+ * (end-inspiration). Where a breath is held, that breath alone counts; else every whole breath; else all samples are
+ * one.
+ */
+public final class BreathSeries {
+    private final List<String> columns;
+    private final List<double[]> rows;
+    private final List<RespiratoryPhase> labels;
+    private final List<int[]> breaths = new ArrayList<>();
+
+    /**
+     * @param columns names; among them {@code breath}, {@code dome_right_mm}, {@code dome_left_mm}
+     * @param rows a value a column, in the order of time; at least one row
+     * @param labels what the breath does at each row
+     */
+    public BreathSeries(List<String> columns, List<double[]> rows, List<RespiratoryPhase> labels) {
+        if (rows.isEmpty() || rows.size() != labels.size()) {
+            throw new IllegalArgumentException("series: " + rows.size() + " rows and " + labels.size()
+                    + " labels, expected as many, at least one");
+        }
+        this.columns = List.copyOf(columns);
+        this.rows = List.copyOf(rows);
+        this.labels = List.copyOf(labels);
+        findBreaths();
+    }
+
+    private void findBreaths() {
+        int held = labels.indexOf(RespiratoryPhase.HOLD);
+        if (held >= 0) {
+            double number = value("breath", held);
+            int first = held;
+            while (first > 0 && value("breath", first - 1) == number) {
+                first--;
+            }
+            breaths.add(new int[] {first, labels.lastIndexOf(RespiratoryPhase.HOLD)});
+            return;
+        }
+        int first = 0;
+        for (int i = 1; i < rows.size(); i++) {
+            if (value("breath", i) != value("breath", i - 1)) {
+                breaths.add(new int[] {first, i});
+                first = i;
+            }
+        }
+        if (breaths.isEmpty()) {
+            breaths.add(new int[] {0, rows.size() - 1});
+        }
+    }
+
+    public boolean hasColumn(String column) {
+        return columns.contains(column);
+    }
+
+    /** Value of a column in a row. */
+    public double value(String column, int row) {
+        int c = columns.indexOf(column);
+        if (c < 0) {
+            throw new IllegalArgumentException("series: found no column '" + column + "'");
+        }
+        return rows.get(row)[c];
+    }
+
+    public int breathCount() {
+        return breaths.size();
+    }
+
+    /** First row of a breath: end-expiration. */
+    public int endExpirationRow(int breath) {
+        return breaths.get(breath)[0];
+    }
+
+    /** Last row of a breath, or of its hold. */
+    public int lastRow(int breath) {
+        return breaths.get(breath)[1];
+    }
+
+    /** Row of a breath at which both domes together stand lowest: end-inspiration. */
+    public int endInspirationRow(int breath) {
+        int best = endExpirationRow(breath);
+        for (int i = best; i <= lastRow(breath); i++) {
+            if (domeHeights(i) < domeHeights(best)) {
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    private double domeHeights(int row) {
+        return value("dome_right_mm", row) + value("dome_left_mm", row);
+    }
+
+    /** Whether a breath is held somewhere. */
+    public boolean hasHold() {
+        return labels.contains(RespiratoryPhase.HOLD);
+    }
+
+    /** First row of the hold; -1 where no breath is held. */
+    public int firstHeldRow() {
+        return labels.indexOf(RespiratoryPhase.HOLD);
+    }
+
+    /** Mean of a column at the breaths' beginnings. */
+    public double meanAtEndExpiration(String column) {
+        double sum = 0;
+        for (int b = 0; b < breaths.size(); b++) {
+            sum += value(column, endExpirationRow(b));
+        }
+        return sum / breaths.size();
+    }
+
+    /** Mean of a column where the breaths are deepest. */
+    public double meanAtEndInspiration(String column) {
+        double sum = 0;
+        for (int b = 0; b < breaths.size(); b++) {
+            sum += value(column, endInspirationRow(b));
+        }
+        return sum / breaths.size();
+    }
+
+    /** Mean change of a column from the beginning of a breath to where it is deepest. */
+    public double meanChange(String column) {
+        return meanAtEndInspiration(column) - meanAtEndExpiration(column);
+    }
+}

@@ -1,0 +1,69 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.study.measure.SceneObservables;
+
+/** One breath of a preset from rest, or all of it up to the end of its hold, as curves of the observables. */
+public final class PresetRun {
+    /** Between samples of a validation, s. */
+    public static final double SAMPLE_S = 0.05;
+
+    private PresetRun() {}
+
+    /**
+     * Runs it.
+     *
+     * @param sampleS between samples, s
+     * @param wanted names of observables of {@link SceneObservables} to compute besides those of every run
+     */
+    public static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            Frame frame = surfaces.newFrame();
+            SceneObservables measures = new SceneObservables(surfaces, frame, wanted);
+            List<String> columns = new ArrayList<>(Observation.COLUMNS);
+            columns.addAll(measures.columns());
+            List<double[]> rows = new ArrayList<>();
+            List<RespiratoryPhase> labels = new ArrayList<>();
+            boolean periodic = !Double.isInfinite(scenario.breathing().pattern().periodS());
+            int breath = Observation.COLUMNS.indexOf("breath");
+            double endS = simulation.durationS();
+            boolean over = false;
+            while (true) {
+                rows.add(row(frame, measures, columns.size()));
+                labels.add(simulation.breathLabel());
+                if (over) {
+                    return new BreathSeries(columns, rows, labels);
+                }
+                long steps =
+                        Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
+                for (long i = 0; i < steps; i++) {
+                    simulation.step();
+                }
+                surfaces.capture(frame);
+                boolean released =
+                        labels.contains(RespiratoryPhase.HOLD) && simulation.breathLabel() != RespiratoryPhase.HOLD;
+                boolean whole = periodic && frame.values()[breath] > rows.get(0)[breath];
+                over = released || whole || simulation.time() >= endS;
+            }
+        }
+    }
+
+    private static double[] row(Frame frame, SceneObservables measures, int length) {
+        double[] row = new double[length];
+        double[] seen = frame.values();
+        System.arraycopy(seen, 0, row, 0, seen.length);
+        double[] measured = measures.measure(frame);
+        System.arraycopy(measured, 0, row, seen.length, measured.length);
+        return row;
+    }
+}

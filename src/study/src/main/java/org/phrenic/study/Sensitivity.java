@@ -1,0 +1,125 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+
+/**
+ * Which parameter moves which observable: each parameter alone is lowered and raised by a tenth, and the change of the
+ * observable over the change of the parameter is told in per cent per per cent, (q+ - q-) / q0 over (p+ - p-) / p0;
+ * where a tenth leaves the parameter's range, up to its end.
+ *
+ * @param preset that was breathed, one breath from rest
+ * @param anatomy body
+ * @param observables whose change from end-expiration to end-inspiration is looked at
+ * @param reference those changes with nothing altered
+ * @param rows one a parameter
+ */
+public record Sensitivity(String preset, String anatomy, List<String> observables, double[] reference, List<Row> rows) {
+    private static final double STEP = 0.1;
+    /** Finer than a validation's: where a breath is deepest shifts a little with most parameters, and must not jump. */
+    private static final double SAMPLE_S = 0.01;
+
+    private static final List<String> OBSERVABLES = List.of(
+            "dome_right_mm",
+            "dome_left_mm",
+            "central_tendon_mm",
+            "anterior_right_mm",
+            "posterior_right_mm",
+            "fibre_shortening_percent",
+            "lung_volume_change_ml",
+            "transverse_change_mm",
+            "sternum_cranial_mm",
+            "sternum_ventral_mm",
+            "liver_si_mm",
+            "liver_ap_mm");
+
+    /**
+     * One parameter.
+     *
+     * @param parameter that was altered
+     * @param from lower value
+     * @param to higher value
+     * @param effects per cent per per cent, one an observable; NaN where the observable does not change at all
+     */
+    public record Row(Parameter parameter, double from, double to, double[] effects) {}
+
+    /**
+     * Runs it: two breaths a parameter that the material uses, and one with nothing altered.
+     *
+     * @param scenario preset, body, resolution and material
+     * @param threads runs at a time
+     */
+    public static Sensitivity of(Scenario scenario, int threads, ProgressListener progress) {
+        Scenario single = scenario.with("threads=1");
+        Thorax thorax = SimulationRun.loadThorax(single);
+        List<Parameter> parameters = Arrays.stream(Parameter.values())
+                .filter(p -> p.isUsedBy(scenario.material()) && value(single, p) != 0)
+                .toList();
+        List<double[]> ends = new ArrayList<>();
+        List<BatchRunner.Job<double[]>> jobs = new ArrayList<>();
+        jobs.add(new BatchRunner.Job<>("nothing altered", () -> breathChanges(single, thorax)));
+        for (Parameter parameter : parameters) {
+            double value = value(single, parameter);
+            double[] pair = {
+                Math.max(parameter.minimum(), value * (1 - STEP)), Math.min(parameter.maximum(), value * (1 + STEP))
+            };
+            ends.add(pair);
+            for (double end : pair) {
+                Scenario altered = single.with(parameter.key() + "=" + end);
+                jobs.add(new BatchRunner.Job<>(
+                        String.format(Locale.ROOT, "%s %.4g", parameter.key(), end),
+                        () -> breathChanges(altered, thorax)));
+            }
+        }
+        List<double[]> seen = BatchRunner.run(jobs, threads, progress);
+        double[] reference = seen.get(0);
+        List<Row> rows = new ArrayList<>();
+        for (int i = 0; i < parameters.size(); i++) {
+            double[] pair = ends.get(i);
+            double share = (pair[1] - pair[0]) / value(single, parameters.get(i));
+            rows.add(new Row(
+                    parameters.get(i),
+                    pair[0],
+                    pair[1],
+                    effects(reference, seen.get(2 * i + 1), seen.get(2 * i + 2), share)));
+        }
+        return new Sensitivity(scenario.preset(), scenario.anatomy(), OBSERVABLES, reference, rows);
+    }
+
+    /** Effects in per cent per per cent, for a change of the parameter by a share of its value. */
+    public static double[] effects(double[] reference, double[] low, double[] high, double share) {
+        double[] effects = new double[reference.length];
+        for (int i = 0; i < effects.length; i++) {
+            effects[i] = reference[i] == 0 ? Double.NaN : (high[i] - low[i]) / (reference[i] * share);
+        }
+        return effects;
+    }
+
+    private static double value(Scenario scenario, Parameter parameter) {
+        double value = scenario.value(parameter);
+        if (!Double.isNaN(value)) {
+            return value;
+        }
+        BreathingParameters breathing = scenario.breathing().parameters();
+        return switch (parameter) {
+            case RATE -> breathing.ratePerMin();
+            case INSPIRATORY_FRACTION -> breathing.inspiratoryFraction();
+            case CHEST_SHARE -> breathing.chestShare();
+            default -> 0;
+        };
+    }
+
+    private static double[] breathChanges(Scenario scenario, Thorax thorax) {
+        BreathSeries series = PresetRun.of(scenario, thorax, SAMPLE_S, List.of());
+        return OBSERVABLES.stream().mapToDouble(series::meanChange).toArray();
+    }
+}

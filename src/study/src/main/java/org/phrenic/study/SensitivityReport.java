@@ -1,0 +1,88 @@
+package org.phrenic.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** A sensitivity as Markdown and as values for JSON. */
+public final class SensitivityReport {
+    private static final String NOTICE = org.phrenic.document.report.Disclaimer.TEXT;
+
+    private final Sensitivity sensitivity;
+
+    public SensitivityReport(Sensitivity sensitivity) {
+        this.sensitivity = sensitivity;
+    }
+
+    /** Header and rows of the table, as cells: the parameter, then per cent per per cent for each observable. */
+    public List<List<String>> cells() {
+        List<List<String>> table = new ArrayList<>();
+        List<String> header = new ArrayList<>(List.of("parameter"));
+        header.addAll(sensitivity.observables());
+        table.add(header);
+        for (Sensitivity.Row row : sensitivity.rows()) {
+            List<String> line = new ArrayList<>(List.of(row.parameter().key()));
+            for (double effect : row.effects()) {
+                line.add(Double.isNaN(effect) ? "-" : signed(effect));
+            }
+            table.add(line);
+        }
+        return table;
+    }
+
+    private static String signed(double effect) {
+        String text = String.format(Locale.ROOT, "%+.2f", effect);
+        return text.endsWith("0.00") ? "0.00" : text;
+    }
+
+    /** The table as Markdown. */
+    public String markdown() {
+        StringBuilder text = new StringBuilder("# Which parameter moves which observable\n\n");
+        text.append(
+                "Change of the observable in per cent for one per cent of the parameter, each parameter alone between nine and eleven tenths of its value (or to the end of its range); preset `");
+        text.append(sensitivity.preset())
+                .append("`, ")
+                .append(sensitivity.anatomy())
+                .append(".\n");
+        text.append(NOTICE).append("\n\n");
+        List<List<String>> cells = cells();
+        for (int i = 0; i < cells.size(); i++) {
+            text.append("| ").append(String.join(" | ", cells.get(i))).append(" |\n");
+            if (i == 0) {
+                text.append("|---".repeat(cells.get(0).size())).append("|\n");
+            }
+        }
+        return text.toString();
+    }
+
+    /** All of it as values, for JSON. */
+    public Map<String, Object> values() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("notice", NOTICE);
+        map.put("preset", sensitivity.preset());
+        map.put("anatomy", sensitivity.anatomy());
+        map.put("reference", named(sensitivity.reference()));
+        Map<String, Object> rows = new LinkedHashMap<>();
+        for (Sensitivity.Row row : sensitivity.rows()) {
+            Map<String, Object> each = new LinkedHashMap<>();
+            each.put("from", row.from());
+            each.put("to", row.to());
+            each.put("percent_per_percent", named(row.effects()));
+            rows.put(row.parameter().key(), each);
+        }
+        map.put("parameters", rows);
+        return map;
+    }
+
+    private Map<String, Object> named(double[] values) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        for (int i = 0; i < values.length; i++) {
+            if (!Double.isNaN(values[i])) {
+                map.put(sensitivity.observables().get(i), values[i]);
+            }
+        }
+        return map;
+    }
+}

@@ -1,0 +1,184 @@
+package org.phrenic.study.bare;
+
+import java.util.Arrays;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.constraint.RigidLinks;
+import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.engine.force.SpringKernel;
+import org.phrenic.engine.force.Springs;
+import org.phrenic.engine.integrator.Integrator;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.Hashes;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * The engine alone on a mesh, so that engines can be compared at the same work: one particle a vertex, a spring with a
+ * dashpot on each edge (rest length: the initial one), a dead load on some vertices, others held still, and optionally
+ * rigid links between pairs, put back to their length after each step, half to each end along the line between them.
+ * The run starts at rest.
+ */
+public final class BareWorkload implements AutoCloseable {
+    /** Steps from rest after which displacement and hash are taken. */
+    public static final int CHECKED_STEPS = 200;
+
+    private static final int RUNS = 7;
+    /** Steps by which the just-in-time compiler has settled. */
+    private static final int WARM_UP_STEPS = 1000;
+
+    private final BareScene scene;
+    private final BareSettings settings;
+    private final Workers workers;
+    private final ParticleSystem system;
+    private final Integrator integrator;
+    private final Springs springs;
+    private final int edges;
+    private long stepsDone;
+
+    public BareWorkload(BareScene scene, BareSettings settings) {
+        this.scene = scene;
+        this.settings = settings;
+        TriangleMesh mesh = scene.mesh();
+        double[] rest = mesh.positions();
+        int n = mesh.vertexCount();
+        NodeLayout layout = NodeLayout.morton(rest);
+        double[] mass = new double[n];
+        Arrays.fill(mass, settings.mass());
+        workers = Workers.of(settings.threads());
+        system = new ParticleSystem(layout, rest, mass, workers);
+        long[] pairs = edges(mesh.triangles());
+        edges = pairs.length;
+        springs = Springs.between(
+                        layout,
+                        Arrays.stream(pairs).mapToInt(e -> (int) (e >>> 32)).toArray(),
+                        Arrays.stream(pairs).mapToInt(e -> (int) e).toArray())
+                .stiffness(settings.stiffness())
+                .damping(settings.damping())
+                .restLengthsAt(rest)
+                .build();
+        system.add(springs);
+        double[] load = new double[3 * n];
+        for (int i : scene.loaded()) {
+            load[3 * i + 2] = settings.load();
+        }
+        system.add(new ConstantLoad(layout, load));
+        system.fix(scene.fixed());
+        if (scene.links().length > 0) {
+            system.add(RigidLinks.singlePass(layout, column(scene.links(), 0), column(scene.links(), 1), rest));
+        }
+        settings.kernel().ifPresent(springs::setKernel);
+        integrator = settings.integrator().create(system);
+    }
+
+    /** Each edge of the triangles once: lower vertex in the high half, higher in the low half; sorted. */
+    private static long[] edges(int[] triangles) {
+        long[] out = new long[triangles.length];
+        for (int i = 0; i < out.length; i++) {
+            int a = triangles[i];
+            int b = triangles[i % 3 == 2 ? i - 2 : i + 1];
+            out[i] = (long) Math.min(a, b) << 32 | Math.max(a, b);
+        }
+        return Arrays.stream(out).sorted().distinct().toArray();
+    }
+
+    private static int[] column(int[] pairs, int which) {
+        int[] out = new int[pairs.length / 2];
+        Arrays.setAll(out, i -> pairs[2 * i + which]);
+        return out;
+    }
+
+    /** Computes the forces of the springs in another way from now on, with the same bits. */
+    public void setKernel(SpringKernel kernel) {
+        springs.setKernel(kernel);
+    }
+
+    /**
+     * Computes them in the way that is fastest here from now on, by a short measurement; the bits do not depend on it.
+     */
+    public SpringKernel useFastestKernel() {
+        return springs.useFastestKernel(system.positions(), system.velocities());
+    }
+
+    /** Particles. */
+    public int nodeCount() {
+        return system.nodeCount();
+    }
+
+    /** Springs. */
+    public int edgeCount() {
+        return edges;
+    }
+
+    /** Does so many more steps. */
+    public void advance(int steps) {
+        double h = settings.step();
+        for (int i = 0; i < steps; i++) {
+            integrator.step(stepsDone * h, h);
+            stepsDone++;
+        }
+    }
+
+    /** Mean z displacement of the loaded nodes since the start, mm; not a number where none is loaded. */
+    public double meanDz() {
+        double[] now = new double[3];
+        double sum = 0;
+        for (int i : scene.loaded()) {
+            system.position(i, now);
+            sum += now[2] - scene.mesh().z(i);
+        }
+        return sum / scene.loaded().length;
+    }
+
+    /** SHA-256 over the bits of all positions, then all velocities, in the order of the mesh's vertices. */
+    public String stateSha256() {
+        double[] x = new double[3 * system.nodeCount()];
+        double[] v = new double[x.length];
+        system.layout().toCaller(system.positions(), x);
+        system.layout().toCaller(system.velocities(), v);
+        return Hashes.sha256(x, v);
+    }
+
+    /**
+     * The whole of it: 200 steps that are checked, the machine measured, the kernel chosen, a warm-up, and seven timed
+     * runs.
+     *
+     * @param scene mesh, fixed and loaded vertices, links
+     * @param settings numbers
+     */
+    public static BareResult run(BareScene scene, BareSettings settings) {
+        try (BareWorkload work = new BareWorkload(scene, settings)) {
+            work.advance(CHECKED_STEPS);
+            double dz = work.meanDz();
+            String hash = work.stateSha256();
+            Roofline floor = Roofline.measure(work.system.nodeCount(), work.edges, settings.threads());
+            SpringKernel kernel = settings.kernel().orElseGet(work::useFastestKernel);
+            work.advance(WARM_UP_STEPS);
+            double[] rate = new double[RUNS];
+            for (int run = 0; run < RUNS; run++) {
+                long start = System.nanoTime();
+                work.advance(settings.steps());
+                rate[run] = settings.steps() / ((System.nanoTime() - start) * 1e-9);
+            }
+            Arrays.sort(rate);
+            return new BareResult(
+                    rate[RUNS / 2],
+                    rate[0],
+                    rate[RUNS - 1],
+                    work.system.nodeCount(),
+                    work.edges,
+                    scene.links().length / 2,
+                    settings.threads(),
+                    settings.integrator().label(),
+                    kernel.label(),
+                    dz,
+                    floor,
+                    hash);
+        }
+    }
+
+    /** Ends the threads that shared the work. */
+    @Override
+    public void close() {
+        workers.close();
+    }
+}

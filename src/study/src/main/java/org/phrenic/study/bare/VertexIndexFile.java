@@ -1,0 +1,102 @@
+package org.phrenic.study.bare;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.phrenic.file.BadInputException;
+
+/**
+ * Text files of vertex indices, counted from 0: one a line (a set of vertices) or two a line (pairs). Empty lines, and
+ * what follows a #, are passed over.
+ */
+public final class VertexIndexFile {
+    private static final Pattern SPACE = Pattern.compile("\\s+");
+
+    private VertexIndexFile() {}
+
+    /**
+     * A set of vertices, one a line.
+     *
+     * @param file the file
+     * @param vertexCount vertices there are
+     * @return indices in the order of the file
+     * @throws BadInputException if it cannot be read, a line is not one index below the count, or an index is given
+     *     twice
+     */
+    public static int[] vertices(Path file, int vertexCount) {
+        return read(file, 1, vertexCount);
+    }
+
+    /**
+     * Pairs of vertices, two a line.
+     *
+     * @return the two of the first pair, then of the second...
+     * @throws BadInputException as for {@link #vertices}, the pairs being disjoint
+     */
+    public static int[] pairs(Path file, int vertexCount) {
+        return read(file, 2, vertexCount);
+    }
+
+    private static int[] read(Path file, int perLine, int vertexCount) {
+        List<String> lines = lines(file);
+        int[] out = new int[perLine * lines.size()];
+        int[] lineOf = new int[vertexCount];
+        int count = 0;
+        for (int i = 0; i < lines.size(); i++) {
+            String text = lines.get(i);
+            int comment = text.indexOf('#');
+            text = (comment < 0 ? text : text.substring(0, comment)).strip();
+            if (text.isEmpty()) {
+                continue;
+            }
+            String[] words = SPACE.split(text, -1);
+            if (words.length != perLine) {
+                throw bad(file, i, "found " + words.length + " words, expected " + perLine + " vertex indices");
+            }
+            for (String word : words) {
+                int index = index(file, i, word, vertexCount);
+                if (lineOf[index] != 0) {
+                    throw bad(
+                            file,
+                            i,
+                            "found vertex " + index + " of line " + lineOf[index] + " again, expected it once");
+                }
+                lineOf[index] = i + 1;
+                out[count++] = index;
+            }
+        }
+        return Arrays.copyOf(out, count);
+    }
+
+    private static List<String> lines(Path file) {
+        try {
+            return Files.readAllLines(file);
+        } catch (CharacterCodingException failure) {
+            throw new BadInputException(file + ": found bytes that are not text, expected vertex indices", failure);
+        } catch (IOException failure) {
+            throw new BadInputException(
+                    file + ": found no file that can be read, expected a text file of vertex indices", failure);
+        }
+    }
+
+    private static int index(Path file, int line, String word, int vertexCount) {
+        int index;
+        try {
+            index = Integer.parseInt(word);
+        } catch (NumberFormatException notANumber) {
+            index = -1;
+        }
+        if (index < 0 || index >= vertexCount) {
+            throw bad(file, line, "found '" + word + "', expected a vertex index from 0 to " + (vertexCount - 1));
+        }
+        return index;
+    }
+
+    private static BadInputException bad(Path file, int line, String problem) {
+        return BadInputException.at(file.toString(), "line " + (line + 1), problem);
+    }
+}

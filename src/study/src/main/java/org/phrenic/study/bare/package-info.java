@@ -1,0 +1,2 @@
+/** The engine alone on a mesh: the workload of benchmarks. */
+package org.phrenic.study.bare;

@@ -1,0 +1,158 @@
+package org.phrenic.study.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * At which level of the body the domes stand, as a number that is whole at the middle of a bone and grows downward:
+ * against the vertebral bodies (8 for the middle of T8, 13 for L1) and against the front halves of the ribs in the
+ * midclavicular line (5.5 for the fifth intercostal space), as on a picture from the front.
+ */
+final class DomeLevelMeasure implements SceneMeasure {
+    static final List<String> NAMES = List.of(
+            "dome_right_vertebra",
+            "dome_left_vertebra",
+            "central_tendon_vertebra",
+            "dome_right_rib",
+            "dome_left_rib",
+            "dome_right_above_left_mm");
+
+    /** A vertebra's body: so far back from its front. */
+    private static final double BODY_MM = 25;
+
+    private static final double MIDLINE_MM = 20;
+    /** What is nearer to the midline is hidden by the heart on a picture from the front. */
+    private static final double HEART_MM = 45;
+    /** The midclavicular line: so far out to the side of the sheet. */
+    private static final double MIDCLAVICULAR = 0.55;
+    /** A rib is looked at so far to both sides of the midclavicular line. */
+    private static final double BAND_MM = 10;
+
+    /** Height of a level's middle. */
+    private record Level(double number, double z) {}
+
+    private final int sheet;
+    private final double middle;
+    private final double clavicular;
+    private final List<Level> vertebrae = new ArrayList<>();
+    private final int[] ribs;
+
+    DomeLevelMeasure(SceneGeometry view) {
+        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
+        double[] box = view.surface(sheet).rest().bounds();
+        middle = 0.5 * (box[0] + box[3]);
+        clavicular = 0.5 * MIDCLAVICULAR * (box[3] - box[0]);
+        for (int i : view.indicesOf(StructureKind.VERTEBRA)) {
+            Surface s = view.surface(i);
+            vertebrae.add(new Level(s.level(), bodyMiddle(s)));
+        }
+        ribs = view.indicesOf(StructureKind.RIB);
+    }
+
+    private static double bodyMiddle(Surface s) {
+        double front = s.rest().bounds()[1];
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < s.rest().vertexCount(); i++) {
+            if (s.rest().y(i) < front + BODY_MM) {
+                low = Math.min(low, s.rest().z(i));
+                high = Math.max(high, s.rest().z(i));
+            }
+        }
+        return 0.5 * (low + high);
+    }
+
+    @Override
+    public void measure(SceneGeometry view, Frame frame, Map<String, Double> values) {
+        double[] p = view.positions(sheet);
+        double[] right = domeTop(p, -1);
+        double[] left = domeTop(p, 1);
+        values.put("dome_right_vertebra", interpolatedLevel(vertebrae, right[2]));
+        values.put("dome_left_vertebra", interpolatedLevel(vertebrae, left[2]));
+        values.put(
+                "central_tendon_vertebra",
+                interpolatedLevel(
+                        vertebrae, centralTendonHeight(p, view.surface(sheet).tendon())));
+        values.put("dome_right_rib", interpolatedLevel(ribLevels(view, Side.RIGHT, middle - clavicular), right[2]));
+        values.put("dome_left_rib", interpolatedLevel(ribLevels(view, Side.LEFT, middle + clavicular), left[2]));
+        values.put("dome_right_above_left_mm", right[2] - left[2]);
+    }
+
+    /** Highest point of a side. */
+    private double[] domeTop(double[] p, int sign) {
+        int best = -1;
+        for (int k = 0; k < p.length; k += 3) {
+            if (sign * (p[k] - middle) > HEART_MM && (best < 0 || p[k + 2] > p[best + 2])) {
+                best = k;
+            }
+        }
+        return new double[] {p[best], p[best + 1], p[best + 2]};
+    }
+
+    private double centralTendonHeight(double[] p, boolean[] tendon) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < tendon.length; i++) {
+            if (tendon[i] && Math.abs(p[3 * i] - middle) < MIDLINE_MM) {
+                sum += p[3 * i + 2];
+                count++;
+            }
+        }
+        return sum / count;
+    }
+
+    /** Heights of the front halves of a side's ribs where they cross a sagittal plane. */
+    private List<Level> ribLevels(SceneGeometry view, Side side, double x) {
+        List<Level> levels = new ArrayList<>();
+        for (int r : ribs) {
+            if (view.surface(r).side() == side) {
+                double[] p = view.positions(r);
+                double turn = lateralY(p, side.sign());
+                double sum = 0;
+                int count = 0;
+                for (int k = 0; k < p.length; k += 3) {
+                    if (p[k + 1] < turn && Math.abs(p[k] - x) < BAND_MM) {
+                        sum += p[k + 2];
+                        count++;
+                    }
+                }
+                if (count > 0) {
+                    levels.add(new Level(view.surface(r).level(), sum / count));
+                }
+            }
+        }
+        return levels;
+    }
+
+    /** How far back the most lateral point is. */
+    private static double lateralY(double[] p, int sign) {
+        int best = 0;
+        for (int k = 0; k < p.length; k += 3) {
+            best = sign * p[k] > sign * p[best] ? k : best;
+        }
+        return p[best + 1];
+    }
+
+    /** Where a height stands among levels, by straight lines between them; NaN outside. */
+    private static double interpolatedLevel(List<Level> levels, double z) {
+        Level above = null;
+        Level below = null;
+        for (Level level : levels) {
+            if (level.z >= z && (above == null || level.z < above.z)) {
+                above = level;
+            }
+            if (level.z < z && (below == null || level.z > below.z)) {
+                below = level;
+            }
+        }
+        if (above == null || below == null) {
+            return Double.NaN;
+        }
+        return above.number + (below.number - above.number) * (above.z - z) / (above.z - below.z);
+    }
+}

@@ -1,0 +1,137 @@
+package org.phrenic.study.measure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.cage.RibEnds;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * How far ribs and costal cartilages have moved and turned since rest, mean of both sides. Of a rib: its anterior end,
+ * its most lateral point, and its rotation vector with pump about -x (raises the front) and bucket about the axis that
+ * points forward on the right (raises the side). Of a cartilage: the mean of its points.
+ */
+final class RibMeasure implements SceneMeasure {
+    private static final int LEVELS = 12;
+    private static final int CARTILAGES = 10;
+    private static final List<String> OF_RIB =
+            List.of("rise_mm", "forward_mm", "widening_mm", "angle_deg", "pump_deg", "bucket_deg", "axis_deg");
+    private static final List<String> OF_CARTILAGE = List.of("rise_mm", "forward_mm", "widening_mm");
+
+    static final List<String> NAMES = names();
+
+    private static final class Rib {
+        int surface;
+        int sign;
+        /** Anterior end, then most lateral point. */
+        double[] points;
+    }
+
+    private final Map<Integer, List<Rib>> ribs = new TreeMap<>();
+    private final Map<Integer, List<Integer>> cartilages = new TreeMap<>();
+
+    RibMeasure(SceneGeometry view) {
+        for (int i : view.indicesOf(StructureKind.RIB)) {
+            Surface s = view.surface(i);
+            if (s.motion() == Surface.Motion.RIGID && s.side() != Side.MIDLINE) {
+                ribs.computeIfAbsent(s.level(), level -> new ArrayList<>()).add(rib(i, s));
+            }
+        }
+        for (int i : view.indicesOf(StructureKind.COSTAL_CARTILAGE)) {
+            cartilages
+                    .computeIfAbsent(view.surface(i).level(), level -> new ArrayList<>())
+                    .add(i);
+        }
+    }
+
+    private static Rib rib(int index, Surface s) {
+        Rib rib = new Rib();
+        rib.surface = index;
+        rib.sign = s.side().sign();
+        double[] p = s.rest().positions();
+        int lateral = 0;
+        for (int k = 0; k < p.length; k += 3) {
+            lateral = rib.sign * p[k] > rib.sign * p[lateral] ? k : lateral;
+        }
+        double[] end = RibEnds.find(s.rest(), s.side()).anterior();
+        rib.points = new double[] {end[0], end[1], end[2], p[lateral], p[lateral + 1], p[lateral + 2]};
+        return rib;
+    }
+
+    private static List<String> names() {
+        List<String> names = new ArrayList<>();
+        IntStream.rangeClosed(1, LEVELS).forEach(n -> OF_RIB.forEach(what -> names.add(name("rib", n, what))));
+        IntStream.rangeClosed(1, CARTILAGES)
+                .forEach(n -> OF_CARTILAGE.forEach(what -> names.add(name("cartilage", n, what))));
+        return List.copyOf(names);
+    }
+
+    private static String name(String kind, int level, String what) {
+        return kind + (level < 10 ? "_0" : "_") + level + "_" + what;
+    }
+
+    @Override
+    public void measure(SceneGeometry view, Frame frame, Map<String, Double> values) {
+        ribs.forEach((level, pair) -> {
+            double[] mean = new double[OF_RIB.size() - 1];
+            for (Rib rib : pair) {
+                add(frame.pose(rib.surface), rib, 1.0 / pair.size(), mean);
+            }
+            for (int i = 0; i < mean.length; i++) {
+                values.put(name("rib", level, OF_RIB.get(i)), mean[i]);
+            }
+            values.put(
+                    name("rib", level, "axis_deg"), StrictMath.toDegrees(StrictMath.atan2(mean[4], Math.abs(mean[5]))));
+        });
+        cartilages.forEach((level, pair) -> {
+            double[] mean = new double[3];
+            for (int surface : pair) {
+                add(view, surface, 1.0 / pair.size(), mean);
+            }
+            for (int i = 0; i < mean.length; i++) {
+                values.put(name("cartilage", level, OF_CARTILAGE.get(i)), mean[i]);
+            }
+        });
+    }
+
+    private static void add(float[] pose, Rib rib, double weight, double[] mean) {
+        double[] moved = new double[6];
+        Frame.transform(pose, rib.points, moved);
+        double[] turn = rotationVector(pose);
+        mean[0] += weight * (moved[2] - rib.points[2]);
+        mean[1] += weight * (rib.points[1] - moved[1]);
+        mean[2] += weight * rib.sign * (moved[3] - rib.points[3]);
+        mean[3] += weight * Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
+        mean[4] -= weight * turn[0];
+        mean[5] -= weight * rib.sign * turn[1];
+    }
+
+    private static void add(SceneGeometry view, int surface, double weight, double[] mean) {
+        double[] rest = view.surface(surface).rest().positions();
+        double[] now = view.positions(surface);
+        int count = rest.length / 3;
+        double each = weight / count;
+        int sign = view.surface(surface).side().sign();
+        for (int k = 0; k < rest.length; k += 3) {
+            mean[0] += each * (now[k + 2] - rest[k + 2]);
+            mean[1] += each * (rest[k + 1] - now[k + 1]);
+            mean[2] += each * sign * (now[k] - rest[k]);
+        }
+    }
+
+    /** Axis times angle of a pose's rotation, degrees. */
+    static double[] rotationVector(float[] pose) {
+        double x = pose[9] - pose[6];
+        double y = pose[2] - pose[8];
+        double z = pose[4] - pose[1];
+        double sine2 = Math.sqrt(x * x + y * y + z * z);
+        double angle = StrictMath.toDegrees(StrictMath.atan2(sine2, (double) pose[0] + pose[5] + pose[10] - 1));
+        double scale = sine2 == 0 ? 0 : angle / sine2;
+        return new double[] {scale * x, scale * y, scale * z};
+    }
+}

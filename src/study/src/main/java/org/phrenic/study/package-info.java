@@ -1,0 +1,2 @@
+/** What studies share: runs, reductions, progress. */
+package org.phrenic.study;

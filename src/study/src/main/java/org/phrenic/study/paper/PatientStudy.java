@@ -1,0 +1,223 @@
+package org.phrenic.study.paper;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
+import org.phrenic.fit.Fit;
+import org.phrenic.fit.FitPart;
+import org.phrenic.fit.FitProgress;
+import org.phrenic.fit.FitResult;
+import org.phrenic.fit.FitSetup;
+import org.phrenic.fit.FitTarget;
+import org.phrenic.fit.GroundTruth;
+import org.phrenic.fit.SyntheticPatient;
+import org.phrenic.fit.search.FitParameter;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.patient.MeshingSettings;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.registration.BodyCompletion;
+import org.phrenic.patient.registration.SecondScan;
+import org.phrenic.patient.segmentation.AxesOverride;
+import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+
+/**
+ * The paper's second half on patients of our own: import of both breath levels, rigid alignment, a short fit at low
+ * resolution.
+ */
+public final class PatientStudy {
+    /**
+     * Where scans at two breath levels are looked for when nothing else is said, from the folder in which the program
+     * runs.
+     */
+    public static final Path DEFAULT_FOLDER = Path.of("..", "shared", "segmentations", "breath-pairs");
+    /**
+     * The axes of those scans: their headers state others, by which the left lung would be the larger and the spine in
+     * front.
+     */
+    public static final String DEFAULT_AXES = "LPS";
+    /** More patients are left out: each takes a minute. */
+    public static final int MAX_PATIENTS = 3;
+
+    /** Breaths of the search for each patient. */
+    private static final int EVALUATIONS = 25;
+
+    private static final int THREADS = 2;
+    private static final double NOISE_MM = 1;
+    private final boolean quick;
+    private final ProgressListener progress;
+
+    /** @param quick the first patient alone, and what the untuned model does */
+    public PatientStudy(boolean quick, ProgressListener progress) {
+        this.quick = quick;
+        this.progress = progress;
+    }
+
+    /**
+     * Real patients, the first few.
+     *
+     * @param axes see {@link AxesOverride}; empty for those of the files
+     * @throws BadInputException if a scan cannot be used, or shows no lungs
+     */
+    public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
+        int count = Math.min(quick ? 1 : MAX_PATIENTS, scans.size());
+        List<BatchRunner.Job<Imported>> imports = new ArrayList<>();
+        for (PatientScans pair : scans.subList(0, count)) {
+            imports.add(new BatchRunner.Job<>(pair.name(), () -> imported(pair, axes)));
+        }
+        List<PatientCase> cases = new ArrayList<>();
+        for (Imported patient : BatchRunner.run(imports, THREADS, (done, of, what) -> {})) {
+            progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
+            FitResult fit = fit(
+                    Scenario.defaults().with("preset=deep", "resolution=low"),
+                    patient.body(),
+                    FitTarget.withBases(patient.targets()),
+                    patient.alignment());
+            cases.add(new PatientCase(
+                    patient.name(), "CT, two breath holds", false, patient.body(), patient.notes(), fit));
+            progress.done(cases.size(), count, patient.name());
+        }
+        return cases;
+    }
+
+    /** A patient of two scans, before anything is tuned. */
+    private record Imported(String name, Thorax body, List<FitTarget> targets, String alignment, List<String> notes) {}
+
+    private Imported imported(PatientScans pair, Optional<String> axes) {
+        progress.note(pair.name() + ": import of both breath levels");
+        Thorax template = SimulationRun.loadThorax(Scenario.defaults());
+        PatientBody expired = BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template);
+        if (!expired.canBreathe()) {
+            throw new BadInputException(
+                    pair.expiration() + ": found no whole lung, expected lungs to make a body from");
+        }
+        Thorax body = expired.thorax();
+        PatientBody inspired;
+        try {
+            inspired = SecondScan.alignedTo(body, imported(pair.inspiration(), axes, pair.name()));
+        } catch (IllegalArgumentException apart) {
+            throw new BadInputException(
+                    pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
+        }
+        List<FitTarget> targets = new ArrayList<>();
+        for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
+            targets.add(FitTarget.of(
+                    part,
+                    inspired.structure(part.label())
+                            .orElseThrow(() -> new BadInputException(
+                                    pair.inspiration() + ": found no " + part.label() + ", expected both lungs"))
+                            .structure()
+                            .mesh()));
+        }
+        String alignment = inspired.notes().stream()
+                .filter(note -> note.startsWith("brought rigidly"))
+                .findFirst()
+                .orElseThrow();
+        List<String> notes = new ArrayList<>(expired.notes());
+        notes.add("end of inhale: " + alignment);
+        return new Imported(pair.name(), body, targets, alignment, notes);
+    }
+
+    private static PatientBody imported(Path file, Optional<String> axes, String name) {
+        LabelVolume read = LabelVolumeFiles.read(file);
+        LabelVolume volume =
+                axes.map(stated -> AxesOverride.apply(read, stated)).orElse(read);
+        LabelTable map = volume.names().isEmpty()
+                ? new LabelTable(Map.of(1, LabelTable.LUNGS))
+                : LabelTable.named(file.toString(), volume);
+        return new ScanImport(volume, file.toString(), MeshingSettings.PAPER, Optional.empty(), (n, of, what) -> {})
+                .run(map, name);
+    }
+
+    /** A patient whose breath is known, for want of scans. */
+    public PatientCase synthetic() {
+        SyntheticPatient patient = SyntheticPatient.five().get(0);
+        progress.note("a synthetic patient: " + patient.name());
+        GroundTruth truth = GroundTruth.of(patient, quick ? Resolution.LOW : Resolution.MEDIUM, NOISE_MM, 1);
+        Thorax body = patient.body(Resolution.LOW);
+        Scenario base = Scenario.defaults().with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=low");
+        FitResult fit =
+                fit(base, body, FitTarget.withBases(truth.targets()), "none: both levels are of one body in one place");
+        List<String> notes = List.of(
+                "what a scan would show of a virtual body that breathes with settings that the fit does not know ("
+                        + String.join(", ", patient.hidden()) + "), its surfaces halved and moved by noise of 1 mm",
+                String.format(
+                        Locale.ROOT,
+                        "the noise alone leaves %.2f mm, which no fit can be expected to undercut",
+                        truth.floorMm()));
+        progress.done(1, 1, patient.name());
+        return new PatientCase(patient.name(), "synthetic", true, body, notes, fit);
+    }
+
+    private int evaluations() {
+        return quick ? 1 : EVALUATIONS;
+    }
+
+    private FitResult fit(Scenario base, Thorax body, List<FitTarget> targets, String alignment) {
+        FitSetup setup = new FitSetup(
+                base,
+                body,
+                targets,
+                FitParameter.defaults(base),
+                false,
+                alignment,
+                1,
+                0,
+                FitSetup.SIGMA,
+                quick ? 1 : THREADS,
+                evaluations(),
+                Double.POSITIVE_INFINITY,
+                false);
+        try {
+            // The journal is for long searches that are stopped; this one is short.
+            Path journal = Files.createTempDirectory("phrenic").resolve("journal.csv");
+            try {
+                return Fit.run(setup, journal, new Breaths());
+            } finally {
+                delete(journal.getParent());
+            }
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /** A folder and the files in it: a fit may keep more than its journal. */
+    private static void delete(Path folder) throws IOException {
+        List<Path> kept;
+        try (Stream<Path> files = Files.list(folder)) {
+            kept = files.toList();
+        }
+        for (Path file : kept) {
+            Files.deleteIfExists(file);
+        }
+        Files.delete(folder);
+    }
+
+    /** Every twelfth breath is told. */
+    private final class Breaths implements FitProgress {
+        private static final int EVERY = 12;
+
+        @Override
+        public void evaluated(int count, int most, double bestMm, double initialMm) {
+            if (count % EVERY == 0) {
+                progress.note(String.format(
+                        Locale.ROOT, "%d of %d breaths, %.2f mm of %.2f", count, most, bestMm, initialMm));
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+package org.phrenic.study.paper;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.PaperScenarios;
+import org.phrenic.study.speed.SpeedCase;
+import org.phrenic.study.speed.SpeedTable;
+import org.phrenic.study.speed.SpeedTrials;
+
+/**
+ * Everything of the paper that can be measured without a picture.
+ *
+ * @param quick whether it was measured coarsely and in part
+ * @param breathResolution resolution of the breaths
+ * @param defaultModel size of the model as it is used here, at the finest resolution measured
+ * @param publishedModel size of the model with the paper's numbers and rules, likewise
+ * @param speed table 1
+ * @param realTimeFactor simulated time over processor time of the paper's material at the finest resolution measured,
+ *     with the scheme and step used here
+ * @param breaths by name
+ */
+public record Reproduction(
+        boolean quick,
+        Resolution breathResolution,
+        ModelCounts defaultModel,
+        ModelCounts publishedModel,
+        SpeedTable speed,
+        double realTimeFactor,
+        Map<Run, PaperBreath> breaths) {
+
+    /** The breaths that are simulated. */
+    public enum Run {
+        LIGHT("light breath"),
+        DEEP("deep breath"),
+        DEEP_MUSCLE("deep breath, muscle alone"),
+        DEEP_RIBS("deep breath, ribs and sternum alone"),
+        PUBLISHED("deep breath, the paper's material"),
+        PUBLISHED_THREE_LINKS("deep breath, the paper's material, three rigid links a node"),
+        PUBLISHED_HOMOGENEOUS("deep breath, the paper's material, no rigid links");
+
+        private final String label;
+
+        Run(String label) {
+            this.label = label;
+        }
+
+        /** Name for people. */
+        public String label() {
+            return label;
+        }
+
+        private Scenario scenario(Resolution resolution) {
+            Scenario scenario =
+                    switch (this) {
+                        case LIGHT -> PaperScenarios.defaultModel("quiet", resolution);
+                        case DEEP -> PaperScenarios.defaultModel("deep", resolution);
+                        case DEEP_MUSCLE ->
+                            PaperScenarios.defaultModel("deep", resolution).with("ribs=false");
+                        case DEEP_RIBS ->
+                            PaperScenarios.defaultModel("deep", resolution)
+                                    .with("muscle=false", "greatest_pressure_kpa=0");
+                        case PUBLISHED -> PaperScenarios.publishedModel("deep", resolution);
+                        case PUBLISHED_THREE_LINKS ->
+                            PaperScenarios.publishedModel("deep", resolution).with("links_per_node=3");
+                        case PUBLISHED_HOMOGENEOUS ->
+                            PaperScenarios.publishedModel("deep", resolution).with("tensegrity=false");
+                    };
+            // Of these end-inspiration alone is looked at, as deep as 3 to 4 s after the start.
+            boolean toTheEnd = this == LIGHT || this == DEEP || this == PUBLISHED;
+            return toTheEnd ? scenario.with("threads=1") : scenario.with("threads=1", "duration_s=" + INSPIRED_S);
+        }
+    }
+
+    private static final double INSPIRED_S = 5;
+
+    private static final int THREADS = 2;
+    private static final int TRIALS = 5;
+    private static final double TRIAL_S = 0.3;
+    private static final int QUICK_TRIALS = 3;
+    private static final double QUICK_TRIAL_S = 0.02;
+
+    public Reproduction {
+        breaths = Map.copyOf(breaths);
+    }
+
+    /** A breath, if it was simulated. */
+    Optional<PaperBreath> breath(Run run) {
+        return Optional.ofNullable(breaths.get(run));
+    }
+
+    /**
+     * Measures.
+     *
+     * @param quick low resolution alone and fewer breaths, in a few seconds; the figures of speed are then worth little
+     */
+    public static Reproduction of(boolean quick, ProgressListener progress) {
+        List<Resolution> resolutions = quick ? List.of(Resolution.LOW) : List.of(Resolution.values());
+        List<Run> runs = quick ? List.of(Run.LIGHT, Run.PUBLISHED) : List.of(Run.values());
+        int trials = quick ? QUICK_TRIALS : TRIALS;
+        double trialS = quick ? QUICK_TRIAL_S : TRIAL_S;
+        int total = resolutions.size() + runs.size() + 1;
+        List<SpeedTable.Row> speed = new ArrayList<>();
+        Map<Resolution, Thorax> bodies = new LinkedHashMap<>();
+        for (Resolution resolution : resolutions) {
+            bodies.put(resolution, SimulationRun.loadThorax(PaperScenarios.defaultModel("quiet", resolution)));
+            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), SpeedTrials.SCHEME, trials, trialS));
+            progress.done(
+                    speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
+        }
+        Resolution finest = resolutions.get(resolutions.size() - 1);
+        double realTime = SpeedTrials.realTimeFactor(finest, bodies.get(finest), trialS);
+        ModelCounts own = ModelCounts.of(PaperScenarios.defaultModel("quiet", finest), bodies.get(finest));
+        ModelCounts asPublished = ModelCounts.of(PaperScenarios.publishedModel("quiet", finest), bodies.get(finest));
+        progress.done(resolutions.size() + 1, total, "size of the model");
+        Resolution breathing = quick ? Resolution.LOW : Resolution.MEDIUM;
+        List<BatchRunner.Job<PaperBreath>> jobs = runs.stream()
+                .map(run -> new BatchRunner.Job<>(
+                        run.label(), () -> PaperBreath.of(run.scenario(breathing), bodies.get(breathing))))
+                .toList();
+        List<PaperBreath> done =
+                BatchRunner.run(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));
+        Map<Run, PaperBreath> breaths = new LinkedHashMap<>();
+        for (int i = 0; i < runs.size(); i++) {
+            breaths.put(runs.get(i), done.get(i));
+        }
+        if (!quick) {
+            // Driven alone, ribs do not lower the domes: all three are looked at when the whole breath is deepest.
+            int row = breaths.get(Run.DEEP).endInspirationRow();
+            breaths.computeIfPresent(Run.DEEP_MUSCLE, (run, breath) -> breath.withEndInspirationRow(row));
+            breaths.computeIfPresent(Run.DEEP_RIBS, (run, breath) -> breath.withEndInspirationRow(row));
+        }
+        return new Reproduction(quick, breathing, own, asPublished, new SpeedTable(speed), realTime, breaths);
+    }
+}

@@ -1,0 +1,223 @@
+package org.phrenic.study.regression;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.YamlMap;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.engine.integrator.DivergenceException;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+
+/** The list of scenes with their references: those that come with the program, or those of a folder. */
+public class Regression {
+    private static final String SHIPPED = "/org/phrenic/data/regression/";
+    private static final String LIST = "scenes.yaml";
+
+    private final Path folder;
+    private final List<RegressionScene> scenes;
+    private final List<RegressionAttempt> attempts;
+    private final Function<Scenario, Thorax> bodies;
+    private final Map<String, Thorax> bodyCache = new LinkedHashMap<>();
+
+    /**
+     * @param folder of references; null for those that come with the program
+     * @throws BadInputException with one sentence, if the list of scenes is not as it should be
+     */
+    public Regression(Path folder) {
+        this(folder, shippedList(), shippedAttempts(), SimulationRun::loadThorax);
+    }
+
+    /**
+     * @param scenes to compute
+     * @param attempts to play
+     * @param bodies gives the body of a scene
+     */
+    Regression(
+            Path folder,
+            List<RegressionScene> scenes,
+            List<RegressionAttempt> attempts,
+            Function<Scenario, Thorax> bodies) {
+        this.folder = folder;
+        this.scenes = List.copyOf(scenes);
+        this.attempts = List.copyOf(attempts);
+        this.bodies = bodies;
+    }
+
+    static List<RegressionScene> shippedList() {
+        return RegressionScene.list(shipped(LIST));
+    }
+
+    static List<RegressionAttempt> shippedAttempts() {
+        return RegressionAttempt.list(shipped(LIST), shippedList());
+    }
+
+    private static YamlMap shipped(String name) {
+        try (InputStream in = Regression.class.getResourceAsStream(SHIPPED + name)) {
+            if (in == null) {
+                throw new BadInputException(name + ": found no such file in the program, expected references of this"
+                        + " scene (phrenic regress --write-references data/regression makes them)");
+            }
+            return YamlDocument.read(name, in);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Names of all scenes and attempts, in order. */
+    public List<String> names() {
+        return Stream.concat(
+                        scenes.stream().map(RegressionScene::name),
+                        attempts.stream().map(RegressionAttempt::name))
+                .toList();
+    }
+
+    /**
+     * Computes scenes and attempts and compares them with their references.
+     *
+     * @param only names of scenes and attempts; empty for all
+     * @throws BadInputException with one sentence, if a file of references is missing, broken or of another scene;
+     *     before anything is computed
+     */
+    public List<RegressionComparison> check(List<String> only, ProgressListener progress) {
+        requireKnown(only);
+        List<String> names = new ArrayList<>();
+        List<Supplier<RegressionComparison>> work = new ArrayList<>();
+        for (RegressionScene scene : scenes) {
+            if (isSelected(only, scene.name())) {
+                RegressionReference then = reference(scene);
+                names.add(scene.name());
+                work.add(() -> compare(scene, then));
+            }
+        }
+        for (RegressionAttempt attempt : attempts) {
+            if (isSelected(only, attempt.name())) {
+                Map<String, String> then = attempt.read(stored(attempt.name()));
+                names.add(attempt.name());
+                work.add(() -> compare(attempt, then));
+            }
+        }
+        List<RegressionComparison> comparisons = new ArrayList<>();
+        for (int i = 0; i < work.size(); i++) {
+            comparisons.add(work.get(i).get());
+            progress.done(i + 1, work.size(), names.get(i));
+        }
+        return comparisons;
+    }
+
+    /** Computes scenes and attempts and writes what they give as references into the folder. */
+    public void write(List<String> only, ProgressListener progress) {
+        requireKnown(only);
+        List<String> names =
+                names().stream().filter(name -> isSelected(only, name)).toList();
+        int done = 0;
+        for (RegressionScene scene : scenes) {
+            if (names.contains(scene.name())) {
+                YamlWriter.write(file(scene.name()), compute(scene).values());
+                progress.done(++done, names.size(), scene.name());
+            }
+        }
+        for (RegressionAttempt attempt : attempts) {
+            if (names.contains(attempt.name())) {
+                YamlWriter.write(file(attempt.name()), attempt.values(attempt.compute(body(attempt.scenario()))));
+                progress.done(++done, names.size(), attempt.name());
+            }
+        }
+    }
+
+    private static boolean isSelected(List<String> only, String name) {
+        return only.isEmpty() || only.contains(name);
+    }
+
+    private void requireKnown(List<String> only) {
+        for (String name : only) {
+            if (!names().contains(name)) {
+                throw new BadInputException("--scene: found '" + name + "', expected " + String.join(", ", names()));
+            }
+        }
+    }
+
+    private Path file(String name) {
+        return folder.resolve(name + ".yaml");
+    }
+
+    private YamlMap stored(String name) {
+        return folder == null ? shipped(name + ".yaml") : YamlDocument.read(file(name));
+    }
+
+    final RegressionReference reference(RegressionScene scene) {
+        return RegressionReference.read(stored(scene.name()), scene);
+    }
+
+    private RegressionComparison compare(RegressionAttempt attempt, Map<String, String> then) {
+        try {
+            return attempt.compare(then, attempt.compute(body(attempt.scenario())));
+        } catch (DivergenceException told) {
+            return RegressionComparison.ofReport(attempt.name(), false, "", Double.NaN, told.getMessage());
+        }
+    }
+
+    private RegressionComparison compare(RegressionScene scene, RegressionReference then) {
+        try {
+            return RegressionComparison.of(scene, then, compute(scene));
+        } catch (DivergenceException told) {
+            return RegressionComparison.failed(scene, told.getMessage());
+        } catch (BadInputException broken) {
+            throw broken;
+        } catch (IllegalArgumentException refused) {
+            return RegressionComparison.failed(scene, refused.getMessage());
+        }
+    }
+
+    /** The body of a scene, grown once. */
+    private Thorax body(Scenario scenario) {
+        return bodyCache.computeIfAbsent(
+                scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
+    }
+
+    /** Told of every simulation before its first step: nothing is done to it but by tests. */
+    void prepare(Simulation simulation) {}
+
+    /** What a scene gives now. */
+    final RegressionReference compute(RegressionScene scene) {
+        Scenario scenario = scene.scenario();
+        try (Simulation simulation = Simulation.of(scenario, body(scenario))) {
+            prepare(simulation);
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            int inAll = simulation.system().nodeCount();
+            int[] kept = RegressionReference.sampledNodes(inAll);
+            List<RegressionReference.Frame> frames = new ArrayList<>();
+            for (double time : scene.timesS()) {
+                while (simulation.time() < time - 0.5 * simulation.stepper().dt()) {
+                    simulation.step();
+                }
+                frames.add(new RegressionReference.Frame(time, positions(simulation, kept), surfaces.observe()));
+            }
+            return new RegressionReference(scene.specification(), inAll, kept, frames);
+        }
+    }
+
+    private static double[] positions(Simulation simulation, int[] nodes) {
+        double[] out = new double[3 * nodes.length];
+        double[] one = new double[3];
+        for (int i = 0; i < nodes.length; i++) {
+            simulation.system().position(nodes[i], one);
+            System.arraycopy(one, 0, out, 3 * i, 3);
+        }
+        return out;
+    }
+}

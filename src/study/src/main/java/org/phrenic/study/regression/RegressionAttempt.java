@@ -1,0 +1,184 @@
+package org.phrenic.study.regression;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.plan.RehearsalReport;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+
+/**
+ * An exercise of the regression list: played through, its report is held against that of before, number by number.
+ *
+ * @param name of its file of references
+ * @param exercise that comes with the program
+ * @param settings over those of the exercise, as {@code key=value}
+ * @param tolerance largest difference of a number from its reference, as a share of that or of 1 if that is more; words
+ *     and counts must be the same
+ */
+record RegressionAttempt(String name, String exercise, List<String> settings, double tolerance) {
+    private static final List<String> KEYS = List.of("name", "exercise", "settings", "tolerance");
+    /** Of the report: all that the attempt, its path and the access map give, but not what was asked for, nor bits. */
+    private static final Set<String> PARTS = Set.of("done", "goals", "attempt", "path", "access");
+
+    private static final String OF = "of";
+    private static final String REPORT = "report";
+
+    /** All attempts of a list; none where it has none. */
+    static List<RegressionAttempt> list(YamlMap yaml, List<RegressionScene> scenes) {
+        Set<String> names = new HashSet<>();
+        scenes.forEach(scene -> names.add(scene.name()));
+        List<RegressionAttempt> attempts = new ArrayList<>();
+        for (YamlMap map : yaml.has("attempts") ? yaml.maps("attempts") : List.<YamlMap>of()) {
+            map.requireOnly(KEYS);
+            String name = RegressionScene.name(map);
+            if (!names.add(name)) {
+                throw map.bad("name", "found '" + name + "' a second time, expected each name once");
+            }
+            RegressionAttempt attempt = new RegressionAttempt(
+                    name,
+                    map.text("exercise"),
+                    map.has("settings") ? map.texts("settings") : List.of(),
+                    RegressionScene.positive(map, "tolerance"));
+            try {
+                attempt.plan();
+            } catch (BadInputException bad) {
+                throw map.bad(
+                        "exercise", "found a plan that cannot be (" + bad.getMessage() + "), expected an exercise");
+            }
+            attempts.add(attempt);
+        }
+        return attempts;
+    }
+
+    /** What is simulated. */
+    Scenario scenario() {
+        return plan().scenario();
+    }
+
+    private RehearsalPlan plan() {
+        return RehearsalPlan.exercises().stream()
+                .filter(plan -> plan.file().equals(exercise + ".yaml"))
+                .findFirst()
+                .orElseThrow(() -> new BadInputException("found no exercise '" + exercise + "' in the program"))
+                .with(settings);
+    }
+
+    /** Exercise and settings in one line: references of another line are of another attempt. */
+    String specification() {
+        return String.join(" ", exercise, String.join(" ", settings)).strip();
+    }
+
+    /** Plays it on its body; the leaves of its report by their paths. */
+    Map<String, String> compute(Thorax thorax) {
+        Rehearsal rehearsal = Rehearsal.play(plan(), thorax, (simulated, total, perS) -> {});
+        Map<String, String> leaves = new LinkedHashMap<>();
+        new RehearsalReport(rehearsal).values().forEach((key, value) -> {
+            if (PARTS.contains(key)) {
+                leaves(key, value, leaves);
+            }
+        });
+        return leaves;
+    }
+
+    private static void leaves(String path, Object value, Map<String, String> out) {
+        if (value instanceof Map<?, ?> map) {
+            map.forEach((key, each) -> leaves(path + "." + key, each, out));
+        } else if (value instanceof List<?> list) {
+            for (int i = 0; i < list.size(); i++) {
+                leaves(path + "." + i, list.get(i), out);
+            }
+        } else if (value instanceof double[] numbers) {
+            for (int i = 0; i < numbers.length; i++) {
+                leaves(path + "." + i, numbers[i], out);
+            }
+        } else {
+            out.put(
+                    path,
+                    value instanceof Double number ? RegressionReference.rounded(number) + "" : String.valueOf(value));
+        }
+    }
+
+    /** As plain values for YAML. */
+    Map<String, Object> values(Map<String, String> leaves) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put(OF, specification());
+        map.put(REPORT, new LinkedHashMap<>(leaves));
+        return map;
+    }
+
+    /**
+     * Reads the references of this attempt.
+     *
+     * @throws BadInputException with one sentence, if they are of another
+     */
+    Map<String, String> read(YamlMap yaml) {
+        yaml.requireOnly(List.of(OF, REPORT));
+        if (!yaml.text(OF).equals(specification())) {
+            throw yaml.bad(
+                    OF,
+                    "found references of another attempt (" + yaml.text(OF) + "), expected " + specification()
+                            + "; --write-references makes them anew");
+        }
+        YamlMap report = yaml.map(REPORT);
+        Map<String, String> leaves = new LinkedHashMap<>();
+        report.keys().forEach(key -> leaves.put(key, report.text(key)));
+        return leaves;
+    }
+
+    /** Compares what it gives now with what it gave. */
+    RegressionComparison compare(Map<String, String> then, Map<String, String> now) {
+        if (!then.keySet().equals(now.keySet())) {
+            Set<String> missing = new TreeSet<>(then.keySet());
+            missing.removeAll(now.keySet());
+            Set<String> added = new TreeSet<>(now.keySet());
+            added.removeAll(then.keySet());
+            return RegressionComparison.ofReport(
+                    name, false, "", Double.NaN, "the report has another make: missing " + missing + ", new " + added);
+        }
+        String worst = "";
+        double most = -1;
+        for (Map.Entry<String, String> entry : then.entrySet()) {
+            double off = off(entry.getValue(), now.get(entry.getKey()));
+            if (!(off <= most)) {
+                most = off;
+                worst = entry.getKey();
+            }
+        }
+        boolean holds = most <= tolerance;
+        return RegressionComparison.ofReport(
+                name,
+                holds,
+                worst,
+                most,
+                holds
+                        ? ""
+                        : worst + " is " + now.get(worst) + ", the reference is " + then.get(worst)
+                                + ", the tolerance is " + tolerance + " of it");
+    }
+
+    /**
+     * How far a leaf is from its reference; infinite where words differ, and what is no number differs from any that
+     * is.
+     */
+    private static double off(String then, String now) {
+        if (then.equals(now)) {
+            return 0;
+        }
+        try {
+            double reference = Double.parseDouble(then);
+            double off = Math.abs(Double.parseDouble(now) - reference) / Math.max(1, Math.abs(reference));
+            return Double.isNaN(off) ? Double.POSITIVE_INFINITY : off;
+        } catch (NumberFormatException words) {
+            return Double.POSITIVE_INFINITY;
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package org.phrenic.study.regression;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.document.YamlMap;
+import org.phrenic.simulation.observe.Observation;
+
+/**
+ * What a scene gave: places of some nodes and all observables at some times.
+ *
+ * @param specification {@link RegressionScene#specification} of the scene
+ * @param nodeCount nodes of the scene
+ * @param nodes those that are kept, in the caller's numbering
+ * @param frames one a time
+ */
+record RegressionReference(String specification, int nodeCount, int[] nodes, List<Frame> frames) {
+    private static final List<String> KEYS = List.of("of", "nodes_in_all", "nodes", "frames");
+    private static final List<String> FRAME_KEYS = List.of("time_s", "positions_um", "observables");
+    /** Nodes kept: so many that a change anywhere in the body shows, so few that the file stays small. */
+    private static final int MAX_SAMPLED_NODES = 96;
+
+    private static final double UM_PER_MM = 1000;
+
+    /**
+     * A time.
+     *
+     * @param timeS simulated time, s
+     * @param positions of the nodes kept, three numbers each, mm
+     * @param observables in the order of {@link Observation#COLUMNS}
+     */
+    record Frame(double timeS, double[] positions, double[] observables) {}
+
+    /**
+     * The nodes to keep of so many: evenly spread over their numbering, which goes through the organs one after the
+     * other.
+     */
+    static int[] sampledNodes(int nodesInAll) {
+        int count = Math.min(MAX_SAMPLED_NODES, nodesInAll);
+        int[] kept = new int[count];
+        Arrays.setAll(kept, i -> (int) ((i + 0.5) * nodesInAll / count));
+        return kept;
+    }
+
+    /** As plain values for YAML; positions in whole micrometres. */
+    Map<String, Object> values() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("of", specification);
+        map.put("nodes_in_all", nodeCount);
+        map.put("nodes", line(Arrays.stream(nodes).asLongStream().toArray()));
+        List<Object> list = new ArrayList<>();
+        for (Frame frame : frames) {
+            Map<String, Object> each = new LinkedHashMap<>();
+            each.put("time_s", frame.timeS());
+            each.put(
+                    "positions_um",
+                    line(Arrays.stream(frame.positions())
+                            .mapToLong(mm -> Math.round(mm * UM_PER_MM))
+                            .toArray()));
+            Map<String, Object> seen = new LinkedHashMap<>();
+            for (int c = 0; c < Observation.COLUMNS.size(); c++) {
+                seen.put(Observation.COLUMNS.get(c), rounded(frame.observables()[c]));
+            }
+            each.put("observables", seen);
+            list.add(each);
+        }
+        map.put("frames", list);
+        return map;
+    }
+
+    /** Numbers of one list in one line of text: a list of YAML would take a line each. */
+    private static String line(long[] numbers) {
+        StringBuilder text = new StringBuilder();
+        for (long number : numbers) {
+            text.append(text.length() == 0 ? "" : " ").append(number);
+        }
+        return text.toString();
+    }
+
+    /** To a millionth: an observable is a few hundred at most, and its tolerance a thousandth of that. */
+    static double rounded(double value) {
+        double scaled = Math.rint(value * 1e6) / 1e6;
+        return scaled == 0 ? 0 : scaled;
+    }
+
+    /**
+     * Reads the references of a scene.
+     *
+     * @throws org.phrenic.format.BadInputException with one sentence, if something is missing or they are of another
+     *     scene
+     */
+    static RegressionReference read(YamlMap yaml, RegressionScene scene) {
+        yaml.requireOnly(KEYS);
+        if (!yaml.text("of").equals(scene.specification())) {
+            throw yaml.bad(
+                    "of",
+                    "found references of another scene (" + yaml.text("of") + "), expected " + scene.specification()
+                            + "; --write-references makes them anew");
+        }
+        int inAll = (int) yaml.integer("nodes_in_all");
+        int[] nodes =
+                Arrays.stream(numbers(yaml, "nodes", -1)).mapToInt(n -> (int) n).toArray();
+        for (int node : nodes) {
+            if (node < 0 || node >= inAll) {
+                throw yaml.bad("nodes", "found node " + node + ", expected 0 to " + (inAll - 1));
+            }
+        }
+        List<Frame> frames = new ArrayList<>();
+        for (YamlMap map : yaml.maps("frames")) {
+            map.requireOnly(FRAME_KEYS);
+            double[] positions = Arrays.stream(numbers(map, "positions_um", 3 * nodes.length))
+                    .mapToDouble(um -> um / UM_PER_MM)
+                    .toArray();
+            YamlMap seen = map.map("observables");
+            double[] observables =
+                    Observation.COLUMNS.stream().mapToDouble(seen::number).toArray();
+            frames.add(new Frame(map.number("time_s"), positions, observables));
+        }
+        if (frames.size() != scene.timesS().length) {
+            throw yaml.bad("frames", "found " + frames.size() + " times, expected " + scene.timesS().length);
+        }
+        return new RegressionReference(scene.specification(), inAll, nodes, List.copyOf(frames));
+    }
+
+    private static long[] numbers(YamlMap map, String key, int expected) {
+        String[] parts = map.text(key).strip().split("\\s+", -1);
+        long[] numbers = new long[parts.length];
+        for (int i = 0; i < parts.length; i++) {
+            try {
+                numbers[i] = Long.parseLong(parts[i]);
+            } catch (NumberFormatException none) {
+                throw map.bad(key, "found '" + parts[i] + "', expected whole numbers with blanks between them");
+            }
+        }
+        if (expected >= 0 && parts.length != expected) {
+            throw map.bad(key, "found " + parts.length + " numbers, expected " + expected);
+        }
+        return numbers;
+    }
+}

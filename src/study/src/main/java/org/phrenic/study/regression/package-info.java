@@ -1,0 +1,2 @@
+/** Scenes held against stored references. */
+package org.phrenic.study.regression;

@@ -1,0 +1,112 @@
+package org.phrenic.study.speed;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Resolution;
+
+/**
+ * Steps a second by resolution and forces, printed or measured, and what follows from them.
+ *
+ * @param rows what there is; a resolution has all four cases or none
+ */
+public record SpeedTable(List<Row> rows) {
+    /**
+     * One cell.
+     *
+     * @param vertices that move
+     * @param trials iterations a second of each trial, in the order in which they were made; at least one
+     */
+    public record Row(Resolution resolution, SpeedCase forces, int vertices, List<Double> trials) {
+        public Row {
+            trials = List.copyOf(trials);
+        }
+
+        /** Iterations a second: the median of the trials. */
+        public double stepsPerS() {
+            return median(trials.stream().mapToDouble(Double::doubleValue));
+        }
+    }
+
+    public SpeedTable {
+        rows = List.copyOf(rows);
+    }
+
+    /** Table 1 as printed. */
+    public static SpeedTable published() {
+        List<Row> rows = new ArrayList<>();
+        for (Resolution resolution : Resolution.values()) {
+            for (SpeedCase forces : SpeedCase.values()) {
+                rows.add(new Row(
+                        resolution, forces, resolution.vertices(), List.of(forces.publishedStepsPerS(resolution))));
+            }
+        }
+        return new SpeedTable(rows);
+    }
+
+    /** Resolutions there are, finest first. */
+    public List<Resolution> resolutions() {
+        return Arrays.stream(Resolution.values())
+                .filter(r -> rows.stream().anyMatch(row -> row.resolution() == r))
+                .sorted((a, b) -> b.compareTo(a))
+                .toList();
+    }
+
+    /** The row of a resolution and its forces. */
+    public Row row(Resolution resolution, SpeedCase forces) {
+        return rows.stream()
+                .filter(row -> row.resolution() == resolution && row.forces() == forces)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("table: no row of " + resolution + ", " + forces));
+    }
+
+    /**
+     * By how many per cent an iteration of {@code more} takes longer than one of {@code less}: the median over the
+     * trials, each compared with its neighbour in time, so that what else the machine does falls on both.
+     */
+    public double overheadPercent(Resolution resolution, SpeedCase more, SpeedCase less) {
+        List<Double> slow = row(resolution, more).trials();
+        List<Double> fast = row(resolution, less).trials();
+        return 100 * (median(IntStream.range(0, slow.size()).mapToDouble(i -> fast.get(i) / slow.get(i))) - 1);
+    }
+
+    /** Least, mean and greatest of {@link #overheadPercent} over the resolutions. */
+    public double[] overheadRange(SpeedCase more, SpeedCase less) {
+        DoubleSummaryStatistics all = resolutions().stream()
+                .mapToDouble(r -> overheadPercent(r, more, less))
+                .summaryStatistics();
+        return new double[] {all.getMin(), all.getAverage(), all.getMax()};
+    }
+
+    private static double median(DoubleStream values) {
+        double[] sorted = values.sorted().toArray();
+        return sorted[sorted.length / 2];
+    }
+
+    /**
+     * Exponent b of time = a · vertices^b, least squares of the logarithms over the resolutions; empty with fewer than
+     * two.
+     */
+    public OptionalDouble exponent(SpeedCase forces) {
+        List<Row> of = rows.stream().filter(row -> row.forces() == forces).toList();
+        if (of.size() < 2) {
+            return OptionalDouble.empty();
+        }
+        double meanX =
+                of.stream().mapToDouble(r -> Math.log(r.vertices())).average().orElseThrow();
+        double meanY =
+                of.stream().mapToDouble(r -> -Math.log(r.stepsPerS())).average().orElseThrow();
+        double xy = 0;
+        double xx = 0;
+        for (Row r : of) {
+            double x = Math.log(r.vertices()) - meanX;
+            xy += x * (-Math.log(r.stepsPerS()) - meanY);
+            xx += x * x;
+        }
+        return OptionalDouble.of(xy / xx);
+    }
+}

@@ -1,0 +1,51 @@
+package org.phrenic.study.stability;
+
+import org.phrenic.engine.ParticleSystem;
+
+/** Where the nodes of a scene are, in the caller's order. */
+final class NodeState {
+    private final ParticleSystem system;
+    private final double[] positions;
+
+    NodeState(ParticleSystem system) {
+        this.system = system;
+        positions = new double[3 * system.nodeCount()];
+    }
+
+    /** Positions now, mm; the same array each time. */
+    double[] positions() {
+        system.layout().toCaller(system.positions(), positions);
+        return positions;
+    }
+
+    /** Root mean square of the nodes' distances, mm. */
+    static double rmsDistance(double[] p, double[] q) {
+        double sum = 0;
+        for (int i = 0; i < p.length; i++) {
+            sum += (p[i] - q[i]) * (p[i] - q[i]);
+        }
+        return Math.sqrt(3 * sum / p.length);
+    }
+
+    /** Largest distance of a node, mm; NaN where a position is no number. */
+    static double maxDistance(double[] p, double[] q) {
+        double worst = 0;
+        for (int i = 0; i < p.length; i += 3) {
+            double dx = p[i] - q[i];
+            double dy = p[i + 1] - q[i + 1];
+            double dz = p[i + 2] - q[i + 2];
+            worst = Math.max(worst, dx * dx + dy * dy + dz * dz);
+        }
+        return Math.sqrt(worst);
+    }
+
+    /** Largest speed of a node, mm/s; NaN where one is no number. */
+    double maxSpeed() {
+        double[] v = system.velocities();
+        double worst = 0;
+        for (int i = 0; i < v.length; i += 3) {
+            worst = Math.max(worst, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+        }
+        return Math.sqrt(worst);
+    }
+}

@@ -1,0 +1,226 @@
+package org.phrenic.study.validation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.BreathSeries;
+import org.phrenic.study.PresetRun;
+
+/**
+ * How far the liver moves under the four breathings that access to it knows: quiet, deep, held at expiration, held at
+ * inspiration; beside what was seen in people.
+ *
+ * @param rows one a body and breathing
+ */
+public record LiverMotion(List<Row> rows) {
+    /** The breathings, in order. */
+    public static final List<String> PRESETS = List.of("quiet", "deep", "hold-expiration", "hold-inspiration");
+
+    private static final List<String> AXES = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
+    private static final Set<String> MEASURED = Set.of("liver_top_mm", "liver_edge_mm");
+    /** Of a hold the first second is not counted: tissue comes to rest from the breath before. */
+    private static final int SETTLING_S = 1;
+
+    /**
+     * A body under a breathing.
+     *
+     * @param body as asked for
+     * @param preset of breathing
+     * @param siMm how far the liver as a whole goes down from end-expiration to end-inspiration, mm; where the breath
+     *     is held at expiration, in the breath before
+     * @param apMm forward, mm
+     * @param lrMm to the left or right, mm
+     * @param topMm its highest fifth goes down, mm
+     * @param edgeMm its lowest fifth goes down, mm
+     * @param domeMm the right dome of the diaphragm goes down, mm
+     * @param liverCreepMm how far the liver comes up in the hold from its first second on, mm; NaN without a hold
+     * @param domeCreepMm the right dome likewise
+     * @param referenceRanges ranges seen in people, of SI, AP, LR and creep; empty where none is known
+     */
+    public record Row(
+            String body,
+            String preset,
+            double siMm,
+            double apMm,
+            double lrMm,
+            double topMm,
+            double edgeMm,
+            double domeMm,
+            double liverCreepMm,
+            double domeCreepMm,
+            List<Optional<ReferenceRange>> referenceRanges) {
+        public Row {
+            referenceRanges = List.copyOf(referenceRanges);
+        }
+
+        /** What ranges are known of: SI, AP, LR, creep of the dome. */
+        public double[] comparedValues() {
+            return new double[] {siMm, apMm, lrMm, domeCreepMm};
+        }
+    }
+
+    public LiverMotion {
+        rows = List.copyOf(rows);
+    }
+
+    /**
+     * Runs.
+     *
+     * @param settings of all runs; preset and anatomy are replaced
+     * @param anatomies virtual bodies or folders
+     * @param threads runs at a time
+     */
+    public static LiverMotion of(
+            PhysiologyTable table, Scenario settings, List<String> anatomies, int threads, ProgressListener progress) {
+        List<BatchRunner.Job<Row>> jobs = new ArrayList<>();
+        for (String anatomy : anatomies) {
+            Scenario on = settings.with("threads=1")
+                    .with(List.of(new Assignment("--anatomy " + anatomy, "anatomy", anatomy)));
+            Thorax thorax = SimulationRun.loadThorax(on);
+            for (String preset : PRESETS) {
+                Scenario run = on.with("preset=" + preset);
+                jobs.add(new BatchRunner.Job<>(
+                        anatomy + ", " + preset,
+                        () -> row(anatomy, preset, PresetRun.of(run, thorax, PresetRun.SAMPLE_S, MEASURED), table)));
+            }
+        }
+        return new LiverMotion(BatchRunner.run(jobs, threads, progress));
+    }
+
+    /** Measures a run. */
+    static Row row(String body, String preset, BreathSeries series, PhysiologyTable table) {
+        int held = series.firstHeldRow();
+        int deepest = preset.equals("hold-expiration") ? deepest(series, held) : series.endInspirationRow(0);
+        int start = preset.equals("hold-expiration") ? 0 : series.endExpirationRow(0);
+        List<Optional<ReferenceRange>> known = new ArrayList<>();
+        // A held breath is as deep as the one it is held in: a quiet one at expiration, a deep one at inspiration.
+        String as = preset.equals("hold-expiration") ? "quiet" : preset.equals("hold-inspiration") ? "deep" : preset;
+        AXES.forEach(axis -> known.add(known(table, as, axis, Reduction.SIZE)));
+        // None is known at expiration.
+        known.add(known(table, preset, "dome_right_mm", Reduction.CREEP));
+        return new Row(
+                body,
+                preset,
+                series.value("liver_si_mm", start) - series.value("liver_si_mm", deepest),
+                size(series, "liver_ap_mm", start, deepest),
+                size(series, "liver_lr_mm", start, deepest),
+                descent(series, "liver_top_mm", start, deepest),
+                descent(series, "liver_edge_mm", start, deepest),
+                descent(series, "dome_right_mm", start, deepest),
+                creep(series, "liver_si_mm"),
+                creep(series, "dome_right_mm"),
+                known);
+    }
+
+    /** Where the domes are lowest before a row. */
+    private static int deepest(BreathSeries series, int before) {
+        int best = 0;
+        for (int i = 0; i < before; i++) {
+            best = series.value("dome_right_mm", i) < series.value("dome_right_mm", best) ? i : best;
+        }
+        return best;
+    }
+
+    private static double size(BreathSeries series, String column, int from, int to) {
+        return Math.abs(series.value(column, to) - series.value(column, from));
+    }
+
+    private static double descent(BreathSeries series, String column, int from, int to) {
+        return series.hasColumn(column) ? series.value(column, from) - series.value(column, to) : Double.NaN;
+    }
+
+    private static double creep(BreathSeries series, String column) {
+        if (series.firstHeldRow() < 0) {
+            return Double.NaN;
+        }
+        int from = series.firstHeldRow() + (int) Math.round(SETTLING_S / PresetRun.SAMPLE_S);
+        int to = series.lastRow(0);
+        return from < to ? series.value(column, to) - series.value(column, from) : Double.NaN;
+    }
+
+    /** The first range of the table for an observable under a breathing. */
+    private static Optional<ReferenceRange> known(
+            PhysiologyTable table, String preset, String observable, Reduction reduction) {
+        return table.ranges().stream()
+                .filter(r -> r.preset().equals(Optional.of(preset))
+                        && r.reduction() == reduction
+                        && r.observables().equals(List.of(observable))
+                        && r.body().isEmpty())
+                .findFirst();
+    }
+
+    /** Header and rows as text, ranges in brackets, what is out of its range marked. */
+    public List<List<String>> table() {
+        List<List<String>> lines = new ArrayList<>();
+        lines.add(List.of(
+                "body", "preset", "SI mm", "AP mm", "LR mm", "top mm", "edge mm", "dome mm", "creep mm", "of dome mm"));
+        for (Row r : rows) {
+            lines.add(List.of(
+                    r.body(),
+                    r.preset(),
+                    cell(r, 0),
+                    cell(r, 1),
+                    cell(r, 2),
+                    ValidationReport.number(r.topMm()),
+                    ValidationReport.number(r.edgeMm()),
+                    ValidationReport.number(r.domeMm()),
+                    ValidationReport.number(r.liverCreepMm()),
+                    cell(r, 3)));
+        }
+        return lines;
+    }
+
+    private static String cell(Row row, int which) {
+        double value = row.comparedValues()[which];
+        String text = ValidationReport.number(value);
+        return row.referenceRanges()
+                .get(which)
+                .map(k -> text + " (" + ValidationReport.range(k) + (k.contains(value) ? ")" : ") OUT"))
+                .orElse(text);
+    }
+
+    /** How many figures lie outside what is known. */
+    public long outOfRangeCount() {
+        return rows.stream()
+                .flatMap(r -> Arrays.stream(new int[] {0, 1, 2, 3})
+                        .filter(i -> r.referenceRanges().get(i).isPresent()
+                                && !r.referenceRanges().get(i).get().contains(r.comparedValues()[i]))
+                        .boxed())
+                .count();
+    }
+
+    /** All of it as values, for JSON. */
+    public Map<String, Object> values() {
+        List<Object> list = new ArrayList<>();
+        for (Row r : rows) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("body", r.body());
+            map.put("preset", r.preset());
+            map.put("si_mm", r.siMm());
+            map.put("ap_mm", r.apMm());
+            map.put("lr_mm", r.lrMm());
+            map.put("top_mm", r.topMm());
+            map.put("edge_mm", r.edgeMm());
+            map.put("dome_right_mm", r.domeMm());
+            if (!Double.isNaN(r.liverCreepMm())) {
+                map.put("liver_creep_mm", r.liverCreepMm());
+                map.put("dome_creep_mm", r.domeCreepMm());
+            }
+            list.add(map);
+        }
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("rows", list);
+        map.put("outside", outOfRangeCount());
+        return map;
+    }
+}

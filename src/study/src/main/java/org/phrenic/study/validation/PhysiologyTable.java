@@ -1,0 +1,209 @@
+package org.phrenic.study.validation;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.document.KeySuggestion;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.study.measure.SceneObservables;
+
+/**
+ * What is known of people's breathing, as ranges with sources: a YAML file with a list {@code rows}, each a
+ * {@link ReferenceRange}.
+ *
+ * @param name of the file
+ * @param ranges in the order of the file
+ */
+public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
+    private static final String SHIPPED = "/org/phrenic/data/validation/physiology.yaml";
+    private static final String NONE = "none";
+    private static final List<String> SEXES = List.of("male", "female");
+    private static final List<String> KEYS = List.of(
+            "key",
+            "preset",
+            "body",
+            "observable",
+            "observables",
+            "reduction",
+            "against",
+            "against_preset",
+            "share",
+            "factor",
+            "low",
+            "high",
+            "unit",
+            "confidence",
+            "source",
+            "note",
+            "missed_because");
+
+    public PhysiologyTable {
+        ranges = List.copyOf(ranges);
+    }
+
+    /** The table that comes with the program. */
+    public static PhysiologyTable shipped() {
+        try (InputStream in = PhysiologyTable.class.getResourceAsStream(SHIPPED)) {
+            if (in == null) {
+                throw new IllegalStateException("the physiology table is missing from the program");
+            }
+            return of("physiology.yaml", YamlDocument.read("physiology.yaml", in));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * Reads a table.
+     *
+     * @throws BadInputException with one sentence that names file, line and key
+     */
+    public static PhysiologyTable read(Path file) {
+        return of(file.getFileName().toString(), YamlDocument.read(file));
+    }
+
+    private static PhysiologyTable of(String name, YamlMap yaml) {
+        yaml.requireOnly(List.of("rows"));
+        List<ReferenceRange> rows = new ArrayList<>();
+        Set<String> keys = new HashSet<>();
+        for (YamlMap map : yaml.maps("rows")) {
+            ReferenceRange row = row(map);
+            if (!keys.add(row.key())) {
+                throw map.bad("key", "found '" + row.key() + "' a second time, expected each key once");
+            }
+            rows.add(row);
+        }
+        if (rows.isEmpty()) {
+            throw yaml.bad("rows", "found no row, expected at least one");
+        }
+        return new PhysiologyTable(name, rows);
+    }
+
+    private static ReferenceRange row(YamlMap map) {
+        map.requireOnly(KEYS);
+        String key = map.text("key");
+        if (!key.matches("[a-z0-9_]+")) {
+            throw map.bad("key", "found '" + key + "', expected small letters, digits and underscores");
+        }
+        Optional<String> preset =
+                Optional.of(oneOf(map, "preset", BreathingPreset.names(), NONE)).filter(p -> !p.equals(NONE));
+        double low = map.number("low", Double.NaN);
+        double high = map.number("high", Double.NaN);
+        if (Double.isNaN(low) && Double.isNaN(high)) {
+            throw map.bad("low", "found neither low nor high, expected at least one of them");
+        }
+        if (low > high) {
+            throw map.bad("low", "found " + low + " above high " + high + ", expected low to be at most high");
+        }
+        String note = map.text("note", "");
+        if (preset.isEmpty() && note.isBlank()) {
+            throw map.bad("note", "found none, expected why the quantity cannot be measured here (preset: none)");
+        }
+        String missedBecause = map.text("missed_because", "");
+        if (map.has("missed_because") && missedBecause.isBlank()) {
+            throw map.bad("missed_because", "found nothing, expected why the range is missed");
+        }
+        if (map.has("missed_because") && preset.isEmpty()) {
+            throw map.bad(
+                    "missed_because",
+                    "found it with preset none, expected none there: what is not measured is not missed");
+        }
+        boolean measured = preset.isPresent();
+        Reduction reduction = measured
+                ? Reduction.of(oneOf(map, "reduction", Reduction.labels(), null))
+                        .orElseThrow()
+                : Reduction.START;
+        return new ReferenceRange(
+                key,
+                preset,
+                map.has("body") ? Optional.of(oneOf(map, "body", SEXES, null)) : Optional.empty(),
+                measured ? observables(map, reduction) : List.of(),
+                reduction,
+                measured ? against(map, reduction) : "",
+                map.has("against_preset")
+                        ? Optional.of(oneOf(map, "against_preset", BreathingPreset.names(), null))
+                        : Optional.empty(),
+                share(map),
+                map.number("factor", 1),
+                low,
+                high,
+                map.text("unit"),
+                Confidence.of(oneOf(map, "confidence", tags(), null)).orElseThrow(),
+                source(map),
+                note,
+                missedBecause);
+    }
+
+    private static String source(YamlMap map) {
+        String source = map.text("source");
+        if (source.isBlank()) {
+            throw map.bad("source", "found nothing, expected where the range comes from");
+        }
+        return source;
+    }
+
+    private static double share(YamlMap map) {
+        double share = map.number("share", 1);
+        if (!(share > 0 && share <= 1)) {
+            throw map.bad("share", "found " + share + ", expected more than 0 to 1");
+        }
+        return share;
+    }
+
+    private static List<String> observables(YamlMap map, Reduction reduction) {
+        boolean many = reduction == Reduction.ORDER;
+        List<String> names = many ? map.texts("observables") : List.of(map.text("observable"));
+        if (many && names.size() < 2) {
+            throw map.bad("observables", "found " + names.size() + ", expected at least two to put in order");
+        }
+        names.forEach(name -> requireObservable(map, many ? "observables" : "observable", name));
+        return names;
+    }
+
+    private static String against(YamlMap map, Reduction reduction) {
+        if (!reduction.needsSecondObservable()) {
+            if (map.has("against")) {
+                throw map.bad("against", "found it with reduction " + reduction.label() + ", expected none there");
+            }
+            return "";
+        }
+        requireObservable(map, "against", map.text("against"));
+        return map.text("against");
+    }
+
+    private static void requireObservable(YamlMap map, String key, String name) {
+        if (!Observation.COLUMNS.contains(name) && !SceneObservables.names().contains(name)) {
+            List<String> known = new ArrayList<>(Observation.COLUMNS);
+            known.addAll(SceneObservables.names());
+            throw map.bad(
+                    key,
+                    "found an unknown observable '" + name + "', "
+                            + KeySuggestion.nearest(name, known)
+                                    .map(near -> "did you mean '" + near + "'?")
+                                    .orElse("expected a column of observables.csv or of docs/validation.md"));
+        }
+    }
+
+    private static String oneOf(YamlMap map, String key, List<String> known, String also) {
+        String found = map.text(key);
+        if (known.contains(found) || found.equals(also)) {
+            return found;
+        }
+        throw map.bad(
+                key, "found '" + found + "', expected " + String.join(", ", known) + (also == null ? "" : ", " + also));
+    }
+
+    private static List<String> tags() {
+        return java.util.Arrays.stream(Confidence.values()).map(Confidence::tag).toList();
+    }
+}

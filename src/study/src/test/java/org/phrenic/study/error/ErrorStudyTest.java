@@ -1,0 +1,77 @@
+package org.phrenic.study.error;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.scenario.Scenario;
+
+/** The sheet of the paper's material, for a fifth of a second: all that is measured must fall as it should. */
+class ErrorStudyTest {
+    private static final Scenario SHEET = Scenario.defaults()
+            .with("material=paper", "resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1");
+    /** What rounding of places near 100 mm leaves of a distance of micrometres. */
+    private static final double ROUNDING = 1e-6;
+
+    private static ErrorStudy study;
+
+    @BeforeAll
+    static void measure() {
+        SolverGrid grid = new SolverGrid(
+                List.of(IntegratorKind.VERLET, IntegratorKind.LAGGED),
+                List.of(0.0025, 0.005, 0.01),
+                List.of(1, 2),
+                List.of(0.0025));
+        study = ErrorStudy.of(SHEET, grid, true, (count, total, what) -> {});
+    }
+
+    private static double rms(double stepS, int sweeps) {
+        SolverSettings wanted = new SolverSettings(IntegratorKind.VERLET, stepS, sweeps, 0.0025);
+        return study.points().stream()
+                .filter(p -> p.settings().equals(wanted))
+                .findFirst()
+                .orElseThrow()
+                .rmsMm();
+    }
+
+    @Test
+    void theReferenceIsNearerToItselfWithTwiceTheStepThanAnySettingIs() {
+        assertThat(study.referenceUncertainty()[0]).isLessThan(0.5 * rms(0.0025, 1));
+    }
+
+    @Test
+    void theErrorFallsWithTheStep() {
+        assertThat(rms(0.005, 1)).isLessThan(rms(0.01, 1));
+        assertThat(rms(0.0025, 1)).isLessThan(rms(0.005, 1));
+    }
+
+    @Test
+    void withOneLinkANodeASecondSweepChangesNothing() {
+        assertThat(rms(0.005, 2)).isCloseTo(rms(0.005, 1), within(ROUNDING * rms(0.005, 1)));
+    }
+
+    @Test
+    void theScenariosOwnSettingIsAmongThemAndMarked() {
+        assertThat(study.points().stream().filter(ErrorPoint::isDefault).map(ErrorPoint::settings))
+                .containsExactly(SolverSettings.of(SHEET));
+    }
+
+    @Test
+    void aStepThatIsSplitIntoThoseOfAShorterOneIsLeftOutWithTheReason() {
+        assertThat(study.skipped())
+                .isNotEmpty()
+                .allMatch(line ->
+                        line.startsWith("lagged") && line.matches(".* 2 sweeps.* is split into \\d+ substeps.*"));
+    }
+
+    @Test
+    void theReportHasALineASettingAndTheJsonTheSame() {
+        assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
+        assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
+                .contains("reference_halving_rms_mm");
+    }
+}

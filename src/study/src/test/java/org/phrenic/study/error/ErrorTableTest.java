@@ -1,0 +1,103 @@
+package org.phrenic.study.error;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+
+class ErrorTableTest {
+    private static final Scenario PAPER = Scenario.defaults().with("material=paper", "resolution=low");
+
+    @TempDir
+    private Path folder;
+
+    private static ErrorTable.Row row(String preset, double stepS, double rmsMm, double cpuS) {
+        SolverSettings settings = new SolverSettings(IntegratorKind.VERLET, stepS, 2, 0.02);
+        return new ErrorTable.Row(
+                "paper",
+                preset,
+                "low",
+                12_028,
+                10 * rmsMm,
+                20 * rmsMm,
+                new ErrorPoint(settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
+    }
+
+    private static ErrorTable table(ErrorTable.Row... rows) {
+        return new ErrorTable("made up", List.of(rows));
+    }
+
+    @Test
+    void theCheapestSettingThatKeepsTheErrorIsChosenAndSaidInASentence() {
+        ErrorTable table =
+                table(row("quiet", 0.001, 0.001, 8), row("quiet", 0.005, 0.01, 2), row("quiet", 0.01, 0.1, 1));
+        assertThat(table.cheapest(PAPER, 0.05).settings().timeStepS()).isEqualTo(0.005);
+        assertThat(table.cheapest(PAPER, 0.01).settings().timeStepS()).isEqualTo(0.005);
+        assertThat(table.cheapest(PAPER, 1).settings().timeStepS()).isEqualTo(0.01);
+        assertThat(table.cheapest(PAPER, 0.05).sentence())
+                .contains("0.05 mm", "verlet, step 0.005 s, 2 sweeps, refresh 0.02 s", "0.0100 mm rms", "quiet", "low");
+    }
+
+    @Test
+    void whatIsChosenIsWhatAScenarioThenHas() {
+        SolverSettings settings =
+                table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER, 0.05).settings();
+        assertThat(SolverSettings.of(PAPER.with(settings.assignments("test")))).isEqualTo(settings);
+    }
+
+    @Test
+    void anErrorThatNothingKeepsIsRefusedWithTheLeastThereIs() {
+        ErrorTable table = table(row("quiet", 0.001, 0.0012, 8));
+        assertThatThrownBy(() -> table.cheapest(PAPER, 0.001))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 0.001 mm")
+                .hasMessageContaining("at least 0.00120 mm");
+        assertThatThrownBy(() -> table.cheapest(Scenario.defaults(), 1))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("material physical");
+    }
+
+    @Test
+    void aResolutionThatWasNotMeasuredIsTakenForTheFinestThatWasAndTheSentenceNamesIt() {
+        ErrorTable.Chosen chosen = table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER.with("resolution=high"), 0.05);
+        assertThat(chosen.settings().timeStepS()).isEqualTo(0.005);
+        assertThat(chosen.sentence()).contains("at low resolution");
+    }
+
+    @Test
+    void breathingThatWasMeasuredIsChosenFromItsOwnRows() {
+        ErrorTable table = table(row("quiet", 0.01, 0.01, 1), row("deep", 0.01, 0.06, 1), row("deep", 0.005, 0.02, 2));
+        assertThat(table.cheapest(PAPER.with("preset=deep"), 0.05).settings().timeStepS())
+                .isEqualTo(0.005);
+        assertThat(table.cheapest(PAPER.with("preset=sniff"), 0.05).settings().timeStepS())
+                .isEqualTo(0.01);
+    }
+
+    @Test
+    void itIsWrittenAndReadBackAndNewerRowsReplaceThoseOfTheirScene() {
+        Path file = folder.resolve("settings.csv");
+        ErrorTable old = table(row("quiet", 0.01, 0.01, 1), row("deep", 0.01, 0.06, 1));
+        old.with(table(row("quiet", 0.005, 0.002, 2))).write(file);
+        assertThat(ErrorTable.read(file).rows())
+                .containsExactly(row("deep", 0.01, 0.06, 1), row("quiet", 0.005, 0.002, 2));
+    }
+
+    @Test
+    void aTableThatIsWrongIsRefusedWithItsLine() throws Exception {
+        Path file = folder.resolve("settings.csv");
+        table(row("quiet", 0.01, 0.01, 1)).write(file);
+        Files.writeString(file, Files.readString(file).replace("verlet", "leapfrog"));
+        assertThatThrownBy(() -> ErrorTable.read(file))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("settings.csv")
+                .hasMessageContaining("line 2")
+                .hasMessageContaining("leapfrog");
+    }
+}

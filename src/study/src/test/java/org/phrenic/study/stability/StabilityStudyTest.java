@@ -1,0 +1,153 @@
+package org.phrenic.study.stability;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.scenario.Scenario;
+
+/**
+ * The short version of the hard cases: no scheme may fail in silence, and those known to be unfit must be refused or
+ * split.
+ */
+class StabilityStudyTest {
+    /** A cell of the short version ends after so many evaluations of the force on a node: a tenth of a second. */
+    private static final double SPENT = 4e6;
+
+    private static StabilityStudy run(List<String> only, double spent, IntegratorKind... kinds) {
+        StabilityStudy.Settings settings =
+                StabilityStudy.Settings.QUICK.of(only, Arrays.asList(kinds)).spending(spent);
+        return StabilityStudy.of(settings.on(2), (count, total, what) -> {});
+    }
+
+    private static List<String> domes() {
+        return StabilityStudy.caseKeys().stream()
+                .filter(key -> StabilityCases.all(true).stream()
+                        .anyMatch(c -> c.key().equals(key) && c.periodS() == DomeDrive.PERIOD_S && !isThorax(key)))
+                .toList();
+    }
+
+    private static boolean isThorax(String key) {
+        return key.startsWith("thorax") || key.startsWith("sliders") || key.startsWith("hour");
+    }
+
+    @Test
+    void noIntegratorFailsInSilenceOnADome() {
+        StabilityStudy study = run(domes(), SPENT, IntegratorKind.values());
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.outcome())
+                .as(c.caseKey() + ", " + c.integrator().label() + ": " + c.sentence())
+                .isNotEqualTo(CaseOutcome.SILENT_FAILURE));
+        assertThat(study.passes()).isTrue();
+        Map<String, CaseOutcome> of = study.cells().stream()
+                .collect(
+                        Collectors.toMap(c -> c.caseKey() + " " + c.integrator().label(), CaseResult::outcome));
+        // Both grow at every step without damping (docs/equations.md).
+        assertThat(of.get("damping-0 rk2")).isEqualTo(CaseOutcome.REFUSED);
+        assertThat(of.get("damping-0 lagged")).isEqualTo(CaseOutcome.REFUSED);
+        assertThat(of.get("published verlet")).isEqualTo(CaseOutcome.STABLE);
+        assertThat(of.get("links-conflict verlet")).isEqualTo(CaseOutcome.RECOVERED);
+        assertThat(of.get("coincident verlet")).isEqualTo(CaseOutcome.REFUSED);
+        // The published step of 0.01 s is beyond the limit of midpoint Runge-Kutta: it is split.
+        assertThat(study.cells().stream()
+                        .filter(c -> c.caseKey().equals("published") && c.integrator() == IntegratorKind.RK2)
+                        .findFirst()
+                        .orElseThrow()
+                        .substeps())
+                .isEqualTo(2);
+    }
+
+    @Test
+    void theThoraxHoldsItsBoundsAndComesToRestAfterSlidersWereThrown() {
+        StabilityStudy study =
+                run(List.of("thorax-published", "sliders-paper", "hour-paper"), 1e9, IntegratorKind.VERLET);
+        assertThat(study.cells()).allSatisfy(c -> assertThat(c.outcome())
+                .as(c.caseKey() + ": " + c.sentence())
+                .isNotEqualTo(CaseOutcome.SILENT_FAILURE));
+    }
+
+    /**
+     * Nodes may pass each other by millimetres from breath to breath, but when the breath stops each is where it began.
+     */
+    @Test
+    void thePapersSheetSwingsOnAndStillComesBackToItsRestShape() {
+        StabilityCase hour = StabilityCases.all(true).stream()
+                .filter(c -> c.key().equals("hour-paper"))
+                .findFirst()
+                .orElseThrow();
+        CaseResult cell = CaseRun.of(hour, IntegratorKind.VERLET, null, 72, 1e12);
+        assertThat(cell.outcome()).as(cell.sentence()).isEqualTo(CaseOutcome.STABLE);
+        assertThat(cell.repeatMm()).isGreaterThan(1);
+        assertThat(cell.driftMm()).isLessThan(1e-3);
+        assertThat(cell.sentence()).contains("no breath repeats another").contains("come to rest within");
+    }
+
+    /**
+     * What makes the breaths differ is the swing of a sheet that is hardly damped: with 0.5 N s/m each is the one
+     * before.
+     */
+    @Test
+    void withDampingThePapersBreathsRepeat() {
+        Scenario scenario = Scenario.defaults()
+                .with(
+                        "material=paper",
+                        "damping_ns_per_m=0.5",
+                        "resolution=low",
+                        "lungs=off",
+                        "sternum=off",
+                        "liver=false",
+                        "threads=1");
+        try (ThoraxScene trial =
+                new ThoraxScene(scenario, VirtualBodies.grow("adult-male", Resolution.LOW), simulation -> {})) {
+            NodeState shape = new NodeState(trial.system());
+            double[] before = null;
+            for (int breath = 1; breath <= 4; breath++) {
+                before = shape.positions().clone();
+                while (trial.stepper().time() < breath * 4 - 1e-9) {
+                    trial.step();
+                }
+            }
+            // Swings fade by e in 0.4 s: what the start left is e^-30 by then.
+            assertThat(NodeState.maxDistance(shape.positions(), before)).isLessThan(1e-3);
+        }
+    }
+
+    @Test
+    void aBreachThatNobodyNoticedIsAFailure() {
+        StabilityCase made = StabilityCases.all(true).get(0);
+        StabilityCase strict = new StabilityCase(
+                "strict",
+                "",
+                StabilityBounds.body().speed(1),
+                made.factory(),
+                made.durationS(),
+                made.quickS(),
+                made.periodS(),
+                0);
+        CaseResult cell = CaseRun.of(strict, IntegratorKind.VERLET, null, 2, 1e9);
+        assertThat(cell.outcome()).isEqualTo(CaseOutcome.SILENT_FAILURE);
+        assertThat(cell.sentence()).contains("speed of a node").contains("expected at most 1.000");
+        StabilityStudy study =
+                new StabilityStudy(List.of("strict"), List.of(""), List.of(IntegratorKind.VERLET), List.of(cell));
+        assertThat(study.passes()).isFalse();
+        assertThat(new StabilityReport(study).markdown())
+                .contains("1 FAILED SILENTLY")
+                .contains("| strict | FAILED SILENTLY |");
+    }
+
+    @Test
+    void reportsSayTheSameInEveryForm() {
+        StabilityStudy study = run(List.of("damping-0"), SPENT, IntegratorKind.VERLET, IntegratorKind.RK2);
+        StabilityReport report = new StabilityReport(study);
+        assertThat(report.markdown()).contains("| damping-0 | stable | refused |");
+        assertThat(report.csv())
+                .startsWith("case,integrator,verdict,simulated_s")
+                .contains("damping-0,rk2,refused");
+        assertThat(report.values()).containsEntry("passes", true);
+    }
+}

@@ -1,0 +1,72 @@
+package org.phrenic.study.validation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.study.BreathSeries;
+import org.phrenic.study.PresetRun;
+
+/** Numbers of the liver's motion from breaths whose curves are made up. */
+class LiverMotionTest {
+    private static final List<String> COLUMNS = List.of(
+            "breath",
+            "dome_right_mm",
+            "dome_left_mm",
+            "liver_si_mm",
+            "liver_ap_mm",
+            "liver_lr_mm",
+            "liver_top_mm",
+            "liver_edge_mm");
+
+    /** A breath of 12 mm; then, if asked, a hold at a height that creeps up by 1 mm a second. */
+    private static BreathSeries breath(double heldAt, int heldSamples) {
+        List<double[]> rows = new ArrayList<>();
+        List<RespiratoryPhase> labels = new ArrayList<>();
+        for (int i = 0; i <= 40; i++) {
+            double down = -12 * Math.sin(Math.PI * i / 40);
+            rows.add(row(0, down));
+            labels.add(i < 20 ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION);
+        }
+        for (int i = 0; i < heldSamples; i++) {
+            rows.add(row(1, heldAt + i * PresetRun.SAMPLE_S));
+            labels.add(RespiratoryPhase.HOLD);
+        }
+        return new BreathSeries(COLUMNS, rows, labels);
+    }
+
+    private static double[] row(double number, double down) {
+        return new double[] {number, down, down, down, -0.3 * down, 0.1 * down, down, 0.65 * down};
+    }
+
+    @Test
+    void aFreeBreathIsMeasuredFromItsStartToWhereItIsDeepest() {
+        LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
+        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).startsWith(12, 3.6, 1.2);
+        assertThat(row.topMm()).isEqualTo(row.domeMm());
+        assertThat(row.edgeMm()).isEqualTo(0.65 * row.domeMm());
+        assertThat(row.liverCreepMm()).isNaN();
+        LiverMotion motion = new LiverMotion(List.of(row));
+        assertThat(motion.outOfRangeCount()).isZero();
+        assertThat(motion.table().get(1)).contains("12.0 (5.1 - 17.3)", "3.60 (0.9 - 7.7)", "1.20 (0.4 - 4)");
+    }
+
+    /**
+     * At expiration the breath before is measured; of the hold of 10 s the first second does not count, so 1 mm a
+     * second makes 9.
+     */
+    @Test
+    void ofAHoldAtExpirationTheBreathBeforeAndTheCreepAreMeasured() {
+        BreathSeries series = breath(0, 201);
+        LiverMotion.Row row = LiverMotion.row("a body", "hold-expiration", series, PhysiologyTable.shipped());
+        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).containsExactly(12, 3.6, 1.2, 9);
+        // No creep is known at expiration; at inspiration 9 mm is more than in anybody.
+        LiverMotion motion = new LiverMotion(
+                List.of(row, LiverMotion.row("a body", "hold-inspiration", series, PhysiologyTable.shipped())));
+        assertThat(row.referenceRanges().get(3)).isEmpty();
+        assertThat(motion.table().get(2)).contains("9.00 (0 - 5.6) OUT");
+        assertThat(motion.values()).containsEntry("outside", motion.outOfRangeCount());
+    }
+}

@@ -1,0 +1,111 @@
+package org.phrenic.study.validation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.SharedThorax;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.validation.Finding.Verdict;
+
+/** Breaths held against the table. */
+class ValidationTest {
+    /** The sheet alone is stepped; a breath of one second is enough to see that numbers come out alike. */
+    private static final Scenario FAST =
+            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "rate_per_min=60");
+
+    private static ReferenceRange row(String preset, String body, double low, double high, Confidence confidence) {
+        return new ReferenceRange(
+                "q",
+                Optional.of(preset),
+                Optional.ofNullable(body),
+                List.of("x"),
+                Reduction.FALL,
+                "",
+                Optional.empty(),
+                1,
+                1,
+                low,
+                high,
+                "mm",
+                confidence,
+                "someone",
+                "",
+                "");
+    }
+
+    private static Finding judge(ReferenceRange row, String sex) {
+        return Validation.judge(List.of(row), Map.of("quiet", SyntheticBreath.breath()), Optional.ofNullable(sex))
+                .get(0);
+    }
+
+    @Test
+    void aRowIsWithinOutOrNotMeasurableAndOnlyAConfidentMissCounts() {
+        // The made-up x falls by 20.
+        assertThat(judge(row("quiet", null, 15, 25, Confidence.SEEN), null).verdict())
+                .isEqualTo(Verdict.WITHIN);
+        assertThat(judge(row("quiet", null, 21, 25, Confidence.SEEN), null).isMiss())
+                .isTrue();
+        assertThat(judge(row("quiet", null, 21, 25, Confidence.CONFIDENT), null).isMiss())
+                .isTrue();
+        Finding fair = judge(row("quiet", null, 21, 25, Confidence.FAIR), null);
+        assertThat(fair.verdict()).isEqualTo(Verdict.OUT);
+        assertThat(fair.isMiss()).isFalse();
+        assertThat(fair.reason()).isEqualTo("no reason is known yet");
+        assertThat(judge(row("deep", null, 15, 25, Confidence.SEEN), null).reason())
+                .contains("not asked for");
+        assertThat(judge(row("quiet", "female", 15, 25, Confidence.SEEN), "male")
+                        .reason())
+                .contains("women");
+        assertThat(judge(row("quiet", "male", 15, 25, Confidence.SEEN), null).reason())
+                .contains("neither");
+    }
+
+    @Test
+    void theSexIsAWordOfTheBodysName() {
+        assertThat(Validation.sex("adult-female")).contains("female");
+        assertThat(Validation.sex("male-thorax")).contains("male");
+        assertThat(Validation.sex("thorax 7")).isEmpty();
+    }
+
+    @Test
+    void theReportIsTheSameOnAnyNumberOfThreads() {
+        List<String> done = Collections.synchronizedList(new ArrayList<>());
+        List<String> presets = List.of("quiet", "quiet-supine");
+        List<String> bodies = List.of("virtual/adult-male");
+        Validation one = Validation.of(
+                PhysiologyTable.shipped(), FAST, bodies, presets, 1, (count, total, what) -> done.add(what));
+        Validation two = Validation.of(PhysiologyTable.shipped(), FAST, bodies, presets, 2, (c, t, w) -> {});
+        String report = new ValidationReport(one).markdown();
+        assertThat(report)
+                .isEqualTo(new ValidationReport(two).markdown())
+                .contains("For research and training only. Not for clinical use.");
+        assertThat(new ValidationReport(one).values()).isEqualTo(new ValidationReport(two).values());
+        assertThat(done).containsExactly("virtual/adult-male, quiet", "virtual/adult-male, quiet-supine");
+        assertThat(one.bodies().get(0).findings())
+                .as("what is given a breath has a value unless it is of women")
+                .filteredOn(f -> f.range().preset().filter(presets::contains).isPresent())
+                .filteredOn(f -> f.range().body().filter("female"::equals).isEmpty())
+                .filteredOn(f -> f.range().againstPreset().isEmpty())
+                .allMatch(f -> f.verdict() != Verdict.NOT_MEASURABLE, "measured");
+    }
+
+    @Test
+    void aRealThoraxBreathesInTheOrderOfPeople() {
+        String folder = SharedThorax.path("anatomy/male-thorax").toString();
+        Scenario settings = Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic");
+        Validation validation = Validation.of(
+                PhysiologyTable.shipped(), settings, List.of(folder), List.of("quiet"), 2, (c, t, w) -> {});
+        assertThat(validation.bodies().get(0).sex()).contains("male");
+        assertThat(validation.bodies().get(0).findings())
+                .filteredOn(f -> f.range().key().matches("(order_|dome_(right|left)).*"))
+                .filteredOn(f -> f.range().preset().filter("quiet"::equals).isPresent())
+                .hasSizeGreaterThan(6)
+                .filteredOn(f -> f.verdict() == Verdict.OUT)
+                .isEmpty();
+    }
+}

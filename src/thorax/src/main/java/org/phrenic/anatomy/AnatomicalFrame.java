@@ -1,0 +1,185 @@
+package org.phrenic.anatomy;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Which way is up: the axes and the unit in which a thorax was given, and the way from there to LPS millimetres. Axes
+ * are three letters, the directions of +x, +y and +z (L or R, P or A, S or I). Where nobody states them they are read
+ * off the body: the spine and sternum tell front from back, the ribs up from down, the sides named in the structures
+ * left from right.
+ *
+ * @param axes three letters, such as {@code LSA}
+ * @param millimetresPerUnit millimetres a unit
+ */
+public record AnatomicalFrame(String axes, double millimetresPerUnit) {
+    /** An adult's (or child's) rib cage is at least this wide, mm; what is narrower was given in cm or m. */
+    private static final double MIN_CAGE_WIDTH_MM = 100;
+
+    private static final double MAX_CAGE_WIDTH_MM = 500;
+    private static final String UNKNOWN_AXES = "???";
+    private static final String DIRECTIONS = "LRPASI";
+
+    public AnatomicalFrame {
+        axes = axes.toUpperCase(Locale.ROOT);
+        if (axes.length() != 3 || determinant(axes) == 0) {
+            throw new IllegalArgumentException("axes: found '" + axes
+                    + "', expected three letters, one each of L or R, P or A, S or I, such as LPS, RAS or LSA");
+        }
+        if (determinant(axes) < 0) {
+            throw new IllegalArgumentException("axes: found '" + axes
+                    + "', a left-handed frame in which the body is mirrored; expected a right-handed one such as LPS");
+        }
+    }
+
+    private static int axis(char letter) {
+        int place = DIRECTIONS.indexOf(letter);
+        return place < 0 ? -1 : place / 2;
+    }
+
+    private static int sign(char letter) {
+        return DIRECTIONS.indexOf(letter) % 2 == 0 ? 1 : -1;
+    }
+
+    private static int determinant(String axes) {
+        int a = axis(axes.charAt(0));
+        int b = axis(axes.charAt(1));
+        int c = axis(axes.charAt(2));
+        if (a < 0 || b < 0 || c < 0 || a == b || b == c || a == c) {
+            return 0;
+        }
+        int even = (a + 1) % 3 == b ? 1 : -1;
+        return even * sign(axes.charAt(0)) * sign(axes.charAt(1)) * sign(axes.charAt(2));
+    }
+
+    /** The mesh in LPS and mm; triangles keep their order, for the frame is right-handed. */
+    public TriangleMesh toLps(TriangleMesh mesh) {
+        double[] given = mesh.positions();
+        double[] out = new double[given.length];
+        for (int from = 0; from < 3; from++) {
+            char letter = axes.charAt(from);
+            int to = axis(letter) - from;
+            double scale = sign(letter) * millimetresPerUnit;
+            for (int i = from; i < given.length; i += 3) {
+                out[i + to] = scale * given[i];
+            }
+        }
+        return mesh.withPositions(out);
+    }
+
+    /**
+     * The frame of stated axes, its unit read off the width of the rib cage.
+     *
+     * @throws IllegalArgumentException if the axes are none, or there are no ribs to read the unit off
+     */
+    public static AnatomicalFrame ofStatedAxes(String axes, List<Structure> structures) {
+        AnatomicalFrame frame = new AnatomicalFrame(axes, 1);
+        if (structures.stream().noneMatch(s -> s.kind() == StructureKind.RIB)) {
+            throw new IllegalArgumentException("units: not stated, and there are no ribs to read them off;"
+                    + " expected a line 'units: mm' in thorax.yaml");
+        }
+        return new AnatomicalFrame(frame.axes, detectUnit(structures, frame.axes));
+    }
+
+    /**
+     * Reads axes and unit off the structures.
+     *
+     * @throws IllegalArgumentException if there are too few to tell, or the sides that the names state are mirrored
+     */
+    public static AnatomicalFrame detect(List<Structure> structures) {
+        String axes = detectedAxes(structures);
+        if (axes.equals(UNKNOWN_AXES)) {
+            throw new IllegalArgumentException(
+                    "axes: not stated, and ribs of both sides, vertebrae and sternum are needed to read them off;"
+                            + " expected a line 'axes: ...' in thorax.yaml");
+        }
+        if (determinant(axes) == 0) {
+            throw new IllegalArgumentException("axes: not stated, and the structures' places give '" + axes
+                    + "', which is no frame; expected a line 'axes: ...' in thorax.yaml");
+        }
+        if (determinant(axes) < 0) {
+            throw new IllegalArgumentException("axes: the structures' names and places give '" + axes
+                    + "', a mirrored body; left and right are exchanged somewhere");
+        }
+        return new AnatomicalFrame(axes, detectUnit(structures, axes));
+    }
+
+    /** A sentence where the structures' places say that these axes are not theirs; empty too where they say nothing. */
+    Optional<String> axesMismatch(List<Structure> structures) {
+        String seen = detectedAxes(structures);
+        return determinant(seen) == 0 || seen.equals(axes)
+                ? Optional.empty()
+                : Optional.of("axes: stated as " + axes + ", but the structures' names and places give " + seen);
+    }
+
+    /** Axes as the structures' names and places give them, a question mark for one that they do not tell. */
+    private static String detectedAxes(List<Structure> structures) {
+        double[] right = centre(structures, StructureKind.RIB, Side.RIGHT, 1, 12);
+        double[] left = centre(structures, StructureKind.RIB, Side.LEFT, 1, 12);
+        double[] upper = centre(structures, StructureKind.RIB, null, 1, 5);
+        double[] lower = centre(structures, StructureKind.RIB, null, 8, 12);
+        double[] spine = centre(structures, StructureKind.VERTEBRA, null, 1, 12);
+        double[] front = centre(structures, StructureKind.STERNUM, null, 0, 0);
+        if (right == null || left == null || upper == null || lower == null || spine == null || front == null) {
+            return UNKNOWN_AXES;
+        }
+        char[] letters = UNKNOWN_AXES.toCharArray();
+        markAxis(letters, left, right, 'L', 'R');
+        markAxis(letters, upper, lower, 'S', 'I');
+        markAxis(letters, spine, front, 'P', 'A');
+        return new String(letters);
+    }
+
+    private static double detectUnit(List<Structure> structures, String axes) {
+        double width = width(structures, Math.max(axes.indexOf('L'), axes.indexOf('R')));
+        for (double unit : new double[] {1, 10, 1000}) {
+            if (width * unit >= MIN_CAGE_WIDTH_MM && width * unit <= MAX_CAGE_WIDTH_MM) {
+                return unit;
+            }
+        }
+        throw new IllegalArgumentException(String.format(
+                Locale.ROOT,
+                "units: found a rib cage %.4g units wide, expected 100 to 500 mm (or that in cm or m)",
+                width));
+    }
+
+    private static void markAxis(char[] letters, double[] positive, double[] negative, char plus, char minus) {
+        int best = 0;
+        for (int i = 1; i < 3; i++) {
+            if (Math.abs(positive[i] - negative[i]) > Math.abs(positive[best] - negative[best])) {
+                best = i;
+            }
+        }
+        letters[best] = positive[best] > negative[best] ? plus : minus;
+    }
+
+    private static double[] centre(List<Structure> all, StructureKind kind, Side side, int from, int to) {
+        double[] sum = new double[3];
+        int count = 0;
+        for (Structure s : all) {
+            if (s.kind() == kind && (side == null || s.side() == side) && s.level() >= from && s.level() <= to) {
+                double[] p = s.mesh().positions();
+                for (int i = 0; i < p.length; i++) {
+                    sum[i % 3] += p[i];
+                }
+                count += p.length / 3;
+            }
+        }
+        return count == 0 ? null : new double[] {sum[0] / count, sum[1] / count, sum[2] / count};
+    }
+
+    private static double width(List<Structure> all, int axis) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (Structure s : all) {
+            if (s.kind() == StructureKind.RIB) {
+                double[] box = s.mesh().bounds();
+                low = Math.min(low, box[axis]);
+                high = Math.max(high, box[3 + axis]);
+            }
+        }
+        return high - low;
+    }
+}

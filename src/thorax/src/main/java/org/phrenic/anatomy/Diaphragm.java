@@ -1,0 +1,196 @@
+package org.phrenic.anatomy;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.phrenic.mesh.Geodesics;
+import org.phrenic.mesh.HarmonicField;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * The diaphragm as tissue: its two faces, where it is inserted, which part is central tendon and which muscle, and how
+ * the muscle's fibres run.
+ *
+ * <ul>
+ *   <li>Insertion: the whole outer border of the sheet (xiphoid, costal margin, ribs 11 and 12, arcuate ligaments,
+ *       crura); the borders of the openings for vessels and oesophagus are free.
+ *   <li>Tendon: by the trefoil rule, three leaflets on the roof with a share of the area ({@link #TENDON_SHARE}); or,
+ *       as the paper does, what lies above a plane.
+ *   <li>Fibres: along the gradient of a harmonic field that is 0 at the insertion and 1 at the tendon.
+ * </ul>
+ */
+public final class Diaphragm {
+    /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
+    public static final double TENDON_SHARE = 0.14;
+
+    /** Gradient of the field below which it leads nowhere, 1/mm: it changes by 1 over the length of a fibre, 100 mm. */
+    private static final double MIN_GRADIENT_PER_MM = 1e-12;
+
+    private final TriangleMesh sheet;
+    private final MeshTopology topology;
+    private final DiaphragmFaces faces;
+    private final boolean[] inserted;
+    private final boolean[] tendon;
+    private final double[] distance;
+    private final double[] fibre;
+
+    private Diaphragm(
+            TriangleMesh sheet,
+            MeshTopology topology,
+            DiaphragmFaces faces,
+            boolean[] inserted,
+            double[] distance,
+            boolean[] tendon) {
+        this.sheet = sheet;
+        this.topology = topology;
+        this.faces = faces;
+        this.inserted = inserted;
+        this.distance = distance;
+        this.tendon = tendon;
+        this.fibre = computeFibreDirections();
+    }
+
+    /** A sheet whose tendon is found by the trefoil rule. */
+    public static Diaphragm withTrefoilTendon(TriangleMesh sheet) {
+        MeshTopology topology = new MeshTopology(sheet);
+        DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
+        boolean[] inserted = outerBorder(topology, faces);
+        double[] distance = distancesFromInsertion(sheet, topology, inserted);
+        boolean[] tendon = CentralTendon.of(sheet, TENDON_SHARE);
+        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon);
+    }
+
+    /** A sheet whose tendon is what lies above a horizontal plane, as the paper tells tissue apart. */
+    public static Diaphragm withTendonAbovePlane(TriangleMesh sheet, double height) {
+        MeshTopology topology = new MeshTopology(sheet);
+        DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
+        boolean[] inserted = outerBorder(topology, faces);
+        boolean[] tendon = new boolean[sheet.vertexCount()];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = sheet.z(i) > height;
+        }
+        return new Diaphragm(
+                sheet, topology, faces, inserted, distancesFromInsertion(sheet, topology, inserted), tendon);
+    }
+
+    /** The largest connected run of border vertices; openings have their own. */
+    private static boolean[] outerBorder(MeshTopology topology, DiaphragmFaces faces) {
+        int n = faces.vertexCount();
+        int[] label = new int[n];
+        int[] size = new int[n + 1];
+        int[] stack = new int[n];
+        int labels = 0;
+        int[] start = topology.vertexEdgeStart();
+        for (int seed = 0; seed < n; seed++) {
+            if (!faces.isBorder(seed) || label[seed] != 0) {
+                continue;
+            }
+            int top = 0;
+            stack[top++] = seed;
+            label[seed] = ++labels;
+            while (top > 0) {
+                int v = stack[--top];
+                size[labels]++;
+                for (int k = start[v]; k < start[v + 1]; k++) {
+                    int w = topology.otherVertex(topology.vertexEdges()[k], v);
+                    if (faces.isBorder(w) && label[w] == 0) {
+                        label[w] = labels;
+                        stack[top++] = w;
+                    }
+                }
+            }
+        }
+        int largest = 1;
+        for (int i = 2; i <= labels; i++) {
+            largest = size[i] > size[largest] ? i : largest;
+        }
+        boolean[] out = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            out[i] = labels > 0 && label[i] == largest;
+        }
+        return out;
+    }
+
+    private static double[] distancesFromInsertion(TriangleMesh sheet, MeshTopology topology, boolean[] inserted) {
+        int[] sources =
+                IntStream.range(0, inserted.length).filter(i -> inserted[i]).toArray();
+        if (sources.length == 0) {
+            double[] nowhere = new double[inserted.length];
+            Arrays.fill(nowhere, Double.POSITIVE_INFINITY);
+            return nowhere;
+        }
+        return Geodesics.distances(sheet, topology, sources);
+    }
+
+    /** Unit fibre direction of each triangle; zero in the tendon. */
+    private double[] computeFibreDirections() {
+        int[] held = IntStream.range(0, inserted.length)
+                .filter(i -> inserted[i] || tendon[i])
+                .toArray();
+        double[] out = new double[sheet.triangles().length];
+        if (held.length == 0) {
+            return out;
+        }
+        double[] given = IntStream.of(held).mapToDouble(i -> tendon[i] ? 1 : 0).toArray();
+        double[] gradient = HarmonicField.solve(sheet, topology, held, given).gradients();
+        for (int t = 0; t < sheet.triangleCount(); t++) {
+            double length = Math.sqrt(gradient[3 * t] * gradient[3 * t]
+                    + gradient[3 * t + 1] * gradient[3 * t + 1]
+                    + gradient[3 * t + 2] * gradient[3 * t + 2]);
+            if (isTendonTriangle(t) || !(length > MIN_GRADIENT_PER_MM)) {
+                continue;
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                out[3 * t + axis] = gradient[3 * t + axis] / length;
+            }
+        }
+        return out;
+    }
+
+    public TriangleMesh sheet() {
+        return sheet;
+    }
+
+    public MeshTopology topology() {
+        return topology;
+    }
+
+    public boolean isThoracic(int vertex) {
+        return faces.isThoracic(vertex);
+    }
+
+    /** Whether the vertex lies on the border that bone holds. */
+    public boolean isInserted(int vertex) {
+        return inserted[vertex];
+    }
+
+    public boolean isTendon(int vertex) {
+        return tendon[vertex];
+    }
+
+    /** Way along the sheet from the insertion, mm. */
+    public double distanceFromInsertion(int vertex) {
+        return distance[vertex];
+    }
+
+    /** Unit direction of the fibres in each triangle, three numbers a triangle, zero in the tendon; read only. */
+    public double[] fibreDirections() {
+        return fibre;
+    }
+
+    /** Whether all corners of a triangle are tendon. */
+    public boolean isTendonTriangle(int triangle) {
+        int[] t = sheet.triangles();
+        return tendon[t[3 * triangle]] && tendon[t[3 * triangle + 1]] && tendon[t[3 * triangle + 2]];
+    }
+
+    /** Whether at least two corners of a triangle lie on the thoracic face. */
+    public boolean isThoracicTriangle(int triangle) {
+        int[] t = sheet.triangles();
+        int count = 0;
+        for (int c = 0; c < 3; c++) {
+            count += faces.isThoracic(t[3 * triangle + c]) ? 1 : 0;
+        }
+        return count >= 2;
+    }
+}

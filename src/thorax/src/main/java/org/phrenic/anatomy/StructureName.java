@@ -1,0 +1,86 @@
+package org.phrenic.anatomy;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What a structure is, read off its name: {@code rib_05_R}, {@code costal_cartilage_02_L}, {@code sternum_body},
+ * {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code diaphragm}, {@code liver},
+ * {@code skin_torso}; case and leading zeros do not matter.
+ *
+ * @param kind what it is
+ * @param level as in {@link Structure}
+ * @param side of the body
+ */
+public record StructureName(StructureKind kind, int level, Side side) {
+    /** Level of the first lumbar vertebra: the twelve thoracic ones come before it. */
+    public static final int FIRST_LUMBAR = 13;
+
+    private static final int LAST_CERVICAL = 7;
+    private static final int LAST_LUMBAR = 5;
+
+    private static final Pattern LEVELLED = Pattern.compile("(rib|costal_cartilage)_0*(\\d{1,2})_([rl])");
+    private static final Pattern VERTEBRA = Pattern.compile("vertebra_([tl])0*(\\d{1,2})");
+    private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
+    private static final Pattern LUNG = Pattern.compile("lung_([rl])(_.*)?");
+
+    /** Reads a name; empty if it is none of those known. */
+    public static Optional<StructureName> parse(String name) {
+        String n = name.toLowerCase(java.util.Locale.ROOT);
+        Matcher m = LEVELLED.matcher(n);
+        if (m.matches()) {
+            int level = Integer.parseInt(m.group(2));
+            StructureKind kind = m.group(1).equals("rib") ? StructureKind.RIB : StructureKind.COSTAL_CARTILAGE;
+            boolean known = level >= 1 && level <= (kind == StructureKind.RIB ? 12 : 10);
+            return known ? Optional.of(new StructureName(kind, level, side(m.group(3)))) : Optional.empty();
+        }
+        m = VERTEBRA.matcher(n);
+        if (m.matches()) {
+            return spinal(StructureKind.VERTEBRA, m.group(1), m.group(2));
+        }
+        m = DISC.matcher(n);
+        if (m.matches()) {
+            return spinal(StructureKind.DISC, m.group(1), m.group(2));
+        }
+        m = LUNG.matcher(n);
+        if (m.matches()) {
+            return Optional.of(new StructureName(StructureKind.LUNG, 0, side(m.group(1))));
+        }
+        StructureKind kind = null;
+        if (n.startsWith("sternum")) {
+            kind = StructureKind.STERNUM;
+        } else if (n.equals("diaphragm")) {
+            kind = StructureKind.DIAPHRAGM;
+        } else if (n.equals("liver")) {
+            kind = StructureKind.LIVER;
+        } else if (n.startsWith("skin")) {
+            kind = StructureKind.SKIN;
+        } else if (n.equals("trachea")) {
+            kind = StructureKind.OTHER;
+        }
+        return Optional.ofNullable(kind).map(k -> new StructureName(k, 0, Side.MIDLINE));
+    }
+
+    private static Side side(String letter) {
+        return letter.equals("r") ? Side.RIGHT : Side.LEFT;
+    }
+
+    /** A level of the spine; a disc has that of the vertebra above it, 0 for the one below the last cervical. */
+    private static Optional<StructureName> spinal(StructureKind kind, String region, String number) {
+        int n = Integer.parseInt(number);
+        boolean known =
+                switch (region) {
+                    case "c" -> n == LAST_CERVICAL;
+                    case "t" -> n >= 1 && n < FIRST_LUMBAR;
+                    default -> n >= 1 && n <= LAST_LUMBAR;
+                };
+        int level =
+                switch (region) {
+                    case "c" -> 0;
+                    case "t" -> n;
+                    default -> FIRST_LUMBAR - 1 + n;
+                };
+        return known ? Optional.of(new StructureName(kind, level, Side.MIDLINE)) : Optional.empty();
+    }
+}

@@ -1,0 +1,210 @@
+package org.phrenic.anatomy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.ConnectedComponents;
+import org.phrenic.mesh.edit.MeshRepair;
+import org.phrenic.mesh.io.MeshFiles;
+
+/**
+ * Loads a thorax from a folder of meshes. A {@code thorax.yaml} may state {@code name}, {@code axes}, {@code units}
+ * (mm, cm, m) and, under {@code structures}, which file holds which structure; without it files are known by their
+ * names ({@link StructureName}), and axes and unit are read off the body ({@link AnatomicalFrame}). Duplicate vertices
+ * are welded and broken triangles dropped, and the notes of the thorax say so.
+ */
+public final class ThoraxFolder {
+    private static final String INDEX_FILE = "thorax.yaml";
+    /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
+    private static final double WELD_MM = 1e-3;
+    /**
+     * The patches of one surface are rounded each for itself: of 2,200 vertices on the seams of five scanned lobes all
+     * had their partner within 0.009 mm, on those of a liver within 0.02.
+     */
+    private static final double SEAM_MM = 0.05;
+
+    private record Found(String name, StructureName known, Path file) {}
+
+    private record Repaired(TriangleMesh mesh, Optional<String> note) {}
+    /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
+    private static final Set<StructureKind> UNIQUE_KINDS = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC,
+            StructureKind.DIAPHRAGM,
+            StructureKind.LIVER);
+
+    private ThoraxFolder() {}
+
+    /** @throws BadInputException if the folder, a file in it, or what they hold is not as expected */
+    public static Thorax load(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
+        }
+        Path index = folder.resolve(INDEX_FILE);
+        YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");
+        yaml.requireOnly(List.of("name", "axes", "units", "structures"));
+        Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
+        List<String> notes = new ArrayList<>();
+        List<Found> found = new ArrayList<>();
+        // Keys are lists: to hash a record the machine makes forty classes when it first does.
+        Map<List<Object>, Path> seen = new HashMap<>();
+        for (var entry : files.entrySet()) {
+            Optional<StructureName> known = StructureName.parse(entry.getKey());
+            if (known.isEmpty()) {
+                if (yaml.has("structures")) {
+                    throw yaml.map("structures")
+                            .bad(entry.getKey(), "is no structure's name, expected one such as rib_05_R or diaphragm");
+                }
+                notes.add(entry.getValue().getFileName() + ": left out, its name is no structure's");
+                continue;
+            }
+            StructureName name = known.get();
+            List<Object> place = List.of(name.kind(), name.level(), name.side());
+            Path twin = UNIQUE_KINDS.contains(name.kind()) ? seen.putIfAbsent(place, entry.getValue()) : null;
+            if (twin != null) {
+                throw duplicateStructure(folder, twin, entry.getValue());
+            }
+            found.add(new Found(entry.getKey(), name, entry.getValue()));
+        }
+        List<Structure> raw = read(found);
+        if (raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
+            throw new BadInputException(folder + ": no diaphragm among " + raw.size()
+                    + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
+        }
+        AnatomicalFrame frame = frame(folder, yaml, raw);
+        if (yaml.has("axes")) {
+            frame.axesMismatch(raw).ifPresent(notes::add);
+        }
+        List<Repaired> repaired = raw.stream()
+                .map(s -> repairedSurface(s.name(), frame.toLps(s.mesh())))
+                .toList();
+        List<Structure> structures = new ArrayList<>();
+        for (int i = 0; i < raw.size(); i++) {
+            structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
+            repaired.get(i).note().ifPresent(notes::add);
+        }
+        structures.stream()
+                .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
+                .forEach(s -> noteExtraShells(s.mesh(), notes));
+        notes.add(0, "axes " + frame.axes() + ", " + frame.millimetresPerUnit() + " mm a unit");
+        return new Thorax(
+                yaml.text(
+                        "name",
+                        folder.toAbsolutePath().normalize().getFileName().toString()),
+                structures,
+                notes);
+    }
+
+    /**
+     * Reads the files one after the other: side by side, threads that count how often new code runs hinder each other
+     * more than they help.
+     */
+    private static List<Structure> read(List<Found> found) {
+        return found.stream().map(ThoraxFolder::read).toList();
+    }
+
+    private static Structure read(Found f) {
+        StructureName name = f.known();
+        return new Structure(f.name(), name.kind(), name.level(), name.side(), MeshFiles.read(f.file()));
+    }
+
+    private static AnatomicalFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
+        try {
+            if (!yaml.has("units")) {
+                return yaml.has("axes")
+                        ? AnatomicalFrame.ofStatedAxes(yaml.text("axes"), raw)
+                        : AnatomicalFrame.detect(raw);
+            }
+            double unit = unit(yaml);
+            return new AnatomicalFrame(
+                    yaml.has("axes")
+                            ? yaml.text("axes")
+                            : AnatomicalFrame.detect(raw).axes(),
+                    unit);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(folder + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static double unit(YamlMap yaml) {
+        return switch (yaml.text("units")) {
+            case "mm" -> 1;
+            case "cm" -> 10;
+            case "m" -> 1000;
+            default -> throw yaml.bad("units", "found '" + yaml.text("units") + "', expected mm, cm or m");
+        };
+    }
+
+    private static Repaired repairedSurface(String name, TriangleMesh mesh) {
+        MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM, SEAM_MM);
+        if (result.mesh().triangleCount() == 0) {
+            throw new BadInputException(
+                    name + ": found no triangle with an area, expected a surface of " + mesh.triangleCount());
+        }
+        boolean changed = result.mesh().triangleCount() != mesh.triangleCount()
+                || result.mesh().vertexCount() != mesh.vertexCount();
+        return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
+    }
+
+    /** Only a closed sheet can breathe; of loose crura and the like the reader is told that they are left out. */
+    private static void noteExtraShells(TriangleMesh diaphragm, List<String> notes) {
+        List<TriangleMesh> shells = ConnectedComponents.of(diaphragm);
+        if (shells.size() > 1) {
+            String sizes =
+                    shells.stream().map(m -> String.valueOf(m.vertexCount())).collect(Collectors.joining(", "));
+            notes.add("diaphragm: found " + shells.size() + " shells of " + sizes
+                    + " vertices; the largest closed one breathes, the others are left out");
+        }
+    }
+
+    private static BadInputException duplicateStructure(Path folder, Path one, Path other) {
+        return new BadInputException(folder + ": found " + one.getFileName() + " and " + other.getFileName()
+                + ", expected one file a structure");
+    }
+
+    private static Map<String, Path> filesFromIndex(Path folder, YamlMap yaml) {
+        Map<String, Path> files = new TreeMap<>();
+        YamlMap structures = yaml.map("structures");
+        for (String name : structures.keys()) {
+            Path file = folder.resolve(structures.text(name));
+            if (!Files.isRegularFile(file)) {
+                throw structures.bad(name, "found no file " + file + ", expected a mesh");
+            }
+            files.put(name, file);
+        }
+        return files;
+    }
+
+    private static Map<String, Path> filesByName(Path folder) {
+        Map<String, Path> files = new TreeMap<>();
+        try (Stream<Path> list = Files.list(folder)) {
+            for (Path file : list.filter(MeshFiles::isMesh).sorted().toList()) {
+                String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+                Path twin = files.putIfAbsent(name, file);
+                if (twin != null) {
+                    throw duplicateStructure(folder, twin, file);
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return files;
+    }
+}

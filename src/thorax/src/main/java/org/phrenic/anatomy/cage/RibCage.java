@@ -1,0 +1,145 @@
+package org.phrenic.anatomy.cage;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.kinematics.HelicalAxis;
+import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.engine.kinematics.RigidMotion;
+
+/**
+ * The bones that breathing moves, each a rigid body on a helical axis with one common amplitude: the ribs by a
+ * {@link RibAxisTable}, the sternum by the rigid motion that best follows the anterior ends of ribs 1 to 7, and the
+ * trunk (spine), which stays. Costal cartilages are no bodies: they blend between the rib and the sternum
+ * ({@link SkinningWeights}).
+ */
+public final class RibCage {
+    /** The body that does not move. */
+    public static final int TRUNK = 0;
+
+    private static final int LAST_TRUE_RIB = 7;
+
+    /**
+     * One rigid body.
+     *
+     * @param name of its structure; {@code trunk} or {@code sternum}
+     * @param level of a rib, 0 otherwise
+     * @param side of a rib
+     * @param axis its motion to full inspiration; empty for the trunk
+     * @param ends of a rib; empty otherwise
+     */
+    public record Body(String name, int level, Side side, Optional<HelicalAxis> axis, Optional<RibEnds> ends) {}
+
+    private final List<Body> bodies;
+    private final HelicalBody[] motions;
+
+    private RibCage(List<Body> bodies) {
+        this.bodies = List.copyOf(bodies);
+        motions = new HelicalBody[bodies.size()];
+        for (int i = 0; i < motions.length; i++) {
+            motions[i] = bodies.get(i).axis().map(HelicalBody::new).orElse(null);
+        }
+    }
+
+    /** The ribs that a thorax has, its sternum if ribs enough lead it, and the trunk. */
+    public static RibCage of(Thorax thorax, RibAxisTable table) {
+        return of(thorax, table, true);
+    }
+
+    /**
+     * The same, with or without a sternum that moves.
+     *
+     * @param movingSternum false leaves the sternum to the trunk, which stays
+     */
+    public static RibCage of(Thorax thorax, RibAxisTable table, boolean movingSternum) {
+        List<Body> bodies = new ArrayList<>();
+        bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
+        List<Structure> ribs = thorax.structuresOf(StructureKind.RIB);
+        List<RibEnds> found = ribs.parallelStream()
+                .map(rib -> RibEnds.find(rib.mesh(), rib.side()))
+                .toList();
+        for (int i = 0; i < ribs.size(); i++) {
+            Structure rib = ribs.get(i);
+            RibEnds ends = found.get(i);
+            HelicalAxis axis = table.axis(rib.level(), rib.side(), ends.head());
+            bodies.add(new Body(rib.name(), rib.level(), rib.side(), Optional.of(axis), Optional.of(ends)));
+            if (rib.level() <= LAST_TRUE_RIB) {
+                double[] end = ends.anterior();
+                from.add(end);
+                to.add(axis.motion().apply(end[0], end[1], end[2]));
+            }
+        }
+        if (movingSternum && !thorax.structuresOf(StructureKind.STERNUM).isEmpty() && from.size() >= 3) {
+            HelicalAxis axis = HelicalAxis.of(RigidMotion.fit(flatten(from), flatten(to)));
+            bodies.add(new Body("sternum", 0, Side.MIDLINE, Optional.of(axis), Optional.empty()));
+        }
+        return new RibCage(bodies);
+    }
+
+    private static double[] flatten(List<double[]> points) {
+        return points.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+    }
+
+    public List<Body> bodies() {
+        return bodies;
+    }
+
+    /** The body of a rib, -1 if there is none. */
+    public int rib(int level, Side side) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (bodies.get(i).level() == level && bodies.get(i).side() == side) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** The body of the sternum; the trunk where there is none. */
+    public int sternum() {
+        return bodies.get(bodies.size() - 1).name().equals("sternum") ? bodies.size() - 1 : TRUNK;
+    }
+
+    /**
+     * Motion of every body, null for one that stays, if each rib's turn about the antero-posterior axis (the bucket
+     * handle) is multiplied and the rest of its turn is not; its head stays on the axis. The sternum is led by the ribs
+     * as ever.
+     */
+    HelicalBody[] motions(double bucket) {
+        if (bucket == 1) {
+            return motions;
+        }
+        HelicalBody[] other = new HelicalBody[motions.length];
+        List<double[]> from = new ArrayList<>();
+        List<double[]> to = new ArrayList<>();
+        for (int i = 0; i < other.length; i++) {
+            Body body = bodies.get(i);
+            if (body.ends().isPresent()) {
+                HelicalAxis axis = scaleBucketHandle(body.axis().orElseThrow(), bucket);
+                other[i] = new HelicalBody(axis);
+                if (body.level() <= LAST_TRUE_RIB) {
+                    double[] end = body.ends().get().anterior();
+                    from.add(end);
+                    to.add(axis.motion().apply(end[0], end[1], end[2]));
+                }
+            }
+        }
+        int sternum = sternum();
+        if (sternum != TRUNK) {
+            other[sternum] = new HelicalBody(HelicalAxis.of(RigidMotion.fit(flatten(from), flatten(to))));
+        }
+        return other;
+    }
+
+    private static HelicalAxis scaleBucketHandle(HelicalAxis axis, double bucket) {
+        double[] turn = {axis.directionX(), bucket * axis.directionY(), axis.directionZ()};
+        double length = Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
+        return HelicalAxis.through(
+                turn, new double[] {axis.pointX(), axis.pointY(), axis.pointZ()}, length * axis.angle(), axis.slide());
+    }
+}

@@ -1,0 +1,98 @@
+package org.phrenic.anatomy.cage;
+
+import org.phrenic.anatomy.Side;
+
+/**
+ * How much farther or less far than all the bodies of a rib cage turn, by group and side: {@code (1 + u (upper - 1) + l
+ * (lower - 1)) w}. u is 1 for ribs 1 to 3 and falls to 0 at rib 6, l rises from 0 at rib 6 to 1 for ribs 9 to 12, both
+ * by thirds; w is 1 on the side that turns farther and the ratio of the sides on the other. The sternum has the mean of
+ * ribs 1 to 7. Rates are derivatives, 1/s.
+ */
+public final class RibGains {
+    private static final int MIDDLE = 6;
+    private static final double LEVELS = 3;
+    private static final int LAST_TRUE_RIB = 7;
+
+    private final RibCage cage;
+    private double upper = 1;
+    private double lower = 1;
+    private double sideRatio = 1;
+    private double upperRate;
+    private double lowerRate;
+    private double sidesRate;
+    private double bucket = 1;
+
+    RibGains(RibCage cage) {
+        this.cage = cage;
+    }
+
+    /**
+     * Sets the factors.
+     *
+     * @param upperRibs of the upper ribs
+     * @param lowerRibs of the lower ribs
+     * @param leftOverRight turn of the left ribs over that of the right, above 0
+     */
+    public void setFactors(double upperRibs, double lowerRibs, double leftOverRight) {
+        upper = upperRibs;
+        lower = lowerRibs;
+        sideRatio = leftOverRight;
+    }
+
+    /** Sets how fast the factors change, in their order. */
+    public void setRates(double upperRibs, double lowerRibs, double leftOverRight) {
+        upperRate = upperRibs;
+        lowerRate = lowerRibs;
+        sidesRate = leftOverRight;
+    }
+
+    /** Sets by how much what raises the side of each rib is multiplied ({@link RibCage#motions}). */
+    public void setBucket(double factor) {
+        bucket = factor;
+    }
+
+    double bucket() {
+        return bucket;
+    }
+
+    /** Factor of a body. */
+    double factorOf(int body) {
+        return body == cage.sternum()
+                ? meanOfTrueRibs(false)
+                : ribFactor(cage.bodies().get(body), false);
+    }
+
+    /** Its derivative. */
+    double factorRateOf(int body) {
+        return body == cage.sternum()
+                ? meanOfTrueRibs(true)
+                : ribFactor(cage.bodies().get(body), true);
+    }
+
+    private double meanOfTrueRibs(boolean rate) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < cage.bodies().size(); i++) {
+            RibCage.Body body = cage.bodies().get(i);
+            if (body.level() >= 1 && body.level() <= LAST_TRUE_RIB) {
+                sum += ribFactor(body, rate);
+                count++;
+            }
+        }
+        return sum / count;
+    }
+
+    private double ribFactor(RibCage.Body body, boolean rate) {
+        double u = Math.max(0, Math.min(1, (MIDDLE - body.level()) / LEVELS));
+        double l = Math.max(0, Math.min(1, (body.level() - MIDDLE) / LEVELS));
+        double group = 1 + u * (upper - 1) + l * (lower - 1);
+        boolean left = body.side() == Side.LEFT;
+        boolean weaker = left == sideRatio < 1;
+        double share = !weaker ? 1 : left ? sideRatio : 1 / sideRatio;
+        if (!rate) {
+            return group * share;
+        }
+        double shareRate = !weaker ? 0 : left ? sidesRate : -sidesRate / (sideRatio * sideRatio);
+        return (u * upperRate + l * lowerRate) * share + group * shareRate;
+    }
+}

@@ -1,0 +1,172 @@
+package org.phrenic.anatomy.virtual;
+
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.virtual.shape.Clearance;
+import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
+import org.phrenic.anatomy.virtual.shape.Meridians;
+import org.phrenic.anatomy.virtual.shape.RingMesh;
+import org.phrenic.anatomy.virtual.shape.RootFinder;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
+import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
+import org.phrenic.anatomy.virtual.shape.VerticalAxis;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * A lung: what lies inside the chest wall, above the diaphragm and beside the mediastinum. Two pieces meet in the sharp
+ * lower border: the side (costal, mediastinal and apex) and the base.
+ */
+final class LungShape implements VerticalAxis {
+    private static final double COSTAL_EDGE_MM = 18;
+    private static final double APEX_EDGE_MM = 12;
+    private static final double PIVOT_ABOVE_DOME_MM = 45;
+    private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
+    private static final int SWEEPS = 12;
+
+    private final VirtualThoraxParameters.Lungs measures;
+    private final ChestWallShape wall;
+    private final ImplicitSurface roof;
+    private final DiaphragmShape dome;
+    private final double roofOffset;
+    private final int sign;
+    private final int index;
+    private final double[] apex;
+    private final double[] base;
+    private final double baseZ;
+    private final Meridians sideLines;
+    private final Meridians baseLines;
+
+    LungShape(VirtualThoraxParameters parameters, ChestWallShape wall, DiaphragmShape dome, Side side) {
+        measures = parameters.lungs();
+        this.wall = wall;
+        sign = side.sign();
+        index = side == Side.RIGHT ? 0 : 1;
+        apex = index == 0 ? measures.apexRight().toArray() : measures.apexLeft().toArray();
+        base = index == 0 ? measures.baseRight().toArray() : measures.baseLeft().toArray();
+        VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
+        baseZ = (index == 0 ? diaphragm.right() : diaphragm.left()).at(2);
+        this.dome = dome;
+        roofOffset = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
+        roof = (x, y, z) -> dome.at(x, y, z) - roofOffset;
+        double[][] border = new double[Meridians.AZIMUTHS][];
+        for (int i = 0; i < border.length; i++) {
+            border[i] = lowerBorder(Meridians.azimuth(i));
+        }
+        sideLines = new Meridians(this::sideRegion, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
+        baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, border);
+    }
+
+    @Override
+    public double x(double z) {
+        return base[0] + (apex[0] - base[0]) * apexShare(z);
+    }
+
+    @Override
+    public double y(double z) {
+        return base[1] + (apex[1] - base[1]) * apexShare(z);
+    }
+
+    private double apexShare(double z) {
+        return Math.max(-0.5, Math.min(1.2, (z - baseZ) / (apex[2] - baseZ)));
+    }
+
+    /** The region of the lung but for its base. */
+    private double sideRegion(double x, double y, double z) {
+        double costal = wall.at(x, y, z) + measures.wallInsetMm();
+        double bulge = measures.heartMm().at(index) - measures.mediastinumMm().at(index);
+        double back =
+                (y - measures.heartCentre().at(0)) / measures.heartRadiiMm().at(0);
+        double up = Math.max(
+                0, (z - measures.heartCentre().at(1)) / measures.heartRadiiMm().at(1));
+        double across = StrictMath.exp(-back * back);
+        if (back < 0) {
+            double share = measures.heartFrontShare().at(index);
+            across = share + (1 - share) * across;
+        }
+        double medial = measures.mediastinumMm().at(index) + bulge * across * StrictMath.exp(-up * up) - sign * x;
+        double dx = x - apex[0];
+        double dy = y - apex[1];
+        double cap = z - apex[2] + (dx * dx + dy * dy) / (2 * measures.apexRadiusMm());
+        cap /= Math.sqrt(1 + (dx * dx + dy * dy) / (measures.apexRadiusMm() * measures.apexRadiusMm()));
+        return SmoothBlends.roundIntersection(
+                SmoothBlends.roundIntersection(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
+    }
+
+    /**
+     * The point of the lower border at this azimuth: the first place, coming down the side, where it meets the base.
+     */
+    private double[] lowerBorder(double azimuth) {
+        double high = baseZ + PIVOT_ABOVE_DOME_MM;
+        double low = high;
+        while (heightAboveRoof(azimuth, low) > 0) {
+            high = low;
+            low -= 3;
+            if (low < baseZ - 150) {
+                throw new IllegalStateException("lung: the side never meets the diaphragm at azimuth " + azimuth);
+            }
+        }
+        double z = RootFinder.illinois(
+                h -> heightAboveRoof(azimuth, h),
+                low,
+                heightAboveRoof(azimuth, low),
+                high,
+                heightAboveRoof(azimuth, high));
+        return sidePoint(azimuth, z);
+    }
+
+    private double heightAboveRoof(double azimuth, double z) {
+        double[] p = sidePoint(azimuth, z);
+        return roof.at(p[0], p[1], p[2]);
+    }
+
+    private double[] sidePoint(double azimuth, double z) {
+        double r = RootFinder.firstOutward(
+                s -> {
+                    double[] p = point(azimuth, s, z);
+                    return sideRegion(p[0], p[1], p[2]);
+                },
+                20);
+        return point(azimuth, r, z);
+    }
+
+    TriangleMesh mesh(int vertices) {
+        double edge = RingMesh.edgeLengthFor(this::count, vertices);
+        int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
+        int border = sideCounts[sideCounts.length - 1];
+        int[] baseCounts = RingMesh.counts(baseLines, edge, border);
+        TriangleMesh upper = RingMesh.mesh(sideLines, sideCounts, true);
+        TriangleMesh lower = RingMesh.mesh(baseLines, baseCounts, false);
+        TriangleMesh whole = join(upper, lower, border);
+        int inner = upper.vertexCount() - border;
+        int upperCount = upper.vertexCount();
+        ImplicitSurface side = this::sideRegion;
+        TriangleMesh even =
+                SurfaceRelaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
+        return Clearance.enforce(even, dome, 1, roofOffset);
+    }
+
+    private int count(double edge) {
+        int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
+        int border = sideCounts[sideCounts.length - 1];
+        return RingMesh.vertexCount(sideCounts)
+                + RingMesh.vertexCount(RingMesh.counts(baseLines, edge, border))
+                - border;
+    }
+
+    /** One mesh of both; the border's vertices, last in each, become one. */
+    private static TriangleMesh join(TriangleMesh upper, TriangleMesh lower, int border) {
+        int upperCount = upper.vertexCount();
+        int lowerInner = lower.vertexCount() - border;
+        double[] positions = new double[3 * (upperCount + lowerInner)];
+        System.arraycopy(upper.positions(), 0, positions, 0, 3 * upperCount);
+        System.arraycopy(lower.positions(), 0, positions, 3 * upperCount, 3 * lowerInner);
+        int[] first = upper.triangles();
+        int[] second = lower.triangles();
+        int[] triangles = new int[first.length + second.length];
+        System.arraycopy(first, 0, triangles, 0, first.length);
+        for (int i = 0; i < second.length; i++) {
+            int v = second[i];
+            triangles[first.length + i] = v < lowerInner ? upperCount + v : upperCount - border + (v - lowerInner);
+        }
+        return new TriangleMesh(positions, triangles);
+    }
+}

@@ -1,0 +1,187 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ForkJoinTask;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.shape.MarchingTetrahedra;
+import org.phrenic.anatomy.virtual.shape.Polyline;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
+import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
+import org.phrenic.anatomy.virtual.shape.Tube;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
+
+/** Grows a thorax at end-expiration from its measures. The same measures give the same bits. */
+public final class VirtualThorax {
+    private static final double VERTEBRA_GRID_MM = 4.0;
+    private static final double RIGHT_LUNG_SHARE = 0.53;
+    private static final int VERTEBRA_SWEEPS = 3;
+    private static final Tube RIB = new Tube(12, 60, 2.4, 3);
+    private static final Tube DISC = new Tube(28, 4, 2.3, 1);
+
+    private final VirtualThoraxParameters parameters;
+    private final Resolution resolution;
+    private final Spine spine;
+    private final ChestWallShape wall;
+    private final VertebraShape[] vertebrae = new VertebraShape[VirtualThoraxParameters.VERTEBRAE];
+    private final SternumShape sternum;
+    private final DiaphragmShape dome;
+
+    private VirtualThorax(VirtualThoraxParameters parameters, Resolution resolution) {
+        this.parameters = parameters;
+        this.resolution = resolution;
+        spine = new Spine(parameters.spine());
+        wall = new ChestWallShape(parameters.chestWall(), spine);
+        for (int level = 1; level <= vertebrae.length; level++) {
+            vertebrae[level - 1] = new VertebraShape(spine, level);
+        }
+        sternum = new SternumShape(parameters.sternum(), spine);
+        dome = new DiaphragmShape(parameters.diaphragm(), wall);
+    }
+
+    /**
+     * Grows the thorax.
+     *
+     * @param resolution how finely what springs move is meshed; rigid parts are the same at every resolution
+     * @throws IllegalStateException if the measures do not fit together, such as a dome above the lung's apex
+     */
+    public static Thorax generate(VirtualThoraxParameters parameters, Resolution resolution) {
+        return new VirtualThorax(parameters, resolution).build();
+    }
+
+    /** Grows the parts side by side, and puts them together in the order bones, spine, organs. */
+    private Thorax build() {
+        int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
+        int left = resolution.lungVertices() - right;
+        // What is forked first another thread takes first, and this one begins at the other end: the long ones go
+        // ahead.
+        var diaphragm = fork(() -> structureList(
+                "diaphragm",
+                StructureKind.DIAPHRAGM,
+                Side.MIDLINE,
+                new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())));
+        var lungR = fork(() -> structureList("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
+        var lungL = fork(() -> structureList("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
+        var liver = fork(() -> structureList(
+                "liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()));
+        var skin = fork(() ->
+                structureList("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
+        var discs = fork(this::discs);
+        List<ForkJoinTask<List<Structure>>> spineParts = new ArrayList<>();
+        for (int level = vertebrae.length; level >= 1; level--) {
+            int at = level;
+            spineParts.add(0, fork(() -> List.of(vertebra(at))));
+        }
+        List<Structure> structures = new ArrayList<>(bones());
+        spineParts.forEach(part -> structures.addAll(part.join()));
+        // Waited for in the reverse order of forking: what nobody has begun yet this thread then does itself.
+        for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
+            part.join();
+        }
+        for (var part : List.of(discs, diaphragm, lungR, lungL, liver, skin)) {
+            structures.addAll(part.join());
+        }
+        return new Thorax(parameters.name(), structures, List.of());
+    }
+
+    private static ForkJoinTask<List<Structure>> fork(Callable<List<Structure>> part) {
+        return ForkJoinTask.adapt(part).fork();
+    }
+
+    private List<Structure> bones() {
+        List<Structure> bones = new ArrayList<>();
+        RibCageCourses skeleton = new RibCageCourses(parameters, spine, wall, vertebrae, sternum);
+        SternumMeshes meshes = new SternumMeshes(parameters, wall, resolution.sternumVertices());
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            Polyline above = null;
+            for (int level = 1; level <= 12; level++) {
+                Polyline rib = skeleton.ribCourse(level, side);
+                bones.add(new Structure(sided("rib", level, side), StructureKind.RIB, level, side, rib(rib)));
+                if (level <= 7) {
+                    above = skeleton.trueCartilage(level, side, rib);
+                } else if (level <= 10) {
+                    above = skeleton.falseCartilage(level, side, rib, above);
+                }
+                if (level <= 10) {
+                    meshes.cartilage(level, side, above);
+                }
+            }
+        }
+        bones.addAll(meshes.build(sternum));
+        return bones;
+    }
+
+    private TriangleMesh rib(Polyline course) {
+        VirtualThoraxParameters.Ribs ribs = parameters.ribs();
+        double whole = course.length();
+        return RIB.mesh(
+                course,
+                t -> {
+                    double fromHead = t * whole;
+                    double neck = SmoothBlends.smoothstep((fromHead - 12) / 40);
+                    double end = SmoothBlends.smoothstep((whole - fromHead) / 40);
+                    double height = ribs.heightMm() * (0.72 + 0.28 * neck) * (0.92 + 0.08 * end);
+                    double thickness = ribs.thicknessMm() * (1.12 - 0.12 * neck) * (0.9 + 0.1 * end);
+                    return new Tube.Section(height / 2, thickness / 2);
+                },
+                wall::boneBedNormal);
+    }
+
+    private Structure vertebra(int level) {
+        VertebraShape shape = vertebrae[level - 1];
+        double[] centre = spine.centre(spine.bodyPath(level));
+        double[] low = Vectors.addScaled(centre, Vectors.of(-52, -30, -48), 1);
+        double[] high = Vectors.addScaled(centre, Vectors.of(52, 78, 34), 1);
+        TriangleMesh rough = MarchingTetrahedra.surface(shape, low, high, VERTEBRA_GRID_MM);
+        TriangleMesh mesh = SurfaceRelaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
+        return new Structure(
+                "vertebra_" + vertebraName(level, "%02d"), StructureKind.VERTEBRA, level, Side.MIDLINE, mesh);
+    }
+
+    private List<Structure> discs() {
+        List<Structure> discs = new ArrayList<>();
+        for (int level = 1; level < vertebrae.length; level++) {
+            String name = "disc_" + vertebraName(level, "%d") + "_" + vertebraName(level + 1, "%d");
+            discs.add(new Structure(name, StructureKind.DISC, level, Side.MIDLINE, disc(level)));
+        }
+        return discs;
+    }
+
+    private TriangleMesh disc(int level) {
+        VirtualThoraxParameters.Spine m = parameters.spine();
+        double half = m.discHeightMm().at(level - 1) / 2 + RibCageCourses.OVERLAP_MM / 2;
+        double path = spine.discPath(level);
+        List<double[]> middle = new ArrayList<>();
+        for (int i = -2; i <= 2; i++) {
+            middle.add(spine.centre(path + half * i / 2));
+        }
+        double width = (m.bodyWidthMm().at(level - 1) + m.bodyWidthMm().at(level)) / 4;
+        double depth = (m.bodyDepthMm().at(level - 1) + m.bodyDepthMm().at(level)) / 4;
+        return DISC.mesh(new Polyline(middle), t -> new Tube.Section(width, depth), p -> Vectors.of(0, -1, 0));
+    }
+
+    private TriangleMesh lung(Side side, int vertices) {
+        return new LungShape(parameters, wall, dome, side).mesh(vertices);
+    }
+
+    private static List<Structure> structureList(String name, StructureKind kind, Side side, TriangleMesh mesh) {
+        return List.of(new Structure(name, kind, 0, side, mesh));
+    }
+
+    static String sided(String name, int level, Side side) {
+        return String.format(Locale.ROOT, "%s_%02d_%s", name, level, side == Side.LEFT ? "L" : "R");
+    }
+
+    private static String vertebraName(int level, String digits) {
+        return level <= 12
+                ? String.format(Locale.ROOT, "T" + digits, level)
+                : String.format(Locale.ROOT, "L" + digits, level - 12);
+    }
+}

@@ -1,0 +1,216 @@
+package org.phrenic.anatomy.virtual;
+
+import java.util.List;
+
+/**
+ * The measures a virtual thorax is grown from, at end-expiration. Lengths in mm, angles in degrees, volumes in ml;
+ * arrays run from the first rib or from T1 down. The files in {@code data/thorax} say where each number comes from.
+ *
+ * @param name what the body is called
+ */
+public record VirtualThoraxParameters(
+        String name,
+        Spine spine,
+        ChestWall chestWall,
+        Ribs ribs,
+        Cartilages cartilages,
+        Sternum sternum,
+        Diaphragm diaphragm,
+        Lungs lungs,
+        Liver liver,
+        Skin skin) {
+
+    /** T1 to L3. */
+    public static final int VERTEBRAE = 15;
+
+    /**
+     * The column T1 to L3.
+     *
+     * @param kyphosisRadiusMm radius of the thoracic curve
+     * @param kyphosisApexMm path from the disc T12/L1 up to where the spine stands upright
+     * @param apexYMm y of the bodies' middle there
+     * @param lordosisRadiusMm radius of the lumbar curve
+     * @param bodyHeightMm heights of the bodies T1-L3
+     * @param bodyWidthMm breadths of the bodies T1-L3
+     * @param bodyDepthMm depths of the bodies T1-L3
+     * @param discHeightMm heights of the discs T1/T2 to L2/L3
+     * @param transverseReachMm from the midplane to the tip of the transverse process, T1-L3
+     * @param transverseBackMm from the back of the body to the middle of that tip, T1-L3
+     * @param spinousLengthMm length of the free spinous process, T1-L3
+     * @param spinousDropDeg how far it points down, T1-L3
+     */
+    public record Spine(
+            double kyphosisRadiusMm,
+            double kyphosisApexMm,
+            double apexYMm,
+            double lordosisRadiusMm,
+            ImmutableDoubleArray bodyHeightMm,
+            ImmutableDoubleArray bodyWidthMm,
+            ImmutableDoubleArray bodyDepthMm,
+            ImmutableDoubleArray discHeightMm,
+            ImmutableDoubleArray transverseReachMm,
+            ImmutableDoubleArray transverseBackMm,
+            ImmutableDoubleArray spinousLengthMm,
+            ImmutableDoubleArray spinousDropDeg) {}
+
+    /**
+     * The inner surface of the chest wall.
+     *
+     * @param axisFraction where the axis stands between spine (0) and front wall (1)
+     * @param exponentFront exponent of the section's front half (2: ellipse)
+     * @param exponentBack exponent of its back half
+     * @param leftBreadthFactor left half-breadth over right
+     * @param sections rows of height z, half-breadth, y of the front, y of the back, width of the gutter's slope in
+     *     degrees; from below upward
+     */
+    public record ChestWall(
+            double axisFraction,
+            double exponentFront,
+            double exponentBack,
+            double leftBreadthFactor,
+            List<ImmutableDoubleArray> sections) {}
+
+    /**
+     * The twelve pairs of ribs.
+     *
+     * @param arcMm length along the rib, ribs 1-12
+     * @param pumpDeg how far the rib falls from back to front
+     * @param bucketDeg how far it falls from the middle to the side
+     * @param leftArcFactor left length over right
+     * @param heightMm height of the section at mid-length
+     * @param thicknessMm its thickness
+     */
+    public record Ribs(
+            ImmutableDoubleArray arcMm,
+            ImmutableDoubleArray pumpDeg,
+            ImmutableDoubleArray bucketDeg,
+            double leftArcFactor,
+            double heightMm,
+            double thicknessMm) {}
+
+    /**
+     * The costal cartilages.
+     *
+     * @param joinFraction where along the cartilage above it the end of cartilages 8, 9 and 10 lies (0 at the rib, 1 at
+     *     the other end)
+     * @param heightMm height of the section
+     * @param thicknessMm its thickness
+     */
+    public record Cartilages(ImmutableDoubleArray joinFraction, double heightMm, double thicknessMm) {}
+
+    /**
+     * The sternum.
+     *
+     * @param manubriumMm length from the jugular notch to the sternal angle
+     * @param bodyMm length from there to the xiphisternal joint
+     * @param xiphoidMm length of the xiphoid
+     * @param angleDeg angle between manubrium and body, seen from behind
+     * @param bodyLeanDeg how far the body's upper end leans back
+     * @param jointY y of the xiphisternal joint (middle of the bone)
+     * @param jointLevel vertebra at whose middle the joint lies (T1 = 1)
+     * @param thicknessMm thickness of the body
+     * @param notchFraction where cartilages 1-7 meet it: path from the notch over the length of manubrium and body
+     */
+    public record Sternum(
+            double manubriumMm,
+            double bodyMm,
+            double xiphoidMm,
+            double angleDeg,
+            double bodyLeanDeg,
+            double jointY,
+            int jointLevel,
+            double thicknessMm,
+            ImmutableDoubleArray notchFraction) {}
+
+    /**
+     * The diaphragm.
+     *
+     * @param right dome: x, y, z of its top
+     * @param left the same of the left dome
+     * @param heart the same of the plateau under the heart
+     * @param domeRadiusXMm radius of the domes' curve from side to side
+     * @param domeRadiusYMm radius from back to front
+     * @param heartRadiusXMm radius of the plateau from side to side
+     * @param heartRadiusYMm radius from back to front
+     * @param blendMm height over which domes and plateau flow together
+     * @param turnRadiusMm radius of the turn from dome to zone of apposition, at the sides and back
+     * @param midlineTurnRadiusMm the same at the sternum and the spine
+     * @param gapMm from the inner chest wall to the thoracic face in the zone of apposition
+     * @param muscleMm thickness of the sheet
+     * @param tendonMm thickness of the central tendon
+     * @param tendonAreaCm2 area of the central tendon
+     * @param rim azimuth in degrees (0 back, positive left) and height z of points of the line of insertion, from -180
+     *     to 180
+     */
+    public record Diaphragm(
+            ImmutableDoubleArray right,
+            ImmutableDoubleArray left,
+            ImmutableDoubleArray heart,
+            double domeRadiusXMm,
+            double domeRadiusYMm,
+            double heartRadiusXMm,
+            double heartRadiusYMm,
+            double blendMm,
+            double turnRadiusMm,
+            double midlineTurnRadiusMm,
+            double gapMm,
+            double muscleMm,
+            double tendonMm,
+            double tendonAreaCm2,
+            List<ImmutableDoubleArray> rim) {}
+
+    /**
+     * The lungs and the space for the heart.
+     *
+     * @param wallInsetMm from the inner chest wall to the lung
+     * @param diaphragmGapMm from the diaphragm to the lung's base
+     * @param apexRight x, y, z of the right apex
+     * @param apexLeft x, y, z of the left apex
+     * @param apexRadiusMm radius of its curve
+     * @param baseRight x and y of the middle of the right base
+     * @param baseLeft x and y of the middle of the left base
+     * @param mediastinumMm from the midplane to the right and left lung above the heart
+     * @param heartMm from the midplane to the right and left lung beside the heart
+     * @param heartCentre y and z of the heart's middle
+     * @param heartRadiiMm over which its bulge fades to the back and upward
+     * @param heartFrontShare share of the bulge that reaches the front wall, right and left
+     */
+    public record Lungs(
+            double wallInsetMm,
+            double diaphragmGapMm,
+            ImmutableDoubleArray apexRight,
+            ImmutableDoubleArray apexLeft,
+            double apexRadiusMm,
+            ImmutableDoubleArray baseRight,
+            ImmutableDoubleArray baseLeft,
+            ImmutableDoubleArray mediastinumMm,
+            ImmutableDoubleArray heartMm,
+            ImmutableDoubleArray heartCentre,
+            ImmutableDoubleArray heartRadiiMm,
+            ImmutableDoubleArray heartFrontShare) {}
+
+    /**
+     * The liver.
+     *
+     * @param volumeMl volume
+     * @param diaphragmGapMm from the abdominal face of the diaphragm to the liver
+     * @param visceralSlope rise of the lower surface: to the left and to the back
+     * @param backCut the plane that ends the left lobe behind: y at the midplane, and how much it comes forward per mm
+     *     to the left
+     * @param leftEndX x of the tip of the left lobe
+     */
+    public record Liver(
+            double volumeMl,
+            double diaphragmGapMm,
+            ImmutableDoubleArray visceralSlope,
+            ImmutableDoubleArray backCut,
+            double leftEndX) {}
+
+    /**
+     * The skin of the trunk.
+     *
+     * @param exponent exponent of the section
+     * @param sections rows of height z, half-breadth, y of the front, y of the back; from below upward
+     */
+    public record Skin(double exponent, List<ImmutableDoubleArray> sections) {}
+}

@@ -1,0 +1,2 @@
+/** The virtual thorax: structures generated from a table of measures. */
+package org.phrenic.anatomy.virtual;

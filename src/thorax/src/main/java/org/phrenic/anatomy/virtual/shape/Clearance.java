@@ -1,0 +1,38 @@
+package org.phrenic.anatomy.virtual.shape;
+
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
+
+/** Keeps a surface at a distance from a region: the last touch where a blend of surfaces is no true distance. */
+public final class Clearance {
+    private static final int STEPS = 10;
+
+    private Clearance() {}
+
+    /**
+     * The mesh with every vertex nearer to the region than {@code least} mm pushed straight away from it.
+     *
+     * @param away 1 to stay outside the region, -1 to stay inside it
+     */
+    public static TriangleMesh enforce(TriangleMesh mesh, ImplicitSurface region, int away, double least) {
+        double[] positions = mesh.positions().clone();
+        for (int v = 0; v < positions.length; v += 3) {
+            double[] p = Vectors.of(positions[v], positions[v + 1], positions[v + 2]);
+            for (int i = 0; i < STEPS; i++) {
+                double value = away * region.at(p[0], p[1], p[2]);
+                if (value > 3 * least) {
+                    break;
+                }
+                double[] gradient = region.gradient(p);
+                double steepness = Vectors.length(gradient);
+                double missing = least - value / steepness;
+                if (missing < 1e-3) {
+                    break;
+                }
+                p = Vectors.addScaled(p, gradient, away * missing / steepness);
+            }
+            System.arraycopy(p, 0, positions, v, 3);
+        }
+        return mesh.withPositions(positions);
+    }
+}

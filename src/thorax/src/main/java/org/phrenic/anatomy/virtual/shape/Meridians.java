@@ -1,0 +1,101 @@
+package org.phrenic.anatomy.virtual.shape;
+
+import java.util.Arrays;
+import org.phrenic.mesh.Vectors;
+
+/**
+ * A bowl-shaped piece of a surface as lines that run from its pole on an axis out to its border, one every 2 degrees of
+ * azimuth; places on a line are fractions of its length. In each upright half-plane through the axis the surface must
+ * be seen whole from one point of the axis, the pivot.
+ */
+public final class Meridians {
+    public static final int AZIMUTHS = 180;
+    private static final int SAMPLES = 45;
+
+    private final double[][][] line = new double[AZIMUTHS][SAMPLES + 1][];
+    private final double meanLength;
+    /** Those last asked for: the search for an edge length asks for the same again and again. */
+    private double[] perimeters = {};
+
+    /**
+     * @param surface the region, pivot inside
+     * @param pivotZ height of the pivot on the axis
+     * @param upward true if the pole lies above the pivot
+     * @param border the end of the line at each azimuth, on the surface
+     */
+    public Meridians(ImplicitSurface surface, VerticalAxis axis, double pivotZ, boolean upward, double[][] border) {
+        double start = upward ? Math.PI / 2 : -Math.PI / 2;
+        for (int i = 0; i < AZIMUTHS; i++) {
+            double azimuth = azimuth(i);
+            double[] end = border[i];
+            double radial = StrictMath.hypot(end[0] - axis.x(end[2]), end[1] - axis.y(end[2]));
+            double stop = StrictMath.atan2(end[2] - pivotZ, radial);
+            int n = 3 * SAMPLES / 2;
+            double[][] points = new double[n + 1][];
+            double guess = 60;
+            for (int k = 0; k < n; k++) {
+                double angle = start + (stop - start) * k / n;
+                double cos = k == 0 ? 0 : StrictMath.cos(angle);
+                double sin = StrictMath.sin(angle);
+                guess = RootFinder.firstOutward(
+                        s -> {
+                            double[] p = axis.point(azimuth, s * cos, pivotZ + s * sin);
+                            return surface.at(p[0], p[1], p[2]);
+                        },
+                        guess);
+                points[k] = axis.point(azimuth, guess * cos, pivotZ + guess * sin);
+            }
+            points[n] = end;
+            Polyline course = new Polyline(Arrays.asList(points));
+            for (int k = 0; k <= SAMPLES; k++) {
+                line[i][k] = k == SAMPLES ? end : course.pointAt(course.length() * k / SAMPLES);
+            }
+        }
+        double sum = 0;
+        for (double[][] points : line) {
+            for (int k = 1; k <= SAMPLES; k++) {
+                sum += Vectors.distance(points[k], points[k - 1]);
+            }
+        }
+        meanLength = sum / AZIMUTHS;
+    }
+
+    public static double azimuth(int i) {
+        return 2 * Math.PI * i / AZIMUTHS;
+    }
+
+    /** The closed line at this fraction of all meridians. */
+    double[][] ring(double fraction) {
+        double at = fraction * SAMPLES;
+        int low = Math.min((int) at, SAMPLES - 1);
+        double[][] ring = new double[AZIMUTHS][];
+        for (int i = 0; i < AZIMUTHS; i++) {
+            ring[i] = Vectors.lerp(line[i][low], line[i][low + 1], at - low);
+        }
+        return ring;
+    }
+
+    double[] pole() {
+        return line[0][0];
+    }
+
+    /** Mean length of the meridians, mm. */
+    double meanLength() {
+        return meanLength;
+    }
+
+    /** Lengths of so many rings, evenly from the pole to the border, which is the last, mm; read only. */
+    double[] perimeters(int rings) {
+        if (perimeters.length != rings) {
+            double[] lengths = new double[rings];
+            for (int k = 0; k < rings; k++) {
+                double[][] ring = ring((k + 1.0) / rings);
+                for (int i = 0; i < AZIMUTHS; i++) {
+                    lengths[k] += Vectors.distance(ring[i], ring[(i + 1) % AZIMUTHS]);
+                }
+            }
+            perimeters = lengths;
+        }
+        return perimeters;
+    }
+}

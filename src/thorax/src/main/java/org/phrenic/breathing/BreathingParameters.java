@@ -1,0 +1,99 @@
+package org.phrenic.breathing;
+
+/**
+ * How a person breathes. The presets in {@code data/breathing} give a source for each number.
+ *
+ * @param ratePerMin breaths per minute, above 0, at most 150
+ * @param inspiratoryFraction Ti / Ttot, above 0
+ * @param pauseFraction share of the breath at rest at its end
+ * @param activation drive of the diaphragm at end-inspiration, 0 to 1 (1 takes it to full inspiration)
+ * @param pressure transdiaphragmatic pressure at end-inspiration as a share of the greatest voluntary one, 0 to 1
+ * @param ribTurn share of the ribs' full turn at end-inspiration, 0 to 1
+ * @param chestShare balance of chest and abdomen, 0 to 1: 0.5 leaves both drives as they stand, 0 breathes with the
+ *     diaphragm alone, 1 with the ribs alone
+ */
+public record BreathingParameters(
+        double ratePerMin,
+        double inspiratoryFraction,
+        double pauseFraction,
+        double activation,
+        double pressure,
+        double ribTurn,
+        double chestShare) {
+    /** Leaves both drives as they stand. */
+    public static final double BALANCED_SHARE = 0.5;
+
+    private static final double MAX_RATE_PER_MIN = 150;
+
+    public BreathingParameters {
+        if (!(ratePerMin > 0) || !(ratePerMin <= MAX_RATE_PER_MIN)) {
+            throw new IllegalArgumentException(
+                    "breathing: rate_per_min " + ratePerMin + ", expected more than 0, at most " + MAX_RATE_PER_MIN);
+        }
+        requireShare("activation", activation);
+        requireShare("pressure", pressure);
+        requireShare("rib_turn", ribTurn);
+        requireShare("chest_share", chestShare);
+        new BreathWaveform(inspiratoryFraction, pauseFraction);
+    }
+
+    public static void requireShare(String name, double value) {
+        if (!(value >= 0) || !(value <= 1)) {
+            throw new IllegalArgumentException("breathing: " + name + " " + value + ", expected 0 to 1");
+        }
+    }
+
+    /** Duration of a breath, s. */
+    public double periodS() {
+        return 60 / ratePerMin;
+    }
+
+    /** Shape of a breath. */
+    public BreathWaveform wave() {
+        return new BreathWaveform(inspiratoryFraction, pauseFraction);
+    }
+
+    /** Drive of the diaphragm at end-inspiration once chest and abdomen are balanced; at most 1. */
+    public double activationPeak() {
+        return Math.min(1, 2 * (1 - chestShare) * activation);
+    }
+
+    /** Pressure at end-inspiration once chest and abdomen are balanced; at most 1. */
+    public double pressurePeak() {
+        return Math.min(1, 2 * (1 - chestShare) * pressure);
+    }
+
+    /** Turn of the ribs at end-inspiration once chest and abdomen are balanced; at most 1. */
+    public double ribTurnPeak() {
+        return Math.min(1, 2 * chestShare * ribTurn);
+    }
+
+    /** The same with another rate, breaths per minute. */
+    public BreathingParameters withRatePerMin(double value) {
+        return new BreathingParameters(
+                value, inspiratoryFraction, pauseFraction, activation, pressure, ribTurn, chestShare);
+    }
+
+    /** The same with drive, pressure and turn of the ribs multiplied, each at most 1. */
+    public BreathingParameters withDepth(double factor) {
+        return new BreathingParameters(
+                ratePerMin,
+                inspiratoryFraction,
+                pauseFraction,
+                Math.min(1, factor * activation),
+                Math.min(1, factor * pressure),
+                Math.min(1, factor * ribTurn),
+                chestShare);
+    }
+
+    /** The same with another inspiratory fraction. */
+    public BreathingParameters withInspiratoryFraction(double value) {
+        return new BreathingParameters(ratePerMin, value, pauseFraction, activation, pressure, ribTurn, chestShare);
+    }
+
+    /** The same with another balance of chest and abdomen. */
+    public BreathingParameters withChestShare(double value) {
+        return new BreathingParameters(
+                ratePerMin, inspiratoryFraction, pauseFraction, activation, pressure, ribTurn, value);
+    }
+}

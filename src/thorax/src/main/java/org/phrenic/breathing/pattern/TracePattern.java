@@ -1,0 +1,144 @@
+package org.phrenic.breathing.pattern;
+
+import java.util.Arrays;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.breathing.BreathingTrace;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.breathing.Smootherstep;
+
+/**
+ * Breathing as it was recorded.
+ *
+ * <p>The trace is normalised (0 at its 5th, 1 at its 95th percentile), cut to begin and end near end-expiration, kept
+ * from 0 to what the body can do, and joined by monotone cubics. Its first and last {@value #FADE_S} s are faded, so
+ * that it starts and ends exactly at end-expiration; at its end it rests there or begins again.
+ */
+public final class TracePattern implements BreathingPattern {
+    private static final double FADE_S = 0.5;
+
+    /** A breath rises and falls by more than this share of a usual one; less is noise or the beat of the heart. */
+    private static final double PROMINENCE = 0.4;
+
+    private final String name;
+    private final boolean loops;
+    private final double durationS;
+    private final MonotoneCubic curve;
+    private final double[] onsetsS;
+    private final RespiratoryDrive drive;
+
+    /**
+     * A recorded pattern.
+     *
+     * @param trace the recording; detrend it before where it drifts
+     * @param parameters depth at the 95th percentile; its rate and fractions mean nothing here
+     * @param loops whether it begins again at its end, or rests
+     * @throws IllegalArgumentException if the signal does not change or is too short to fade
+     */
+    public TracePattern(BreathingTrace trace, BreathingParameters parameters, boolean loops) {
+        this.loops = loops;
+        name = trace.name();
+        drive = new RespiratoryDrive(parameters);
+        double[] amplitude = trace.normalised().amplitude();
+        int[] restful = endExpirations(amplitude);
+        int first = restful[0];
+        int last = restful[restful.length - 1];
+        double startS = trace.timeS()[first];
+        durationS = trace.timeS()[last] - startS;
+        if (!(durationS > 2 * FADE_S)) {
+            throw new IllegalArgumentException(name + ": " + durationS
+                    + " s from the first to the last end-expiration, " + "expected more than " + 2 * FADE_S + " s");
+        }
+        double deepest = drive.maxDepth();
+        double[] timeS = new double[last - first + 1];
+        double[] depth = new double[timeS.length];
+        for (int i = 0; i < timeS.length; i++) {
+            timeS[i] = trace.timeS()[first + i] - startS;
+            depth[i] = Math.max(0, Math.min(deepest, amplitude[first + i]));
+        }
+        curve = new MonotoneCubic(timeS, depth);
+        onsetsS = new double[restful.length];
+        for (int i = 0; i < restful.length; i++) {
+            onsetsS[i] = timeS[restful[i] - first];
+        }
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public double periodS() {
+        return loops ? durationS : Double.POSITIVE_INFINITY;
+    }
+
+    /** The recording once. */
+    @Override
+    public double fullDurationS() {
+        return durationS;
+    }
+
+    @Override
+    public void at(double timeS, BreathState state) {
+        double rounds = Math.max(0, timeS / durationS);
+        boolean over = timeS < 0 || (!loops && rounds >= 1);
+        int round = loops ? (int) rounds : 0;
+        double t = Math.min((rounds - round) * durationS, durationS);
+        setPlace(t, round, state);
+        double raw = curve.value(t);
+        double in = Smootherstep.value(t / FADE_S);
+        double out = Smootherstep.value((durationS - t) / FADE_S);
+        double fadeRate =
+                (Smootherstep.slope(t / FADE_S) * out - Smootherstep.slope((durationS - t) / FADE_S) * in) / FADE_S;
+        double depth = raw * in * out;
+        double rate = curve.slope(t) * in * out + raw * fadeRate;
+        drive.write(depth, rate, state);
+        if (over) {
+            state.setAtRest(RespiratoryPhase.PAUSE);
+        } else if (rate == 0 && depth == 0) {
+            state.respiratoryPhase = RespiratoryPhase.PAUSE;
+        } else {
+            state.respiratoryPhase = rate > 0 ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION;
+        }
+    }
+
+    /** Breaths found in one round of the trace. */
+    public int breaths() {
+        return onsetsS.length - 1;
+    }
+
+    private void setPlace(double t, int round, BreathState state) {
+        int found = Arrays.binarySearch(onsetsS, t);
+        int breath = Math.max(0, Math.min(found >= 0 ? found : -found - 2, onsetsS.length - 2));
+        state.breath = round * breaths() + breath;
+        state.phase = Math.min((t - onsetsS[breath]) / (onsetsS[breath + 1] - onsetsS[breath]), Math.nextDown(1.0));
+    }
+
+    /**
+     * The lowest sample before each breath and after the last; first and last sample where there are no breaths. Found
+     * by the rise and fall around them and not by their level, which drifts.
+     */
+    private static int[] endExpirations(double[] depth) {
+        int[] found = new int[depth.length + 2];
+        int count = 0;
+        boolean rising = false;
+        int extreme = 0;
+        for (int i = 0; i < depth.length; i++) {
+            if (rising ? depth[i] > depth[extreme] : depth[i] <= depth[extreme]) {
+                extreme = i;
+            } else if (Math.abs(depth[i] - depth[extreme]) > PROMINENCE) {
+                if (!rising) {
+                    found[count++] = extreme;
+                }
+                rising = !rising;
+                extreme = i;
+            }
+        }
+        if (!rising && count > 0) {
+            found[count++] = extreme;
+        }
+        return count < 2 ? new int[] {0, depth.length - 1} : Arrays.copyOf(found, count);
+    }
+}

@@ -1,0 +1,205 @@
+package org.phrenic.document;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVRecord;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
+
+/**
+ * A table read from CSV (RFC 4180, UTF-8, with or without byte order mark) whose first line names the columns. Cells
+ * are separated by commas or by semicolons, whichever the header has; with semicolons a number may be written with a
+ * decimal comma.
+ */
+public final class CsvTable {
+    private final String file;
+    private final boolean decimalComma;
+    private final Map<String, Integer> columns;
+    private final List<String[]> rows;
+    private final List<Long> lines;
+
+    private CsvTable(
+            String file, boolean decimalComma, Map<String, Integer> columns, List<String[]> rows, List<Long> lines) {
+        this.file = file;
+        this.decimalComma = decimalComma;
+        this.columns = columns;
+        this.rows = rows;
+        this.lines = lines;
+    }
+
+    /**
+     * Reads {@code file}.
+     *
+     * @throws BadInputException if it cannot be read, a column has no name or the name of another, or a row is longer
+     *     or shorter than the header
+     */
+    public static CsvTable read(Path file) {
+        return parse(file.toString(), new String(InputBytes.read(file), StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Reads {@code text}.
+     *
+     * @param name what to call it in messages
+     */
+    public static CsvTable parse(String name, String text) {
+        String content = text.startsWith("\uFEFF") ? text.substring(1) : text;
+        char delimiter = delimiter(content);
+        CSVFormat format = CSVFormat.RFC4180
+                .builder()
+                .setDelimiter(delimiter)
+                .setIgnoreEmptyLines(false)
+                .setIgnoreSurroundingSpaces(true)
+                .get();
+        Map<String, Integer> columns = new LinkedHashMap<>();
+        List<String[]> rows = new ArrayList<>();
+        List<Long> lines = new ArrayList<>();
+        long line = 1;
+        try (CSVParser parser = CSVParser.parse(new StringReader(content), format)) {
+            long linesBefore = 0;
+            for (CSVRecord record : parser) {
+                line = linesBefore + 1;
+                linesBefore = parser.getCurrentLineNumber();
+                String[] cells = record.values();
+                if (cells.length == 1 && cells[0].isBlank()) {
+                    continue;
+                }
+                if (columns.isEmpty()) {
+                    readHeader(name, line, cells, columns);
+                } else {
+                    if (cells.length != columns.size()) {
+                        throw BadInputException.at(
+                                name,
+                                "line " + line,
+                                "found " + cells.length + " cells, expected " + columns.size() + " as in the header");
+                    }
+                    rows.add(cells);
+                    lines.add(line);
+                }
+            }
+        } catch (IOException | UncheckedIOException broken) {
+            throw new BadInputException(
+                    name + ": after line " + line + ": found a quoted cell that is broken, expected a closing quote"
+                            + " before the delimiter",
+                    broken);
+        }
+        if (columns.isEmpty()) {
+            throw BadInputException.at(name, "line 1", "found nothing, expected a line of column names");
+        }
+        return new CsvTable(name, delimiter == ';', columns, rows, lines);
+    }
+
+    private static void readHeader(String name, long line, String[] cells, Map<String, Integer> columns) {
+        for (String cell : cells) {
+            String column = cell.strip();
+            if (column.isEmpty()) {
+                throw BadInputException.at(
+                        name, "line " + line, "found column " + (columns.size() + 1) + " without a name, expected one");
+            }
+            if (columns.put(column, columns.size()) != null) {
+                throw BadInputException.at(
+                        name,
+                        "line " + line,
+                        "found column " + Numbers.quote(column) + " a second time, expected different names");
+            }
+        }
+    }
+
+    /** The semicolon if the first line has one outside quotes, else the comma. */
+    private static char delimiter(String content) {
+        boolean quoted = false;
+        for (int i = 0; i < content.length(); i++) {
+            char c = content.charAt(i);
+            if (c == '"') {
+                quoted = !quoted;
+            } else if (!quoted && c == ';') {
+                return ';';
+            } else if (!quoted && c == '\n' && i > 0) {
+                break;
+            }
+        }
+        return ',';
+    }
+
+    public int rowCount() {
+        return rows.size();
+    }
+
+    /** Names of the columns, left to right. */
+    public List<String> columnNames() {
+        return List.copyOf(columns.keySet());
+    }
+
+    public boolean has(String column) {
+        return columns.containsKey(column);
+    }
+
+    /**
+     * A column of finite numbers, top to bottom.
+     *
+     * @throws BadInputException if there is no such column or a cell is no number
+     */
+    public double[] numbers(String column) {
+        return numbers(column, false);
+    }
+
+    /** Like {@link #numbers(String)}, with NaN where a cell is empty. */
+    public double[] numbersOrNaN(String column) {
+        return numbers(column, true);
+    }
+
+    private double[] numbers(String column, boolean gaps) {
+        int at = index(column);
+        double[] numbers = new double[rows.size()];
+        for (int row = 0; row < numbers.length; row++) {
+            String cell = rows.get(row)[at].strip();
+            if (gaps && cell.isEmpty()) {
+                numbers[row] = Double.NaN;
+                continue;
+            }
+            OptionalDouble value = Numbers.parse(decimalComma ? cell.replace(',', '.') : cell);
+            if (value.isEmpty()) {
+                throw badCell(row, column, "found " + Numbers.quote(cell) + ", expected a number");
+            }
+            numbers[row] = value.getAsDouble();
+        }
+        return numbers;
+    }
+
+    /**
+     * A column of texts, top to bottom.
+     *
+     * @throws BadInputException if there is no such column
+     */
+    public List<String> texts(String column) {
+        int at = index(column);
+        return rows.stream().map(row -> row[at].strip()).toList();
+    }
+
+    /** An exception about one cell, naming file, line and column. */
+    public BadInputException badCell(int row, String column, String problem) {
+        return BadInputException.at(file, "line " + lines.get(row) + ", column '" + column + "'", problem);
+    }
+
+    private int index(String column) {
+        Integer at = columns.get(column);
+        if (at == null) {
+            throw BadInputException.at(
+                    file,
+                    "line 1",
+                    "found columns " + String.join(", ", columns.keySet()) + ", expected a column '" + column + "'");
+        }
+        return at;
+    }
+}

@@ -1,0 +1,99 @@
+package org.phrenic.document;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVPrinter;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.OutputException;
+
+/**
+ * Writes tables as CSV: commas, decimal points whatever the locale, lines that end with a line feed; NaN is an empty
+ * cell.
+ */
+public final class CsvWriter {
+    /** As many digits as it takes to read the same number back. */
+    public static final int ALL_DIGITS = 0;
+
+    private static final CSVFormat FORMAT =
+            CSVFormat.RFC4180.builder().setRecordSeparator("\n").get();
+
+    private CsvWriter() {}
+
+    /**
+     * The text of a table of numbers.
+     *
+     * @param columns values by column name, left to right, all of one length
+     * @param digits significant digits a number is rounded to, or {@link #ALL_DIGITS}
+     * @throws IllegalArgumentException if the columns differ in length
+     */
+    public static String format(Map<String, double[]> columns, int digits) {
+        List<double[]> values = new ArrayList<>(columns.values());
+        int rows = values.isEmpty() ? 0 : values.get(0).length;
+        columns.forEach((name, column) -> {
+            if (column.length != rows) {
+                throw new IllegalArgumentException(
+                        "column '" + name + "': " + column.length + " values, expected " + rows);
+            }
+        });
+        List<List<String>> cells = new ArrayList<>();
+        for (int row = 0; row < rows; row++) {
+            List<String> line = new ArrayList<>();
+            for (double[] column : values) {
+                line.add(number(column[row], digits));
+            }
+            cells.add(line);
+        }
+        return format(List.copyOf(columns.keySet()), cells);
+    }
+
+    /** The text of a table of any cells; those with commas, quotes or line breaks are quoted. */
+    public static String format(List<String> header, List<? extends List<?>> rows) {
+        StringBuilder text = new StringBuilder();
+        try (CSVPrinter printer = new CSVPrinter(text, FORMAT)) {
+            printer.printRecord(header);
+            for (List<?> row : rows) {
+                printer.printRecord(row);
+            }
+        } catch (IOException impossible) {
+            throw new UncheckedIOException("a StringBuilder takes all text", impossible);
+        }
+        return text.toString();
+    }
+
+    /**
+     * Writes a table of numbers to {@code file} as a whole or not at all.
+     *
+     * @throws OutputException if the file cannot be written
+     */
+    public static void write(Path file, Map<String, double[]> columns, int digits) {
+        AtomicFile.write(file, format(columns, digits));
+    }
+
+    /**
+     * Writes a table of any cells to {@code file} as a whole or not at all.
+     *
+     * @throws OutputException if the file cannot be written
+     */
+    public static void write(Path file, List<String> header, List<? extends List<?>> rows) {
+        AtomicFile.write(file, format(header, rows));
+    }
+
+    /** {@code value} as in a cell: {@code Double.toString} after rounding to {@code digits} significant digits. */
+    public static String number(double value, int digits) {
+        if (Double.isNaN(value)) {
+            return "";
+        }
+        if (digits == ALL_DIGITS || Double.isInfinite(value)) {
+            return Double.toString(value);
+        }
+        return Double.toString(
+                new BigDecimal(value).round(new MathContext(digits)).doubleValue());
+    }
+}

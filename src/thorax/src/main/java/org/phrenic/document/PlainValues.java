@@ -1,0 +1,64 @@
+package org.phrenic.document;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The values a summary or scenario may hold: maps, lists, finite numbers, booleans, texts and nulls, in a stable order.
+ */
+final class PlainValues {
+    private PlainValues() {}
+
+    /**
+     * A copy made of fresh LinkedHashMap, ArrayList, Long, Double, Boolean and String alone; arrays of numbers become
+     * lists, paths and enum constants their names.
+     *
+     * @throws IllegalArgumentException for NaN, infinity or another type, naming the path of keys
+     */
+    static Object copy(String path, Object value) {
+        if (value instanceof Map<?, ?> map) {
+            Map<String, Object> copy = new LinkedHashMap<>();
+            map.forEach((key, item) -> copy.put(String.valueOf(key), copy(join(path, String.valueOf(key)), item)));
+            return copy;
+        }
+        if (value instanceof List<?> list) {
+            List<Object> copy = new ArrayList<>();
+            for (Object item : list) {
+                copy.add(copy(path + "[" + copy.size() + "]", item));
+            }
+            return copy;
+        }
+        if (value instanceof double[] numbers) {
+            List<Object> copy = new ArrayList<>();
+            for (double number : numbers) {
+                copy.add(copy(path + "[" + copy.size() + "]", number));
+            }
+            return copy;
+        }
+        if (value instanceof Double || value instanceof Float) {
+            double number = ((Number) value).doubleValue();
+            if (!Double.isFinite(number)) {
+                throw new IllegalArgumentException(path + ": found " + number + ", expected a finite number");
+            }
+            return number;
+        }
+        if (value instanceof Long || value instanceof Integer || value instanceof Short || value instanceof Byte) {
+            return ((Number) value).longValue();
+        }
+        if (value == null || value instanceof Boolean || value instanceof String) {
+            return value;
+        }
+        if (value instanceof Enum<?> || value instanceof Path) {
+            return value.toString();
+        }
+        throw new IllegalArgumentException(
+                path + ": found a " + value.getClass().getName() + ", expected a map, list, number, boolean or text");
+    }
+
+    private static String join(String path, String key) {
+        return path.isEmpty() ? key : path + "." + key;
+    }
+}

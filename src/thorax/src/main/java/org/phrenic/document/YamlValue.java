@@ -1,0 +1,136 @@
+package org.phrenic.document;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
+
+/**
+ * A value in a YAML document that knows where it stood.
+ *
+ * @param content a {@link YamlMap}, a list of {@link YamlValue}, a {@code String}, or null for nothing at all
+ * @param quoted whether a text stood in quotes, and so is never a number or true or false
+ */
+record YamlValue(Place place, Object content, boolean quoted) {
+    /** File, line from 1 (0: not known) and path of keys. */
+    record Place(String file, int line, String path) {
+        Place key(String key, int keyLine) {
+            return new Place(file, keyLine, path.isEmpty() ? key : path + "." + key);
+        }
+
+        Place item(int index, int itemLine) {
+            return new Place(file, itemLine, path + "[" + index + "]");
+        }
+
+        BadInputException bad(String problem) {
+            String at = line > 0 ? "line " + line : "";
+            String key = path.isEmpty() ? "" : "key '" + path + "'";
+            return BadInputException.at(file, at + (at.isEmpty() || key.isEmpty() ? "" : ", ") + key, problem);
+        }
+    }
+
+    private BadInputException not(String expected) {
+        String found = "nothing";
+        if (content instanceof YamlMap) {
+            found = "a mapping";
+        } else if (content instanceof List<?>) {
+            found = "a list";
+        } else if (content instanceof String text) {
+            found = quoted ? "the quoted text " + Numbers.quote(text) : Numbers.quote(text);
+        }
+        return place.bad("found " + found + ", expected " + expected);
+    }
+
+    private OptionalDouble numberIfAny() {
+        return content instanceof String text && !quoted ? Numbers.parse(text) : OptionalDouble.empty();
+    }
+
+    boolean isNumber() {
+        return numberIfAny().isPresent();
+    }
+
+    double number() {
+        return numberIfAny().orElseThrow(() -> not("a number"));
+    }
+
+    long integer() {
+        if (content instanceof String text && !quoted) {
+            try {
+                return Long.parseLong(text);
+            } catch (NumberFormatException notWhole) {
+                throw new BadInputException(not("a whole number").getMessage(), notWhole);
+            }
+        }
+        throw not("a whole number");
+    }
+
+    boolean flag() {
+        if (!quoted && "true".equals(content)) {
+            return true;
+        }
+        if (!quoted && "false".equals(content)) {
+            return false;
+        }
+        throw not("true or false");
+    }
+
+    String text() {
+        if (content instanceof String text) {
+            return text;
+        }
+        throw not("text");
+    }
+
+    YamlMap map() {
+        if (content instanceof YamlMap map) {
+            return map;
+        }
+        throw not("a mapping");
+    }
+
+    List<YamlValue> list(String expected) {
+        if (content instanceof List<?> items) {
+            List<YamlValue> values = new ArrayList<>();
+            items.forEach(item -> values.add((YamlValue) item));
+            return values;
+        }
+        throw not(expected);
+    }
+
+    YamlValue overlaidWith(YamlValue other) {
+        if (content instanceof YamlMap below && other.content instanceof YamlMap above) {
+            return new YamlValue(other.place, below.overlaidWith(above), false);
+        }
+        return other;
+    }
+
+    Object plain() {
+        if (content instanceof YamlMap map) {
+            return map.toMap();
+        }
+        if (content instanceof List<?>) {
+            List<Object> plain = new ArrayList<>();
+            list("").forEach(item -> plain.add(item.plain()));
+            return plain;
+        }
+        if (content instanceof String text && !quoted) {
+            return plainWord(text);
+        }
+        return content;
+    }
+
+    private Object plainWord(String text) {
+        if (text.equals("true") || text.equals("false")) {
+            return flag();
+        }
+        if (!isNumber()) {
+            return text;
+        }
+        try {
+            return Long.parseLong(text);
+        } catch (NumberFormatException notWhole) {
+            return number();
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Declarations of tunable numbers: key, unit, range, default, group. */
+package org.phrenic.parameter;

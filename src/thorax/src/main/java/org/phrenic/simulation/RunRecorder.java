@@ -1,0 +1,137 @@
+package org.phrenic.simulation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.file.Hashes;
+import org.phrenic.file.OutputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.PvdSeries;
+import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Writes what a run leaves behind: {@code summary.json}, {@code observables.csv}, {@code scenario.yaml} and, if asked
+ * for, a series of meshes {@code scene.pvd} with one {@code .vtp} a structure and time. Each file is written beside its
+ * target and moved over it; summary last, so that a folder with a summary is complete.
+ */
+final class RunRecorder {
+    private static final String SUMMARY = "summary.json";
+    /** A time that rounding alone keeps from being due is due. */
+    private static final double ROUNDING = 1e-9;
+
+    private final Scenario scenario;
+    private final Simulation simulation;
+    private final Path out;
+    private final PvdSeries series;
+    private SceneSurfaces surfaces;
+    private int frame;
+
+    RunRecorder(Scenario scenario, Simulation simulation, Path out) {
+        this.scenario = scenario;
+        this.simulation = simulation;
+        this.out = out;
+        boolean meshes = out != null && scenario.meshesEveryS() > 0;
+        series = meshes ? new PvdSeries(out.resolve("scene.pvd")) : null;
+        if (out != null) {
+            deleteStaleSummary(out.resolve(SUMMARY));
+        }
+    }
+
+    /** A summary of an earlier run must not stand beside what this one writes, should this one fail. */
+    private static void deleteStaleSummary(Path summary) {
+        try {
+            Files.deleteIfExists(summary);
+        } catch (IOException e) {
+            throw new OutputException(summary + ": cannot be replaced: " + e.getMessage(), e);
+        }
+    }
+
+    /** Told after steps; writes meshes if it is time. */
+    void recordMeshes(double time) {
+        if (series == null || time < frame * scenario.meshesEveryS() * (1 - ROUNDING)) {
+            return;
+        }
+        if (surfaces == null) {
+            surfaces = new SceneSurfaces(simulation);
+        }
+        List<TriangleMesh> meshes = surfaces.meshes();
+        for (int i = 0; i < meshes.size(); i++) {
+            Surface surface = surfaces.surfaces().get(i);
+            Path file = out.resolve("meshes").resolve(String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame));
+            VtpWriter.write(file, meshes.get(i), pointData(surface, meshes.get(i)));
+            series.add(time, i, file);
+        }
+        frame++;
+    }
+
+    private static Map<String, double[]> pointData(Surface surface, TriangleMesh mesh) {
+        if (surface.kind() != StructureKind.DIAPHRAGM) {
+            return Map.of();
+        }
+        double[] displacement = mesh.positions().clone();
+        for (int i = 0; i < displacement.length; i++) {
+            displacement[i] -= surface.rest().positions()[i];
+        }
+        double[] tendon = new double[mesh.vertexCount()];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = surface.tendon()[i] ? 1 : 0;
+        }
+        Map<String, double[]> data = new LinkedHashMap<>();
+        data.put("displacement_mm", displacement);
+        data.put("tendon", tendon);
+        return data;
+    }
+
+    /** Writes everything that is left. */
+    void writeResults(Map<String, Object> summary, List<Observation> samples) {
+        if (out == null) {
+            return;
+        }
+        Map<String, double[]> columns = new LinkedHashMap<>();
+        for (int c = 0; c < Observation.COLUMNS.size(); c++) {
+            int column = c;
+            columns.put(
+                    Observation.COLUMNS.get(c),
+                    samples.stream().mapToDouble(o -> o.values()[column]).toArray());
+        }
+        CsvWriter.write(out.resolve("observables.csv"), columns, CsvWriter.ALL_DIGITS);
+        YamlWriter.write(out.resolve("scenario.yaml"), scenario.toMap());
+        if (series != null) {
+            series.write();
+        }
+        Map<String, Object> all = new LinkedHashMap<>(summary);
+        all.put("made_by", provenance());
+        JsonWriter.write(out.resolve(SUMMARY), all);
+    }
+
+    /** Version, seed and hashes of what went in. */
+    private Map<String, Object> provenance() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        String version = RunRecorder.class.getPackage().getImplementationVersion();
+        map.put("phrenic", version == null ? "development" : version);
+        map.put("java", System.getProperty("java.version"));
+        map.put("seed", "none: nothing in a run is random");
+        List<Object> inputs = new ArrayList<>();
+        for (Structure s : simulation.scene().thorax().structures()) {
+            Map<String, Object> one = new LinkedHashMap<>();
+            one.put("structure", s.name());
+            one.put("positions_sha256", Hashes.sha256(s.mesh().positions()));
+            inputs.add(one);
+        }
+        map.put("inputs", inputs);
+        return map;
+    }
+}

@@ -1,0 +1,236 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.cage.LinearBlendSkinning;
+import org.phrenic.anatomy.cage.RibCage;
+import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.assembly.Scene;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.LungMeasure;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Overlay;
+import org.phrenic.simulation.observe.SceneObserver;
+import org.phrenic.simulation.observe.SceneOverlays;
+import org.phrenic.simulation.observe.SkinMotion;
+import org.phrenic.simulation.observe.Surface;
+import org.phrenic.simulation.organ.DiaphragmPart;
+
+/** Every surface of a simulation, and where it is now. Used by the simulation's thread alone. */
+public final class SceneSurfaces {
+    /** Writes where a surface's vertices are. */
+    private interface VertexSource {
+        double[] positionsAt(double time, double[] now);
+    }
+
+    private final Simulation simulation;
+    private final Scene scene;
+    private final SceneObserver observer;
+    private final List<Surface> surfaces = new ArrayList<>();
+    private final List<VertexSource> places = new ArrayList<>();
+    private final List<Integer> bodies = new ArrayList<>();
+    private final double[] positions;
+    private final Object token = new Object();
+    private long captures;
+    private SkinningWeights bones;
+
+    public SceneSurfaces(Simulation simulation) {
+        this.simulation = simulation;
+        scene = simulation.scene();
+        observer = new SceneObserver(scene);
+        positions = new double[scene.restPositions().length];
+        scene.pose().update(0);
+        addDiaphragm();
+        scene.sternum().ifPresent(part -> {
+            for (int i = 0; i < part.structures.size(); i++) {
+                addNodes(part.structures.get(i), part.firstNodes.get(i), new boolean[0]);
+            }
+        });
+        LungMeasure lungs = observer.lungs();
+        for (int i = 0; i < lungs.structures().size(); i++) {
+            int lung = i;
+            deforming(lungs.structures().get(i), (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
+        }
+        scene.liver()
+                .ifPresent(part -> deforming(part.structure, (time, at) -> part.positions(scene.restPositions(), at)));
+        for (Structure s : scene.thorax().structures()) {
+            if (surfaces.stream().noneMatch(known -> known.name().equals(s.name()))) {
+                addOther(s);
+            }
+        }
+    }
+
+    private void addDiaphragm() {
+        DiaphragmPart part = scene.diaphragm();
+        TriangleMesh sheet = part.diaphragm.sheet();
+        boolean[] tendon = new boolean[sheet.vertexCount()];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = part.diaphragm.isTendon(i);
+        }
+        Structure given =
+                scene.thorax().structuresOf(StructureKind.DIAPHRAGM).get(0).withMesh(sheet);
+        addNodes(given, part.firstNode, tendon);
+    }
+
+    private void addNodes(Structure s, int first, boolean[] tendon) {
+        double[] p = new double[s.mesh().positions().length];
+        deforming(
+                s,
+                (time, at) -> {
+                    System.arraycopy(at, 3 * first, p, 0, p.length);
+                    return p;
+                },
+                tendon);
+    }
+
+    private void deforming(Structure s, VertexSource place) {
+        deforming(s, place, new boolean[0]);
+    }
+
+    private void deforming(Structure s, VertexSource place, boolean[] tendon) {
+        TriangleMesh rest = s.mesh()
+                .withPositions(place.positionsAt(0, scene.restPositions()).clone());
+        add(s, rest, Surface.Motion.DEFORMING, tendon, place, RibCage.TRUNK);
+    }
+
+    private void addOther(Structure s) {
+        switch (s.kind()) {
+            case RIB -> addRigid(s, scene.pose().cage().rib(s.level(), s.side()));
+            case STERNUM -> addRigid(s, scene.pose().cage().sternum());
+            case COSTAL_CARTILAGE -> addBlended(s);
+            case SKIN -> deforming(s, new SkinMotion(scene, s, bones())::at);
+            default -> addRigid(s, RibCage.TRUNK);
+        }
+    }
+
+    private void addRigid(Structure s, int body) {
+        boolean still = body <= RibCage.TRUNK;
+        add(s, s.mesh(), still ? Surface.Motion.STILL : Surface.Motion.RIGID, new boolean[0], null, body);
+    }
+
+    /** What is neither bone nor node bends between the bones around it. */
+    private void addBlended(Structure s) {
+        double[] rest = s.mesh().positions();
+        LinearBlendSkinning motion = new LinearBlendSkinning(
+                scene.pose(), rest, bones().weightsAt(rest), scene.system().workers());
+        double[] p = new double[rest.length];
+        double[] v = new double[rest.length];
+        deforming(s, (time, at) -> {
+            motion.at(time, p, v);
+            return p;
+        });
+    }
+
+    private SkinningWeights bones() {
+        if (bones == null) {
+            bones = SkinningWeights.of(scene.thorax(), scene.pose().cage());
+        }
+        return bones;
+    }
+
+    private void add(
+            Structure s, TriangleMesh rest, Surface.Motion motion, boolean[] tendon, VertexSource place, int body) {
+        surfaces.add(new Surface(s.name(), s.kind(), s.level(), s.side(), rest, motion, tendon));
+        places.add(place);
+        bodies.add(body);
+    }
+
+    /** The surfaces, in an order that never changes. */
+    public List<Surface> surfaces() {
+        return List.copyOf(surfaces);
+    }
+
+    /** What can be drawn over the surfaces. */
+    public List<Overlay> overlays() {
+        return SceneOverlays.of(scene);
+    }
+
+    /** A frame that fits this scene, holding it as it stands. */
+    public Frame newFrame() {
+        int n = surfaces.size();
+        int[] lengths = new int[n];
+        boolean[] rigid = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            Surface s = surfaces.get(i);
+            lengths[i] = s.motion() == Surface.Motion.DEFORMING ? s.rest().positions().length : 0;
+            rigid[i] = s.motion() == Surface.Motion.RIGID;
+        }
+        Frame frame = new Frame(token, lengths, rigid, positions.length);
+        capture(frame);
+        return frame;
+    }
+
+    /** Writes the scene as it stands between two steps. */
+    public void capture(Frame frame) {
+        double time = readState();
+        for (int i = 0; i < surfaces.size(); i++) {
+            switch (surfaces.get(i).motion()) {
+                case DEFORMING -> toFloat(places.get(i).positionsAt(time, positions), frame.positions(i));
+                case RIGID -> toFloat(scene.pose().pose(bodies.get(i)), frame.pose(i));
+                case STILL -> {
+                    // Its rest shape says all.
+                }
+            }
+        }
+        toFloat(positions, frame.nodes());
+        frame.setState(
+                ++captures,
+                simulation.stepper().steps(),
+                time,
+                observer.observe(time).values());
+    }
+
+    /** Takes over where the nodes and bones are; returns the time. */
+    private double readState() {
+        double time = simulation.time();
+        scene.system().layout().toCaller(scene.system().positions(), positions);
+        scene.pose().update(time);
+        return time;
+    }
+
+    /** All surfaces as the scene stands, in double precision; for files. */
+    public List<TriangleMesh> meshes() {
+        double time = readState();
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (int i = 0; i < surfaces.size(); i++) {
+            meshes.add(mesh(i, time));
+        }
+        return meshes;
+    }
+
+    /** One of the surfaces as the scene stands, in double precision. */
+    public TriangleMesh mesh(int surface) {
+        return mesh(surface, readState());
+    }
+
+    private TriangleMesh mesh(int surface, double time) {
+        TriangleMesh rest = surfaces.get(surface).rest();
+        return switch (surfaces.get(surface).motion()) {
+            case DEFORMING ->
+                rest.withPositions(
+                        places.get(surface).positionsAt(time, positions).clone());
+            case RIGID -> {
+                double[] p = new double[rest.positions().length];
+                HelicalBody.transformPoints(
+                        scene.pose().pose(bodies.get(surface)), rest.positions(), 0, p, 0, p.length / 3);
+                yield rest.withPositions(p);
+            }
+            case STILL -> rest;
+        };
+    }
+
+    /** Observables as the scene stands, in the order of {@link Observation#COLUMNS}. */
+    public double[] observe() {
+        return observer.observe(simulation.time()).values();
+    }
+
+    private static void toFloat(double[] from, float[] to) {
+        for (int i = 0; i < to.length; i++) {
+            to[i] = (float) from[i];
+        }
+    }
+}

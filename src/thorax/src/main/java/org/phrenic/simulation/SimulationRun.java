@@ -1,0 +1,164 @@
+package org.phrenic.simulation;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
+import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.assembly.Scene;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.SceneObserver;
+
+/** A scenario from beginning to end without a screen: body, simulation, observables, files. */
+public final class SimulationRun {
+    /** Told how far a run is. */
+    public interface Progress {
+        void advanced(double simulatedS, double totalS, double stepsPerS);
+
+        /** Something worth saying once: what was repaired, that steps are split. */
+        default void note(String sentence) {}
+    }
+
+    private static final double PROGRESS_EVERY_S = 0.1;
+
+    private SimulationRun() {}
+
+    /** The body a scenario names. */
+    public static Thorax loadThorax(Scenario scenario) {
+        if (scenario.isVirtual()) {
+            String preset = scenario.anatomy().substring("virtual/".length());
+            return VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), scenario.resolution());
+        }
+        return ThoraxFolder.load(Path.of(scenario.anatomy()));
+    }
+
+    /**
+     * Runs a scenario.
+     *
+     * @param out folder for summary.json, observables.csv, scenario.yaml and meshes; null to write nothing
+     * @return the summary, in the order in which it is written
+     */
+    public static Map<String, Object> run(Scenario scenario, Path out, Progress progress) {
+        return run(scenario, out, progress, Map.of());
+    }
+
+    /**
+     * Runs a scenario.
+     *
+     * @param out as for the other
+     * @param remarks what else the summary is to say, such as why a setting was chosen
+     */
+    public static Map<String, Object> run(Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
+        long begun = System.nanoTime();
+        Thorax thorax = loadThorax(scenario);
+        for (String note : thorax.notes()) {
+            progress.note(note);
+        }
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+            Stepper stepper = simulation.stepper();
+            if (stepper.substeps() > 1) {
+                progress.note(simulation.stabilityMessage());
+            }
+            double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
+            RunRecorder recorder = new RunRecorder(scenario, simulation, out);
+            List<Observation> samples = new ArrayList<>();
+            double stepping = stepToEnd(scenario, simulation, samples, recorder, progress);
+            Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
+            summary.putAll(remarks);
+            recorder.writeResults(summary, samples);
+            return summary;
+        }
+    }
+
+    /** Steps to the end, looking at the scene every so many steps; returns the seconds that stepping took. */
+    private static double stepToEnd(
+            Scenario scenario,
+            Simulation simulation,
+            List<Observation> samples,
+            RunRecorder recorder,
+            Progress progress) {
+        double total = scenario.durationS(simulation.scene().drive().pattern());
+        double dt = simulation.stepper().dt();
+        long end = scenario.givenSteps() >= 0 ? scenario.givenSteps() : Math.max(1, Math.round(total / dt));
+        SceneObserver observer = new SceneObserver(simulation.scene());
+        samples.add(observer.observe(0));
+        recorder.recordMeshes(0);
+        long stepping = 0;
+        long told = System.nanoTime();
+        String finer = "";
+        while (simulation.steps() < end) {
+            long chunk = Math.min(Math.max(1, Math.round(scenario.recordEveryS() / dt)), end - simulation.steps());
+            long start = System.nanoTime();
+            for (long i = 0; i < chunk; i++) {
+                simulation.step();
+            }
+            long now = System.nanoTime();
+            stepping += now - start;
+            if (!simulation.stepper().substepRefinementReason().equals(finer)) {
+                finer = simulation.stepper().substepRefinementReason();
+                progress.note(simulation.stabilityMessage());
+            }
+            if (simulation.stepper().dt() != dt) {
+                // Changed on the way: other steps make up the time that is left.
+                dt = simulation.stepper().dt();
+                end = scenario.givenSteps() >= 0
+                        ? end
+                        : simulation.steps() + Math.max(0, Math.round((total - simulation.time()) / dt));
+            }
+            samples.add(observer.observe(simulation.time()));
+            recorder.recordMeshes(simulation.time());
+            if ((now - told) * 1e-9 > PROGRESS_EVERY_S || simulation.steps() >= end) {
+                told = now;
+                double endS = simulation.time() + (end - simulation.steps()) * dt;
+                progress.advanced(simulation.time(), endS, simulation.steps() / (stepping * 1e-9));
+            }
+        }
+        return stepping * 1e-9;
+    }
+
+    private static Map<String, Object> summary(
+            Scenario scenario,
+            Simulation simulation,
+            Thorax thorax,
+            List<Observation> samples,
+            double stepping,
+            double untilFirstStep) {
+        Scene scene = simulation.scene();
+        Stepper stepper = simulation.stepper();
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("scenario", scenario.name());
+        map.put("anatomy", thorax.name());
+        map.put("material", scenario.material().label());
+        map.put("resolution", scenario.resolution().name().toLowerCase(java.util.Locale.ROOT));
+        map.put("integrator", stepper.integrator().kind().label());
+        map.put("nodes", scene.system().nodeCount());
+        map.put("springs", scene.springCount());
+        map.put("rigid_links", scene.activeLinks().map(l -> l.count()).orElse(0));
+        map.put("attachments", scene.attachmentCount());
+        map.put("steps", stepper.steps());
+        map.put("substeps", stepper.substeps());
+        map.put("dt_s", stepper.dt());
+        double limit = stepper.limit().largestStep(stepper.integrator().kind());
+        if (Double.isFinite(limit)) {
+            map.put("stability_limit_s", limit);
+        }
+        map.put("until_first_step_s", untilFirstStep);
+        map.put("wall_s", stepping);
+        map.put("steps_per_s", stepping > 0 ? stepper.steps() / stepping : 0.0);
+        map.put("realtime_factor", stepping > 0 ? stepper.time() / stepping : 0.0);
+        map.put("prestress_residual", scene.prestressResidual());
+        map.put("mass_added_percent", scene.massAddedPercent());
+        map.put("settled_by_rms_mm", simulation.settlingDisplacementMm());
+        map.putAll(new RunSummary(samples).toMap());
+        map.put("threads", scenario.threads());
+        map.put("state_sha256", simulation.stateHash());
+        map.put("notice", org.phrenic.document.report.Disclaimer.TEXT);
+        return map;
+    }
+}

@@ -1,0 +1,49 @@
+package org.phrenic.simulation.live;
+
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
+
+/** The line that runs a scenario without a window, ready for a shell. */
+final class RunCommandLine {
+    private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./:=+,@%-]+");
+
+    private RunCommandLine() {}
+
+    /** {@code phrenic run} with every key that is not as it comes, the changes and the steps. */
+    static String of(Scenario scenario) {
+        StringBuilder line = new StringBuilder("phrenic run");
+        // What else a material brings comes by itself.
+        Map<String, Object> usual = Scenario.defaults()
+                .with(List.of(new Assignment(
+                        "material", "material", scenario.material().label())))
+                .toMap();
+        usual.put("material", Scenario.defaults().material().label());
+        scenario.toMap().forEach((key, value) -> {
+            boolean own = key.equals("name") && scenario.givenName() == null;
+            boolean told = key.equals("changes") || key.equals("steps");
+            if (!own && !told && !value.equals(usual.get(key))) {
+                option(line, "--set", key + "=" + value);
+            }
+        });
+        if (scenario.givenSteps() >= 0) {
+            option(line, "--steps", Long.toString(scenario.givenSteps()));
+        }
+        for (ScheduledChange change : scenario.changes()) {
+            option(line, "--change", change.text());
+        }
+        return line.toString();
+    }
+
+    private static void option(StringBuilder line, String name, String value) {
+        line.append(' ').append(name).append(' ').append(quoted(value));
+    }
+
+    /** As a shell takes it as one word. */
+    private static String quoted(String text) {
+        return PLAIN.matcher(text).matches() ? text : "'" + text.replace("'", "'\\''") + "'";
+    }
+}

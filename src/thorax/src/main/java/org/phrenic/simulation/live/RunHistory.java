@@ -1,0 +1,148 @@
+package org.phrenic.simulation.live;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
+
+/**
+ * What was seen of a run: observables of the last {@value #ROWS} samples (10 minutes at one every 0.02 s) and frames of
+ * the last breaths. Both are rings whose memory is bounded: rows take at most 7 MB; frames at most
+ * {@value #FRAME_BYTES} bytes, as many as fit, spread over the last {@value #FRAMES_S} s or 25 a second, whichever is
+ * fewer. Safe to use from any thread.
+ */
+public final class RunHistory {
+    /** Samples kept. */
+    public static final int ROWS = 30_000;
+
+    static final long FRAME_BYTES = 64L << 20;
+    static final double FRAMES_S = 10;
+    private static final double LEAST_BETWEEN_S = 0.04;
+    private static final int CHUNK = 1_000;
+    private static final int COLUMNS = Observation.COLUMNS.size();
+
+    private final List<double[]> chunks = new ArrayList<>();
+    private final ArrayDeque<Frame> freeFrames = new ArrayDeque<>();
+    private final ArrayList<Frame> ring = new ArrayList<>();
+    private final int mostFrames;
+    private final double betweenS;
+    private int firstFrame;
+    private long dropped;
+    private int rows;
+    private double lastFrameS = Double.NEGATIVE_INFINITY;
+
+    RunHistory(Frame like) {
+        long bytes = Math.max(1, bytes(like));
+        mostFrames = (int) Math.max(2L, Math.min(Math.round(FRAMES_S / LEAST_BETWEEN_S), FRAME_BYTES / bytes));
+        betweenS = FRAMES_S / mostFrames;
+    }
+
+    static long bytes(Frame frame) {
+        return frame.bytes();
+    }
+
+    /** Forgets what was seen after a time, s: the run goes on from there. */
+    synchronized void truncateAfter(double timeS) {
+        while (rows > 0 && time(rows - 1) > timeS) {
+            rows--;
+        }
+        while (!ring.isEmpty() && at(ring.size() - 1).timeS() > timeS) {
+            // In order again, so that the newest can be taken off the end.
+            Collections.rotate(ring, -firstFrame);
+            firstFrame = 0;
+            freeFrames.add(ring.remove(ring.size() - 1));
+        }
+        lastFrameS =
+                ring.isEmpty() ? Double.NEGATIVE_INFINITY : at(ring.size() - 1).timeS();
+    }
+
+    synchronized void add(double[] values) {
+        if (rows == ROWS) {
+            dropped++;
+            rows--;
+        }
+        long slot = (dropped + rows) % ROWS;
+        int chunk = (int) (slot / CHUNK);
+        while (chunks.size() <= chunk) {
+            chunks.add(new double[CHUNK * COLUMNS]);
+        }
+        System.arraycopy(values, 0, chunks.get(chunk), (int) (slot % CHUNK) * COLUMNS, COLUMNS);
+        rows++;
+    }
+
+    /** Whether it is time for another frame. */
+    synchronized boolean isFrameDue(double timeS) {
+        return timeS >= lastFrameS + betweenS * (1 - 1e-9);
+    }
+
+    synchronized void add(Frame frame) {
+        lastFrameS = frame.timeS();
+        if (ring.size() < mostFrames) {
+            Frame free = freeFrames.isEmpty() ? frame.copy() : freeFrames.poll();
+            free.copyFrom(frame);
+            // Not full: its oldest frame stands first.
+            ring.add(free);
+        } else {
+            ring.get(firstFrame).copyFrom(frame);
+            firstFrame = (firstFrame + 1) % ring.size();
+        }
+    }
+
+    private Frame at(int i) {
+        return ring.get((firstFrame + i) % ring.size());
+    }
+
+    /** Samples at hand, oldest first. */
+    public synchronized int size() {
+        return rows;
+    }
+
+    /** Samples that were let go since the start: sample i is the {@code dropped() + i}-th of the run. */
+    public synchronized long dropped() {
+        return dropped;
+    }
+
+    /** Simulated time of a sample, s. */
+    public synchronized double time(int i) {
+        return row(i)[offset(i)];
+    }
+
+    /** Observables of a sample, in the order of {@link Observation#COLUMNS}; a copy. */
+    public synchronized double[] values(int i) {
+        int from = offset(i);
+        return Arrays.copyOfRange(row(i), from, from + COLUMNS);
+    }
+
+    private double[] row(int i) {
+        if (i < 0 || i >= rows) {
+            throw new IndexOutOfBoundsException("sample " + i + " of " + rows);
+        }
+        return chunks.get((int) ((dropped + i) % ROWS / CHUNK));
+    }
+
+    private int offset(int i) {
+        return (int) ((dropped + i) % ROWS % CHUNK) * COLUMNS;
+    }
+
+    /** Frames at hand, oldest first. */
+    public synchronized int frames() {
+        return ring.size();
+    }
+
+    /** Simulated time of a frame, s; NaN if there is none of that number. */
+    public synchronized double frameTime(int i) {
+        return i < 0 || i >= ring.size() ? Double.NaN : at(i).timeS();
+    }
+
+    /** Copies a frame; false if there is none of that number, or it is of another scene. */
+    public synchronized boolean frame(int i, Frame into) {
+        if (i < 0 || i >= ring.size() || !into.isOfSceneOf(at(i))) {
+            return false;
+        }
+        into.copyFrom(at(i));
+        return true;
+    }
+}

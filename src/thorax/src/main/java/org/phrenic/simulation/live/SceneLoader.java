@@ -1,0 +1,99 @@
+package org.phrenic.simulation.live;
+
+import java.util.concurrent.CancellationException;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+
+/** One scene being loaded, on a thread of its own; can be called off between its stages. */
+final class SceneLoader {
+    /** Told how loading ends; on the loader's thread. */
+    interface Outcome {
+        void loaded(RunningScene running);
+
+        void failed(RuntimeException why);
+    }
+
+    private static final double BODY_SHARE = 0.3;
+    private static final double SCENE_SHARE = 0.9;
+
+    final Scenario scenario;
+    private final long id;
+    private final LiveRun.Listener listener;
+    private final Outcome end;
+    private final Thread thread;
+    private volatile boolean cancelled;
+
+    /** @param after another one that is to be over before this begins, null for none */
+    SceneLoader(Scenario scenario, long id, LiveRun.Listener listener, SceneLoader after, Outcome end) {
+        this.scenario = scenario;
+        this.id = id;
+        this.listener = listener;
+        this.end = end;
+        thread = new Thread(() -> run(after), "phrenic-loader");
+        thread.setDaemon(true);
+    }
+
+    long id() {
+        return id;
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    void cancel() {
+        cancelled = true;
+    }
+
+    boolean isCancelled() {
+        return cancelled;
+    }
+
+    /** Waits until it is over. */
+    void join() throws InterruptedException {
+        thread.join();
+    }
+
+    private void run(SceneLoader after) {
+        try {
+            if (after != null) {
+                after.join();
+            }
+            end.loaded(load());
+        } catch (CancellationException calledOff) {
+            // Whoever called it off knows.
+            return;
+        } catch (RuntimeException e) {
+            end.failed(e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private RunningScene load() {
+        enterStage("body", 0);
+        Thorax thorax = SimulationRun.loadThorax(scenario);
+        enterStage("scene", BODY_SHARE);
+        Simulation simulation = Simulation.of(scenario, thorax);
+        try {
+            enterStage("surfaces", SCENE_SHARE);
+            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            RunningScene running = new RunningScene(simulation, surfaces, thorax.notes(), id);
+            enterStage("done", 1);
+            return running;
+        } catch (RuntimeException e) {
+            simulation.close();
+            throw e;
+        }
+    }
+
+    private void enterStage(String what, double share) {
+        if (cancelled) {
+            throw new CancellationException();
+        }
+        listener.loading(what, share);
+    }
+}

@@ -1,0 +1,57 @@
+package org.phrenic.simulation.observe;
+
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.organ.DiaphragmPart;
+
+/**
+ * A small patch of the thoracic face of the roof of the diaphragm whose mean motion stands for its place: the posterior
+ * dome where M-mode ultrasound measures, the front, the side. Places are given in the plan of the sheet, half its width
+ * and half its depth being 1.
+ */
+public final class SheetPatch {
+    private static final double RADIUS_MM = 15;
+    private static final double ROOF = 0.3;
+
+    private final int[] nodes;
+
+    /**
+     * @param part the diaphragm in its scene
+     * @param u place to the left, -1 to 1
+     * @param v place to the back, -1 to 1
+     */
+    public SheetPatch(DiaphragmPart part, double u, double v) {
+        Diaphragm d = part.diaphragm;
+        TriangleMesh sheet = d.sheet();
+        double[] box = sheet.bounds();
+        double[] normals = MeshMeasure.vertexNormals(sheet);
+        double x = 0.5 * (box[0] + box[3]) + u * 0.5 * (box[3] - box[0]);
+        double y = 0.5 * (box[1] + box[4]) + v * 0.5 * (box[4] - box[1]);
+        int[] roof = IntStream.range(0, sheet.vertexCount())
+                .filter(i -> d.isThoracic(i) && !d.isInserted(i) && normals[3 * i + 2] > ROOF)
+                .toArray();
+        int[] near = IntStream.of(roof)
+                .filter(i -> Math.hypot(sheet.x(i) - x, sheet.y(i) - y) < RADIUS_MM)
+                .toArray();
+        if (near.length == 0) {
+            near = IntStream.of(roof)
+                    .boxed()
+                    .min((a, b) -> Double.compare(
+                            Math.hypot(sheet.x(a) - x, sheet.y(a) - y), Math.hypot(sheet.x(b) - x, sheet.y(b) - y)))
+                    .map(i -> new int[] {i})
+                    .orElse(new int[0]);
+        }
+        nodes = IntStream.of(near).map(i -> part.firstNode + i).toArray();
+    }
+
+    /** Mean displacement along an axis (0 left, 1 posterior, 2 superior), mm. */
+    public double displacement(double[] rest, double[] now, int axis) {
+        double sum = 0;
+        for (int node : nodes) {
+            sum += now[3 * node + axis] - rest[3 * node + axis];
+        }
+        return nodes.length == 0 ? 0 : sum / nodes.length;
+    }
+}

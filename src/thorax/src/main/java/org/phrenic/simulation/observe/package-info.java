@@ -1,0 +1,2 @@
+/** Observables of a scene: domes, volumes, fibres, cage, liver. */
+package org.phrenic.simulation.observe;

@@ -1,0 +1,2 @@
+/** Parts of a scene: diaphragm, lungs, sternum, liver, skin. */
+package org.phrenic.simulation.organ;

@@ -1,0 +1,2 @@
+/** A running simulation: steps, records and sums up a scene. */
+package org.phrenic.simulation;

@@ -1,0 +1,89 @@
+package org.phrenic.anatomy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * On domes whose outer and inner vertices are known, and on sheets of bodies, whose two faces must have about the same
+ * area.
+ */
+class DiaphragmFacesTest {
+    private static final double RIGHT_SHARE = 0.98;
+
+    private static DiaphragmFaces faces(TriangleMesh sheet) {
+        return new DiaphragmFaces(sheet, new MeshTopology(sheet));
+    }
+
+    private static double rightShare(TriangleMesh dome) {
+        DiaphragmFaces faces = faces(dome);
+        int outer = dome.vertexCount() / 2;
+        int right = 0;
+        for (int i = 0; i < dome.vertexCount(); i++) {
+            right += faces.isThoracic(i) == i < outer ? 1 : 0;
+        }
+        return right / (double) dome.vertexCount();
+    }
+
+    private static double thoracicAreaShare(TriangleMesh sheet) {
+        DiaphragmFaces faces = faces(sheet);
+        double[] areas = MeshMeasure.vertexAreas(sheet);
+        double thoracic = 0;
+        double all = 0;
+        for (int i = 0; i < areas.length; i++) {
+            all += areas[i];
+            thoracic += faces.isThoracic(i) ? areas[i] : 0;
+        }
+        return thoracic / all;
+    }
+
+    @Test
+    void outerAndInnerVerticesOfADomeAreToldApart() {
+        assertThat(rightShare(DomeSheet.adult(20))).isGreaterThanOrEqualTo(RIGHT_SHARE);
+        assertThat(rightShare(DomeSheet.of(130, 90, 110, 8, 20, 0))).isGreaterThanOrEqualTo(RIGHT_SHARE);
+        assertThat(rightShare(DomeSheet.of(100, 100, 60, 2, 16, 3))).isGreaterThanOrEqualTo(RIGHT_SHARE);
+    }
+
+    @Test
+    void whereTheBodyStandsMakesNoDifference() {
+        TriangleMesh dome = DomeSheet.adult(12);
+        double[] moved = dome.positions().clone();
+        for (int i = 0; i < moved.length; i++) {
+            moved[i] += new double[] {300, -700, 1200}[i % 3];
+        }
+        assertThat(rightShare(dome.withPositions(moved))).isEqualTo(rightShare(dome));
+    }
+
+    @Test
+    void theBorderIsWhereTheFacesMeet() {
+        int rings = 20;
+        DiaphragmFaces faces = faces(DomeSheet.adult(rings));
+        int border = 0;
+        for (int i = 0; i < faces.vertexCount(); i++) {
+            border += faces.isBorder(i) ? 1 : 0;
+        }
+        // Both rims of 6 vertices a ring number.
+        assertThat(border).isEqualTo(2 * 6 * rings);
+    }
+
+    @Test
+    void bothFacesOfTheVirtualSheetsHaveAboutEqualArea() {
+        for (String body : new String[] {"adult-male", "adult-female"}) {
+            TriangleMesh sheet = VirtualBodies.grow(body, Resolution.LOW)
+                    .find("diaphragm")
+                    .orElseThrow()
+                    .mesh();
+            assertThat(thoracicAreaShare(sheet)).as(body).isCloseTo(0.5, within(0.05));
+        }
+    }
+
+    @Test
+    void bothFacesOfARealSheetHaveAboutEqualArea() {
+        assertThat(thoracicAreaShare(SharedThorax.diaphragmSheet())).isCloseTo(0.5, within(0.06));
+    }
+}

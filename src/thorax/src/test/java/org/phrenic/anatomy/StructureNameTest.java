@@ -1,0 +1,52 @@
+package org.phrenic.anatomy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.anatomy.virtual.VirtualBodies;
+
+class StructureNameTest {
+    @ParameterizedTest
+    @CsvSource({
+        "rib_05_R, RIB, 5, RIGHT",
+        "Rib_5_r, RIB, 5, RIGHT",
+        "rib_12_L, RIB, 12, LEFT",
+        "costal_cartilage_02_L, COSTAL_CARTILAGE, 2, LEFT",
+        "sternum_body, STERNUM, 0, MIDLINE",
+        "vertebra_T06, VERTEBRA, 6, MIDLINE",
+        "vertebra_L1, VERTEBRA, 13, MIDLINE",
+        "vertebra_L05, VERTEBRA, 17, MIDLINE",
+        "disc_C7_T1, DISC, 0, MIDLINE",
+        "disc_T4_T5, DISC, 4, MIDLINE",
+        "disc_T12_L1, DISC, 12, MIDLINE",
+        "lung_R_middle, LUNG, 0, RIGHT",
+        "lung_L, LUNG, 0, LEFT",
+        "diaphragm, DIAPHRAGM, 0, MIDLINE",
+        "liver, LIVER, 0, MIDLINE",
+        "skin_torso, SKIN, 0, MIDLINE",
+    })
+    void aNameSaysWhatTheStructureIs(String name, StructureKind kind, int level, Side side) {
+        assertThat(StructureName.parse(name)).contains(new StructureName(kind, level, side));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "rib_00_R", "rib_13_L", "costal_cartilage_11_L", "vertebra_T13", "vertebra_T00", "vertebra_L0",
+                "vertebra_L06", "disc_C6_C7", "rib_05", "heart", "diaphragm_old", ""
+            })
+    void whatNoBodyHasIsNoName(String name) {
+        assertThat(StructureName.parse(name)).isEmpty();
+    }
+
+    @Test
+    void theNamesOfTheVirtualBodySayWhatItsStructuresAre() {
+        assertThat(VirtualBodies.grow("adult-male", Resolution.LOW).structures())
+                .allSatisfy(s -> assertThat(StructureName.parse(s.name()))
+                        .as(s.name())
+                        .contains(new StructureName(s.kind(), s.level(), s.side())));
+    }
+}

@@ -1,0 +1,154 @@
+package org.phrenic.anatomy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+
+class ThoraxFolderTest {
+    /** Coordinates in files are single precision. */
+    private static final double FILE_MM = 1e-4;
+
+    @TempDir
+    Path folder;
+
+    private void write(List<Structure> structures) {
+        for (Structure s : structures) {
+            MeshFiles.write(folder.resolve(s.name() + ".ply"), s.mesh());
+        }
+    }
+
+    private void refused(String... parts) {
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> ThoraxFolder.load(folder))
+                .satisfies(e -> assertThat(e.getMessage()).contains(parts));
+    }
+
+    @Test
+    void filesAreKnownByTheirNamesAndComeInLpsMillimetres() {
+        List<Structure> body = BoxBody.structures();
+        write(BoxBody.given(body, "LSA", 10));
+        Thorax thorax = ThoraxFolder.load(folder);
+        assertThat(thorax.name()).isEqualTo(folder.getFileName().toString());
+        assertThat(thorax.notes()).containsExactly("axes LSA, 10.0 mm a unit");
+        assertThat(thorax.structures()).hasSameSizeAs(body);
+        for (Structure s : body) {
+            Structure loaded = thorax.find(s.name()).orElseThrow();
+            assertThat(loaded.kind()).isEqualTo(s.kind());
+            assertThat(loaded.level()).isEqualTo(s.level());
+            assertThat(loaded.side()).isEqualTo(s.side());
+            assertThat(loaded.mesh().positions()).containsExactly(s.mesh().positions(), within(FILE_MM));
+        }
+    }
+
+    @Test
+    void anIndexNamesTheBodyItsFrameAndWhichFileHoldsWhat() throws IOException {
+        MeshFiles.write(folder.resolve("sheet.stl"), BoxBody.box(1, 2, 3, 1));
+        MeshFiles.write(folder.resolve("costa.ply"), BoxBody.box(4, 5, 6, 1));
+        MeshFiles.write(folder.resolve("rib_02_L.ply"), BoxBody.box(7, 8, 9, 1));
+        Files.writeString(
+                folder.resolve("thorax.yaml"),
+                """
+                name: someone
+                axes: RAS
+                units: cm
+                structures:
+                  diaphragm: sheet.stl
+                  rib_05_R: costa.ply
+                """);
+        Thorax thorax = ThoraxFolder.load(folder);
+        assertThat(thorax.name()).isEqualTo("someone");
+        assertThat(thorax.structures()).extracting(Structure::name).containsExactly("diaphragm", "rib_05_R");
+        double[] box = thorax.find("diaphragm").orElseThrow().mesh().bounds();
+        // Centre (1, 2, 3) cm to the right, anterior and superior; an edge of 2 cm.
+        assertThat(box).containsExactly(new double[] {-20, -30, 20, 0, -10, 40}, within(FILE_MM));
+    }
+
+    @Test
+    void whatIsRepairedOrLeftOutIsSaid() {
+        write(BoxBody.structures());
+        TriangleMesh box = BoxBody.box(0, -90, 250, 10);
+        int[] broken = java.util.Arrays.copyOf(box.triangles(), box.triangles().length + 3);
+        broken[broken.length - 3] = 1;
+        broken[broken.length - 2] = 1;
+        broken[broken.length - 1] = 2;
+        MeshFiles.write(folder.resolve("sternum_manubrium.ply"), new TriangleMesh(box.positions(), broken));
+        MeshFiles.write(folder.resolve("heart.ply"), box);
+        assertThat(ThoraxFolder.load(folder).notes())
+                .anyMatch(n -> n.startsWith("sternum_manubrium: "))
+                .anyMatch(n -> n.startsWith("heart.ply: left out"))
+                .hasSize(3);
+    }
+
+    @Test
+    void axesThatDoNotFitTheBodyAreTakenButDoubted() throws IOException {
+        write(BoxBody.given(BoxBody.structures(), "LSA", 1));
+        Path index = folder.resolve("thorax.yaml");
+        Files.writeString(index, "axes: LPS\n");
+        assertThat(ThoraxFolder.load(folder).notes()).anyMatch(n -> n.contains("stated as LPS") && n.endsWith("LSA"));
+        Files.writeString(index, "axes: LSA\n");
+        assertThat(ThoraxFolder.load(folder).notes()).hasSize(1);
+    }
+
+    @Test
+    void twoFilesForOneStructureAreRefused() {
+        write(BoxBody.structures());
+        MeshFiles.write(folder.resolve("rib_05_R.stl"), BoxBody.box(0, 0, 0, 1));
+        refused("rib_05_R.ply", "rib_05_R.stl", "one file a structure");
+    }
+
+    @Test
+    void twoSpellingsOfOneStructureAreRefused() {
+        write(BoxBody.structures());
+        MeshFiles.write(folder.resolve("rib_5_R.stl"), BoxBody.box(0, 0, 0, 1));
+        refused("rib_05_R.ply", "rib_5_R.stl", "one file a structure");
+    }
+
+    @Test
+    void aBodyWithoutADiaphragmIsRefused() {
+        write(BoxBody.structures().stream()
+                .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
+                .toList());
+        refused(folder.toString(), "no diaphragm among 37", "diaphragm.ply");
+    }
+
+    @Test
+    void missingFolderAndMissingFileAreNamed() throws IOException {
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> ThoraxFolder.load(folder.resolve("nowhere")))
+                .withMessageContaining("nowhere")
+                .withMessageContaining("no such folder");
+        Files.writeString(folder.resolve("thorax.yaml"), "structures:\n  diaphragm: gone.ply\n");
+        refused("line 2", "diaphragm", "gone.ply");
+    }
+
+    @Test
+    void theIndexIsCheckedKeyByKey() throws IOException {
+        write(BoxBody.structures());
+        Path index = folder.resolve("thorax.yaml");
+        Files.writeString(index, "unit: mm\n");
+        refused("line 1", "'unit'", "units");
+        Files.writeString(index, "units: inch\n");
+        refused("units", "'inch'", "mm, cm or m");
+        Files.writeString(index, "axes: RPS\nunits: mm\n");
+        refused("RPS", "mirrored");
+        Files.writeString(index, "structures:\n  hart: diaphragm.ply\n");
+        refused("hart", "rib_05_R or diaphragm");
+    }
+
+    @Test
+    void aFileThatHoldsNothingIsRefused() throws IOException {
+        write(BoxBody.structures());
+        Files.writeString(folder.resolve("liver.ply"), "");
+        refused("liver.ply");
+    }
+}

@@ -1,0 +1,133 @@
+package org.phrenic.anatomy.virtual;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.Vectors;
+
+class VirtualThoraxMeshTest {
+    private static final double BUDGET_TOLERANCE = 0.01;
+    private static final double LEAST_EDGE_MM = 1.5;
+
+    @ParameterizedTest
+    @CsvSource({
+        "adult-male, LOW", "adult-male, MEDIUM", "adult-male, HIGH",
+        "adult-female, LOW", "adult-female, MEDIUM", "adult-female, HIGH"
+    })
+    void whatSpringsMoveHasTheVerticesOfTheResolution(String preset, Resolution resolution) {
+        Thorax thorax = VirtualBodies.grow(preset, resolution);
+        int sheet = VirtualBodies.vertices(thorax, StructureKind.DIAPHRAGM);
+        int lungs = VirtualBodies.vertices(thorax, StructureKind.LUNG);
+        int sternum = VirtualBodies.vertices(thorax, StructureKind.STERNUM, StructureKind.COSTAL_CARTILAGE);
+        double tolerance = BUDGET_TOLERANCE * resolution.vertices();
+        assertThat((double) sheet + lungs + sternum).isCloseTo(resolution.vertices(), within(tolerance));
+        assertThat((double) sheet).isCloseTo(resolution.diaphragmVertices(), within(tolerance));
+        assertThat((double) lungs).isCloseTo(resolution.lungVertices(), within(tolerance));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"adult-male, LOW", "adult-male, HIGH", "adult-female, MEDIUM"})
+    void everySurfaceIsClosedAndLooksOutward(String preset, Resolution resolution) {
+        for (Structure structure : VirtualBodies.grow(preset, resolution).structures()) {
+            SurfaceChecks surface = new SurfaceChecks(structure.mesh());
+            assertThat(surface.isClosedAndOriented()).as(structure.name()).isTrue();
+            assertThat(surface.volumeMl()).as(structure.name()).isPositive();
+            assertThat(structure.mesh().positions()).as(structure.name()).doesNotContain(Double.NaN);
+            if (structure.kind() != StructureKind.VERTEBRA) {
+                assertThat(surface.eulerCharacteristic()).as(structure.name()).isEqualTo(2);
+            }
+        }
+    }
+
+    @Test
+    void structuresAreNamedAsTheFilesOfAThoraxFolder() {
+        Thorax thorax = VirtualBodies.grow("adult-male", Resolution.MEDIUM);
+        assertThat(thorax.structures()).extracting(Structure::name).doesNotHaveDuplicates();
+        assertThat(thorax.structures())
+                .extracting(Structure::name)
+                .contains("rib_01_R", "rib_12_L", "costal_cartilage_10_L", "sternum_xiphoid", "vertebra_T01")
+                .contains("vertebra_L03", "disc_T1_T2", "disc_T12_L1", "disc_L2_L3", "lung_R", "lung_L")
+                .contains("liver", "diaphragm", "skin_torso")
+                .doesNotContain("costal_cartilage_11_R");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"adult-male", "adult-female"})
+    void trianglesThatSpringsActOnAreNoNeedles(String preset) {
+        Thorax thorax = VirtualBodies.grow(preset, Resolution.MEDIUM);
+        for (String name : new String[] {"diaphragm", "lung_R", "lung_L"}) {
+            SurfaceChecks surface = VirtualBodies.surface(thorax, name);
+            int n = surface.mesh.triangleCount();
+            long needles = IntStream.range(0, n)
+                    .filter(t -> surface.smallestAngleDeg(t) < 20)
+                    .count();
+            assertThat(needles).as(name).isLessThan(n / 200);
+        }
+    }
+
+    /** The shortest edge sets the time step: a wave of stretch must not cross it within one (Courant). */
+    @ParameterizedTest
+    @CsvSource({"adult-male, MEDIUM", "adult-male, HIGH", "adult-female, MEDIUM", "adult-female, HIGH"})
+    void noEdgeOfTheDiaphragmIsShort(String preset, Resolution resolution) {
+        SurfaceChecks sheet = VirtualBodies.surface(VirtualBodies.grow(preset, resolution), "diaphragm");
+        assertThat(sheet.shortestEdge()).isGreaterThan(LEAST_EDGE_MM);
+    }
+
+    @Test
+    void facesOfTheDiaphragmArePartnersOneThicknessApart() {
+        VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
+        SurfaceChecks sheet = VirtualBodies.surface(VirtualBodies.grow("adult-male", Resolution.MEDIUM), "diaphragm");
+        int half = sheet.mesh.vertexCount() / 2;
+        double thinnest = Double.POSITIVE_INFINITY;
+        double thickest = 0;
+        for (int v = 0; v < half; v++) {
+            double apart = Vectors.distance(sheet.vertex(v), sheet.vertex(v + half));
+            thinnest = Math.min(thinnest, apart);
+            thickest = Math.max(thickest, apart);
+        }
+        assertThat(thinnest).isCloseTo(parameters.diaphragm().tendonMm(), within(1e-9));
+        assertThat(thickest).isCloseTo(parameters.diaphragm().muscleMm(), within(1e-9));
+    }
+
+    @Test
+    void theSameMeasuresGiveTheSameBits() {
+        Thorax one = VirtualBodies.grow("adult-male", Resolution.LOW);
+        Thorax two = VirtualThorax.generate(VirtualThoraxParametersReader.preset("adult-male"), Resolution.LOW);
+        for (int i = 0; i < one.structures().size(); i++) {
+            Structure a = one.structures().get(i);
+            Structure b = two.structures().get(i);
+            assertThat(b.name()).isEqualTo(a.name());
+            assertThat(b.mesh().positions())
+                    .as(a.name())
+                    .containsExactly(a.mesh().positions());
+            assertThat(b.mesh().triangles())
+                    .as(a.name())
+                    .containsExactly(a.mesh().triangles());
+        }
+    }
+
+    /** Processor time, all threads together, the compiler's too: a busy machine takes longer but does not fail this. */
+    @Test
+    void growsInUnderTwoSecondsOfProcessorTime() {
+        var system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
+        double best = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < 3 && best > 2; i++) {
+            long start = system.getProcessCpuTime();
+            VirtualThorax.generate(parameters, Resolution.HIGH);
+            best = Math.min(best, (system.getProcessCpuTime() - start) * 1e-9);
+        }
+        assertThat(best).isLessThan(2);
+    }
+}

@@ -1,0 +1,157 @@
+package org.phrenic.breathing.pattern;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import com.sun.management.ThreadMXBean;
+import java.io.IOException;
+import java.io.StringReader;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.breathing.BreathingPattern;
+
+class BreathingPresetTest {
+    private static final String QUIET =
+            """
+            name: q
+            kind: periodic
+            rate_per_min: 15
+            inspiratory_fraction: 0.4
+            pause_fraction: 0.1
+            activation: 0.26
+            pressure: 0.06
+            rib_turn: 0.1667
+            chest_share: 0.5
+            """;
+
+    static List<String> names() {
+        return BreathingPreset.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void everyPresetIsSmoothAndWithinItsRange(String name) throws IOException {
+        BreathingPattern pattern = BreathingPreset.named(name).pattern();
+        assertThat(pattern.name()).isEqualTo(name);
+        BreathingPatternContract.check(pattern, Math.min(2.1 * pattern.periodS(), 65));
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void noPresetAllocatesInAStep(String name) throws IOException {
+        BreathingPattern pattern = BreathingPreset.named(name).pattern();
+        BreathState state = new BreathState();
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        for (int n = 0; n < 10_000; n++) {
+            pattern.at(0.01 * n, state);
+        }
+        // one object a step would be 160 kB at least
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void everyPresetComesBackToExactRest(String name) throws IOException {
+        BreathingPattern pattern = BreathingPreset.named(name).pattern();
+        double period = pattern.periodS();
+        if (Double.isInfinite(period)) {
+            return;
+        }
+        for (int n = 0; n < 50; n++) {
+            // whole periods in binary: n * period has no rounding of its own for these
+            BreathState state = BreathingPatternContract.at(pattern, n * period);
+            assertThat(state.activation).as("%s after %d periods", name, n).isCloseTo(0, within(1e-15));
+            assertThat(state.ribTurn).isCloseTo(0, within(1e-15));
+        }
+    }
+
+    /** T = 4 s, Ti = 1.6 s, 1/6 of the ribs' full turn (physiology of VT 0.5 l of an IC of 3 l). */
+    @Test
+    void quietBreathIsOneSixthOfTheFullTurnAndDeepSevenTenths() throws IOException {
+        BreathingPattern quiet = BreathingPreset.named("quiet").pattern();
+        assertThat(quiet.periodS()).isEqualTo(4);
+        assertThat(BreathingPatternContract.at(quiet, 1.6).ribTurn).isCloseTo(1.0 / 6, within(1e-4));
+        assertThat(BreathingPatternContract.at(quiet, 1.6).activation).isCloseTo(0.26, within(1e-12));
+        BreathingPattern supine = BreathingPreset.named("quiet-supine").pattern();
+        assertThat(BreathingPatternContract.at(supine, 1.6).ribTurn).isCloseTo(1.0 / 12, within(1e-4));
+        BreathingPattern deep = BreathingPreset.named("deep").pattern();
+        assertThat(deep.periodS()).isEqualTo(8);
+        // The full turn belongs to full inspiration (Wilson et al. 1987); a deep breath stops short of it.
+        assertThat(BreathingPatternContract.at(deep, 3.6).ribTurn).isCloseTo(0.7, within(1e-12));
+    }
+
+    @Test
+    void cheyneStokesCyclesLastFrom45To90Seconds() throws IOException {
+        assertThat(BreathingPreset.named("cheyne-stokes").pattern().periodS()).isBetween(45.0, 90.0);
+    }
+
+    @Test
+    void changedParametersMakeAnotherPatternOfTheSameKind() throws IOException {
+        BreathingPreset preset = BreathingPreset.named("quiet");
+        BreathingParameters chest =
+                preset.parameters().withRatePerMin(30).withDepth(2).withChestShare(0.75);
+        BreathingPattern pattern = preset.pattern(chest);
+        assertThat(pattern.periodS()).isEqualTo(2);
+        // Ti 0.8 s; twice the depth, half of it taken from the diaphragm, half as much again for the ribs
+        assertThat(BreathingPatternContract.at(pattern, 0.8).activation).isCloseTo(0.26, within(1e-12));
+        assertThat(BreathingPatternContract.at(pattern, 0.8).ribTurn).isCloseTo(0.5, within(1e-3));
+    }
+
+    @Test
+    void presetsWithATraceReadItBesideThem(@TempDir Path folder) throws IOException {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i < 400; i++) {
+            csv.append(0.1 * i)
+                    .append(',')
+                    .append(1 - Math.cos(2 * Math.PI * 0.1 * i / 4))
+                    .append('\n');
+        }
+        Files.writeString(folder.resolve("t.csv"), csv);
+        Path file = folder.resolve("t.yaml");
+        Files.writeString(file, QUIET.replace("periodic", "trace") + "file: t.csv\ndetrend: true\nloop: false\n");
+        BreathingPattern pattern = BreathingPreset.read(file).pattern();
+        BreathingPatternContract.check(pattern, 42);
+        assertThat(pattern.periodS()).isInfinite();
+    }
+
+    @Test
+    void badPresetsAreRefusedInOneSentence() {
+        assertThatThrownBy(() -> BreathingPreset.named("yawn"))
+                .hasMessageStartingWith("breathing: no preset 'yawn', expected quiet, quiet-supine, deep");
+        refused(QUIET.replace("0.26", "1.26"), "q.yaml: breathing: activation 1.26, expected 0 to 1");
+        refused(QUIET.replace("0.26", "much"), "q.yaml: activation 'much', expected a number");
+        refused(QUIET.replace("pressure: 0.06\n", ""), "q.yaml: no key 'pressure'");
+        refused(
+                QUIET.replace("periodic", "odd"),
+                "q.yaml: kind 'odd', expected periodic, hold, cough, waxing or trace");
+        refused("", "q.yaml: no keys, expected lines of 'key: value'");
+        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(QUIET + "depth: 3\n"), "q.yaml", null))
+                .hasMessageStartingWith("q.yaml: unknown key 'depth', expected name, kind, rate_per_min");
+        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(QUIET + "name: r\n"), "q.yaml", null))
+                .hasMessageContaining("q.yaml")
+                .hasMessageContaining("key 'name': found the key a second time");
+        refused(
+                QUIET.replace("inspiratory_fraction: 0.4", "inspiratory_fraction: 0.95"),
+                "q.yaml: breath: inspiratory fraction 0.95 and pause fraction 0.1, expected an inspiratory fraction above "
+                        + "0, a pause fraction from 0, and a sum below 1");
+        refused(
+                QUIET.replace("rate_per_min: 15", "rate_per_min: 0"),
+                "q.yaml: breathing: rate_per_min 0.0, expected more than 0, at most 150.0");
+    }
+
+    private static void refused(String yaml, String message) {
+        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(yaml), "q.yaml", null))
+                .isInstanceOf(IOException.class)
+                .hasMessage(message);
+    }
+}

@@ -1,0 +1,174 @@
+package org.phrenic.breathing.pattern;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.phrenic.breathing.pattern.BreathingPatternContract.at;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.breathing.BreathingTrace;
+import org.phrenic.breathing.BreathingTraceReader;
+import org.phrenic.breathing.RespiratoryPhase;
+
+class TracePatternTest {
+    private static final BreathingParameters DEPTH = new BreathingParameters(15, 0.4, 0.1, 0.26, 0.06, 1.0 / 6, 0.5);
+
+    @TempDir
+    Path folder;
+
+    /** Breaths of 5 s and 3 mm along (0, 0.6, 0.8), as a camera writes them with a comma for the point. */
+    @Test
+    void markersWithDecimalCommasAndABogusLastRowAreRead() throws IOException {
+        BreathingTrace trace = BreathingTraceReader.read(write(markers(300) + "0;0;0;0;0\n"));
+        assertThat(trace.timeS()).hasSize(300);
+        assertThat(trace.timeS()[299]).isCloseTo(29.9, within(1e-12));
+        double range = 0;
+        for (double value : trace.amplitude()) {
+            range = Math.max(range, value - trace.amplitude()[0]);
+        }
+        // end-expiration is the first sample, so the sign must be right too; positions are written to 0.001 mm
+        assertThat(range).isCloseTo(3, within(0.01));
+    }
+
+    /** Some cameras stamp a frame now and then in another unit. */
+    @Test
+    void singleRowsWithATimeThatDoesNotRiseAreLeftOut() throws IOException {
+        BreathingTrace trace = BreathingTraceReader.read(write(markers(300).replace(";20000;", ";40;")));
+        assertThat(trace.dropped()).isEqualTo(1);
+        assertThat(trace.timeS()).hasSize(299);
+    }
+
+    @Test
+    void aTraceIsBreathedAtItsOwnRate() throws IOException {
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(markers(300))), DEPTH, true);
+        BreathingPatternContract.check(pattern, 62);
+        assertThat(pattern.breaths()).isEqualTo(6);
+        double deepest = 0;
+        for (double t = 0; t < 30; t += 0.01) {
+            deepest = Math.max(deepest, at(pattern, t).activation);
+        }
+        // 1 at the 95th percentile, the peak a little above: the wave stays within 10 % of it for some per cent of the
+        // time
+        assertThat(deepest).isBetween(0.26, 1.15 * 0.26);
+        BreathState again = at(pattern, pattern.periodS() + 7);
+        assertThat(again.activation).isCloseTo(at(pattern, 7).activation, within(1e-12));
+        assertThat(again.breath).isEqualTo(6 + at(pattern, 7).breath);
+    }
+
+    @Test
+    void withoutLoopingItRestsAtTheEnd() throws IOException {
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(markers(300))), DEPTH, false);
+        BreathState over = at(pattern, 100);
+        assertThat(over.activation).isZero();
+        assertThat(over.ribTurnRate).isZero();
+        assertThat(over.respiratoryPhase).isEqualTo(RespiratoryPhase.PAUSE);
+        BreathingPatternContract.check(pattern, 35);
+    }
+
+    @Test
+    void driftIsTakenOutOnRequest() throws IOException {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i < 600; i++) {
+            csv.append(i / 10.0)
+                    .append(',')
+                    .append(breath(i / 10.0) + 0.5 * i / 10.0)
+                    .append('\n');
+        }
+        BreathingTrace trace = BreathingTraceReader.read(write(csv.toString())).detrended();
+        double[] level = trace.normalised().amplitude();
+        // Every end-expiration, 5 s apart, is near 0 again.
+        for (int i = 0; i < 600; i += 50) {
+            assertThat(level[i]).isCloseTo(0, within(0.1));
+        }
+    }
+
+    @Test
+    void badTracesAreRefusedInOneSentence() throws IOException {
+        refused("a,b\n1,2\n", " line 1: columns 'a b', expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude'");
+        refused("time_s,amplitude\n0,1\n1,x\n", " line 3: amplitude 'x', expected a number");
+        refused("time_s,amplitude\n0,1\n1\n", " line 3: 1 values, expected 2");
+        refused(
+                "time_s,amplitude\n0,1\n1,2\n0.5,2\n",
+                " line 4: time 0.5, expected more than the 1.0 before it (1 of 3 rows are out of order)");
+        refused("time_s,amplitude\n0,1\n", ": 1 times and 1 values, expected as many of both and at least 8");
+        refused("", ": no rows, expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude' and samples");
+        Path flat = write("time_s,amplitude\n0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n");
+        BreathingTrace trace = BreathingTraceReader.read(flat);
+        assertThatThrownBy(() -> new TracePattern(trace, DEPTH, true))
+                .hasMessage(flat + ": the signal stays at 1.0, expected breathing");
+        Path binary = folder.resolve("binary.csv");
+        Files.write(binary, new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});
+        assertThatThrownBy(() -> BreathingTraceReader.read(binary))
+                .hasMessage(binary + ": not text in UTF-8, expected a CSV file of recorded breathing");
+    }
+
+    /**
+     * The breaths counted in the recordings of people must last what the strongest period of the spectrum says, which
+     * was found by other means; a deep or missed breath here and there leaves a tenth between them.
+     */
+    @Test
+    void recordingsOfPeopleAreBreathed() throws IOException {
+        Path recordings = Path.of("..", "shared", "breathing", "skin-markers");
+        Assumptions.assumeTrue(Files.isDirectory(recordings), "no " + recordings + " beside the project");
+        int found = 0;
+        for (String line : Files.readAllLines(recordings.resolve("stats.csv"))) {
+            Path file = recordings.resolve(line.substring(0, line.indexOf(',')));
+            if (!Files.exists(file)) {
+                continue;
+            }
+            found++;
+            double dominantS = Double.parseDouble(line.split(",")[8]);
+            BreathingTrace trace = BreathingTraceReader.read(file);
+            TracePattern pattern = new TracePattern(trace.detrended(), DEPTH, true);
+            assertThat(trace.dropped()).as(file.toString()).isLessThanOrEqualTo(3);
+            assertThat(pattern.periodS() / pattern.breaths())
+                    .as(file.toString())
+                    .isCloseTo(dominantS, within(0.1 * dominantS));
+            BreathingPatternContract.check(pattern, 20);
+        }
+        assertThat(found).isGreaterThan(10);
+    }
+
+    private Path write(String text) throws IOException {
+        Path file = folder.resolve("trace.csv");
+        Files.writeString(file, text);
+        return file;
+    }
+
+    private void refused(String text, String message) throws IOException {
+        Path file = write(text);
+        assertThatThrownBy(() -> BreathingTraceReader.read(file))
+                .isInstanceOf(IOException.class)
+                .hasMessage(file + message);
+    }
+
+    /** A cosine squared, so that it dwells at end-expiration as people do; 0 to 3. */
+    private static double breath(double timeS) {
+        double half = Math.sin(Math.PI * timeS / 5);
+        return 3 * half * half * half * half;
+    }
+
+    private static String markers(int count) {
+        StringBuilder csv = new StringBuilder("\"Frame\";\"Timestamp\";\"x\";\"y\";\"z\"\n");
+        for (int i = 0; i < count; i++) {
+            double depth = breath(i / 10.0);
+            csv.append(6 * i).append(';').append(100 * i).append(";-488;");
+            csv.append(comma(1.7 + 0.6 * depth))
+                    .append(';')
+                    .append(comma(64.3 + 0.8 * depth))
+                    .append('\n');
+        }
+        return csv.toString();
+    }
+
+    private static String comma(double value) {
+        return String.valueOf(Math.round(1000 * value) / 1000.0).replace('.', ',');
+    }
+}

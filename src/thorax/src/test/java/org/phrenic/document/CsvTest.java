@@ -1,0 +1,105 @@
+package org.phrenic.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.MeshSamples;
+
+class CsvTest {
+    @TempDir
+    Path folder;
+
+    private static void refused(String text, String column, String sentence) {
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> CsvTable.parse("t.csv", text).numbers(column))
+                .withMessage("t.csv: " + sentence);
+    }
+
+    @Test
+    void commasPointsQuotesSpacesAndEmptyLinesAreUnderstood() {
+        CsvTable table =
+                CsvTable.parse("t.csv", "time_s, \"flow, l/s\" ,who\r\n0,1.5,\"a \"\"b\"\"\"\r\n\r\n1e-1 , -2,c");
+        assertThat(table.columnNames()).containsExactly("time_s", "flow, l/s", "who");
+        assertThat(table.rowCount()).isEqualTo(2);
+        assertThat(table.numbers("time_s")).containsExactly(0, 0.1);
+        assertThat(table.numbers("flow, l/s")).containsExactly(1.5, -2);
+        assertThat(table.texts("who")).containsExactly("a \"b\"", "c");
+    }
+
+    @Test
+    void aSpreadsheetWithSemicolonsDecimalCommasAndAByteOrderMarkIsUnderstood() {
+        byte[] bytes = "\uFEFFtime_s;volume_ml\r\n0,5;500\r\n1.5;-0,25\r\n".getBytes(StandardCharsets.UTF_8);
+        CsvTable table = CsvTable.read(MeshSamples.write(folder, "t.csv", bytes));
+        assertThat(table.numbers("time_s")).containsExactly(0.5, 1.5);
+        assertThat(table.numbers("volume_ml")).containsExactly(500, -0.25);
+    }
+
+    @Test
+    void problemsAreToldWithFileLineAndColumn() {
+        refused("a,b\n1,2\n3,x\n", "b", "line 3, column 'b': found 'x', expected a number");
+        refused("a,b\n\n\n1,2\n3,x", "b", "line 5, column 'b': found 'x', expected a number");
+        refused("a,b\n\"1\n\",2\n3,x\n", "b", "line 4, column 'b': found 'x', expected a number");
+        refused("a,b\n1,NaN\n", "b", "line 2, column 'b': found 'NaN', expected a number");
+        refused("a,b\n1,\n", "b", "line 2, column 'b': found '', expected a number");
+        refused("a;b\n1;1.000,5\n", "b", "line 2, column 'b': found '1.000,5', expected a number");
+        refused("a,b\n1,2\n", "c", "line 1: found columns a, b, expected a column 'c'");
+        refused("a,b\n1,2,3\n", "a", "line 2: found 3 cells, expected 2 as in the header");
+        refused("a,b\n1\n", "a", "line 2: found 1 cells, expected 2 as in the header");
+        refused("a,a\n1,2\n", "a", "line 1: found column 'a' a second time, expected different names");
+        refused("a,\n1,2\n", "a", "line 1: found column 2 without a name, expected one");
+        refused("\n\n", "a", "line 1: found nothing, expected a line of column names");
+        refused(
+                "a,b\n1,\"2\n",
+                "a",
+                "after line 1: found a quoted cell that is broken, expected a closing quote before the delimiter");
+    }
+
+    @Test
+    void numbersAreWrittenAlikeWhateverTheLocale() {
+        Map<String, double[]> columns = new LinkedHashMap<>();
+        columns.put("time_s", new double[] {0, 0.001, 1.0 / 3});
+        columns.put("dome_right_mm", new double[] {-1e-9, Double.NaN, 12345.678});
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            assertThat(CsvWriter.format(columns, CsvWriter.ALL_DIGITS))
+                    .isEqualTo("time_s,dome_right_mm\n0.0,-1.0E-9\n0.001,\n0.3333333333333333,12345.678\n");
+            assertThat(CsvWriter.format(columns, 4))
+                    .isEqualTo("time_s,dome_right_mm\n0.0,-1.0E-9\n0.001,\n0.3333,12350.0\n");
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
+    void aGapIsNaNWhereGapsAreAskedFor() {
+        CsvTable table = CsvTable.parse("t.csv", "a,b\n1,\n2,3\n");
+        assertThat(table.numbersOrNaN("b")).containsExactly(Double.NaN, 3);
+    }
+
+    @Test
+    void whatIsWrittenIsReadBackBitForBit() {
+        double[] values = {Math.PI, -1e-300, 1e300, 0.1 + 0.2, -0.0};
+        Path file = folder.resolve("o/curves.csv");
+        CsvWriter.write(file, Map.of("x", values), CsvWriter.ALL_DIGITS);
+        assertThat(CsvTable.read(file).numbers("x")).containsExactly(values);
+        CsvWriter.write(file, List.of("a", "b"), List.of(List.of("x, \"y\"", 1), List.of("", 2.5)));
+        assertThat(CsvTable.read(file).texts("a")).containsExactly("x, \"y\"", "");
+        Map<String, double[]> uneven = new LinkedHashMap<>();
+        uneven.put("a", new double[1]);
+        uneven.put("b", new double[2]);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> CsvWriter.format(uneven, 3))
+                .withMessage("column 'b': 2 values, expected 1");
+    }
+}

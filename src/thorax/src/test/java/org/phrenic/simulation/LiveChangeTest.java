@@ -1,0 +1,340 @@
+package org.phrenic.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.engine.integrator.StabilityLimit;
+import org.phrenic.file.BadInputException;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.LiveKeys;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.SceneObserver;
+
+/**
+ * Settings changed while the simulation runs. The sheet alone is stepped where that shows what is asked, for it is
+ * quick.
+ */
+class LiveChangeTest {
+    /** A held time is a difference of two. */
+    private static final double ROUNDING = 1e-12;
+
+    /** Steps between two changes: a ramp takes thirteen times as long, so that several are always on their way. */
+    private static final int BETWEEN = 15;
+    /**
+     * A scene held at rest creeps by 0.2 mm rms in 2 s as contacts settle, by more where tissue is softer or the
+     * pressure higher; tension lost would be many millimetres.
+     */
+    private static final double STILL_MM = 1.2;
+
+    @TempDir
+    static Path folder;
+
+    /** For every live key two values, the second set while the first is still ramping in. */
+    private static Map<String, List<String>> values() throws IOException {
+        Path curve = Files.writeString(
+                folder.resolve("a curve.csv"), "time_s,amplitude\n0,0\n1,1\n2,0\n3,1\n4,0\n5,1\n6,0\n7,1\n");
+        Map<String, List<String>> values = new TreeMap<>(Map.of(
+                "preset", List.of("deep", "hold-inspiration"),
+                "trace", List.of(curve.toString(), "none"),
+                "hold", List.of("true", "false"),
+                "muscle", List.of("false", "true"),
+                "pressure", List.of("false", "true"),
+                "ribs", List.of("false", "true"),
+                "tensegrity", List.of("false", "true"),
+                "contact", List.of("false", "true"),
+                "integrator", List.of("rk4", "symplectic-euler"),
+                "time_step_s", List.of("0.0005", "0.0013")));
+        for (Parameter p : Parameter.values()) {
+            double low = p.minimum() + 0.1 * (p.maximum() - p.minimum());
+            double high = p.minimum() + 0.2 * (p.maximum() - p.minimum());
+            values.put(p.key(), List.of(Double.toString(low), Double.toString(high)));
+        }
+        return values;
+    }
+
+    /** Keys that the material has a use for. */
+    private static List<String> liveKeys(TissueMaterial material) {
+        return LiveKeys.ALL.stream()
+                .filter(key ->
+                        Stream.of(Parameter.values()).noneMatch(p -> p.key().equals(key) && !p.isUsedBy(material)))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PHYSICAL, 1", "PAPER, 2"})
+    void theSameChangesAtTheSameStepsGiveTheSameBitsFromAScenarioAndLiveOnAnyThreads(
+            TissueMaterial material, int threads) throws IOException {
+        String[] set = {"material=" + material.label(), "duration_s=9", "threads=2"};
+        Scenario start = Runs.scenario(Runs.sheetAlone(set));
+        List<ScheduledChange> changes = new ArrayList<>();
+        for (String key : liveKeys(material)) {
+            for (String value : values().get(key)) {
+                changes.add(ScheduledChange.parse(BETWEEN * (changes.size() + 1) + ":" + key + "=" + value));
+            }
+        }
+        Path file = folder.resolve(material + ".yaml");
+        YamlWriter.write(file, start.withChanges(changes).toMap());
+        assertThat(Scenario.read(file)).isEqualTo(start.withChanges(changes));
+        try (Simulation scheduled = Simulation.of(Scenario.read(file), Runs.male());
+                Simulation live = Simulation.of(start.with("threads=" + threads), Runs.male())) {
+            for (ScheduledChange change : changes) {
+                steps(scheduled, BETWEEN);
+                steps(live, BETWEEN);
+                assertThat(live.stateHash()).as("before %s", change.text()).isEqualTo(scheduled.stateHash());
+                // What is changed and changed again before a step was never there.
+                live.change(new Assignment("a slider", change.assignment().key(), firstOf(change)));
+                live.change(change.assignment());
+            }
+            steps(scheduled, BETWEEN);
+            steps(live, BETWEEN);
+            assertThat(live.stateHash()).isEqualTo(scheduled.stateHash());
+            assertThat(live.changes()).extracting(ScheduledChange::text).isEqualTo(texts(changes));
+            assertThat(scheduled.changes()).extracting(ScheduledChange::text).isEqualTo(texts(changes));
+        }
+    }
+
+    @Test
+    void soDoTheKeysOfSternumAndLungsInTheWholeScene() {
+        Scenario start = Runs.scenario("threads=2");
+        List<ScheduledChange> changes = List.of(
+                ScheduledChange.parse("5:lung_stiffness_n_per_m=12"),
+                ScheduledChange.parse("20:sternum_coupling=2"),
+                ScheduledChange.parse("35:muscle_stiffness_n_per_m=500"));
+        try (Simulation scheduled = Simulation.of(start.withChanges(changes), Runs.male());
+                Simulation live = Simulation.of(start.with("threads=1"), Runs.male())) {
+            for (ScheduledChange change : changes) {
+                steps(live, (int) (change.step() - live.steps()));
+                live.change(change.assignment());
+            }
+            steps(live, 20);
+            steps(scheduled, (int) live.steps());
+            assertThat(live.stateHash()).isEqualTo(scheduled.stateHash());
+        }
+    }
+
+    private static String firstOf(ScheduledChange change) throws IOException {
+        return values().get(change.assignment().key()).get(0);
+    }
+
+    private static List<String> texts(List<ScheduledChange> changes) {
+        return changes.stream().map(ScheduledChange::text).toList();
+    }
+
+    private static void steps(Simulation simulation, int count) {
+        for (int i = 0; i < count; i++) {
+            simulation.step();
+        }
+    }
+
+    private static double fromRest(Simulation simulation) {
+        return new SceneObserver(simulation.scene()).observe(simulation.time()).get("from_rest_rms_mm");
+    }
+
+    @Test
+    void tissueMadeStifferSofterHeavierOrUnderAnotherPressureStaysWhereItIsAtRest() {
+        // Everything but the breath: whole scene, held at end-expiration.
+        try (Simulation simulation = Simulation.of(Runs.scenario("hold=true", "threads=2"), Runs.male())) {
+            for (String change : List.of(
+                    "muscle_stiffness_n_per_m=1200",
+                    "muscle_stiffness_n_per_m=150",
+                    "muscle_stiffness_n_per_m=300",
+                    "rest_pressure_kpa=0.5",
+                    "pressure=false",
+                    "lung_stiffness_n_per_m=20")) {
+                simulation.change(Assignment.parse(change));
+                steps(simulation, 250);
+                assertThat(fromRest(simulation)).as(change).isLessThan(STILL_MM);
+            }
+        }
+    }
+
+    @Test
+    void aChangeNeverJerksAndNeverStepsBeyondTheLimit() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+            SceneObserver observer = new SceneObserver(simulation.scene());
+            steps(simulation, 300);
+            for (String change : List.of(
+                    "depth=2",
+                    "rate_per_min=25",
+                    "hold=true",
+                    "hold=false",
+                    "preset=deep",
+                    "ribs=false",
+                    "muscle=false",
+                    "muscle_stiffness_n_per_m=3000")) {
+                Observation before = observer.observe(simulation.time());
+                simulation.change(Assignment.parse(change));
+                Observation after = observer.observe(simulation.time());
+                for (String column : Observation.COLUMNS) {
+                    // Only the place in the breath may be another at once.
+                    if (!column.equals("breath") && !column.equals("phase")) {
+                        assertThat(after.get(column))
+                                .as("%s: %s", change, column)
+                                .isEqualTo(before.get(column));
+                    }
+                }
+                for (int i = 0; i < 170; i++) {
+                    simulation.step();
+                    Observation now = observer.observe(simulation.time());
+                    for (String driven : List.of("activation", "rib_turn", "pressure_kpa")) {
+                        // All the way in 0.2 s at the ramp's steepest (15/8) is 0.0094 of it a millisecond.
+                        assertThat(Math.abs(now.get(driven) - before.get(driven)))
+                                .as(change + ": " + driven)
+                                .isLessThan(0.02);
+                    }
+                    before = now;
+                }
+                double stable = StabilityLimit.of(simulation.system())
+                        .largestStep(simulation.stepper().integrator().kind());
+                assertThat(simulation.stepper().dt() / simulation.stepper().substeps())
+                        .as(change)
+                        .isLessThan(stable);
+            }
+            assertThat(simulation.stepper().substeps()).isGreaterThan(1);
+            assertThat(simulation.stabilityMessage())
+                    .contains("beyond the stability limit")
+                    .contains("substeps");
+        }
+    }
+
+    @Test
+    void aBreathThatIsHeldStandsStillWhereItIsAndGoesOnFromThere() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("preset=deep")), Runs.male())) {
+            steps(simulation, 1500);
+            simulation.change(Assignment.parse("hold=true"));
+            steps(simulation, 600);
+            double held = new SceneObserver(simulation.scene())
+                    .observe(simulation.time())
+                    .get("activation");
+            steps(simulation, 500);
+            Observation later = new SceneObserver(simulation.scene()).observe(simulation.time());
+            assertThat(held).isGreaterThan(0.1);
+            assertThat(later.get("activation")).isCloseTo(held, within(ROUNDING));
+            assertThat(simulation.breathLabel().name()).isEqualTo("HOLD");
+            simulation.change(Assignment.parse("hold=false"));
+            steps(simulation, 100);
+            double onward = new SceneObserver(simulation.scene())
+                    .observe(simulation.time())
+                    .get("phase");
+            assertThat(onward).isGreaterThan(later.get("phase")).isCloseTo(later.get("phase"), within(0.05));
+        }
+    }
+
+    @Test
+    void whatDidNotHelpIsFollowedByTakingBackTheChangesBefore() {
+        Scenario start = Runs.scenario(Runs.sheetAlone());
+        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+            assertThat(simulation.undoLastChange()).isFalse();
+            simulation.change(List.of(Assignment.parse("depth=2"), Assignment.parse("muscle=false")));
+            steps(simulation, 3);
+            simulation.change(Assignment.parse("depth=0.5"));
+            steps(simulation, 3);
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings().value(Parameter.DEPTH)).isEqualTo(2);
+            assertThat(simulation.settings().muscle()).isFalse();
+            steps(simulation, 3);
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings()).isEqualTo(start.with("depth=1"));
+            assertThat(simulation.undoLastChange()).isFalse();
+            // What somebody does after that is again the first to be taken back.
+            steps(simulation, 3);
+            simulation.change(Assignment.parse("muscle=false"));
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings().muscle()).isTrue();
+        }
+    }
+
+    @Test
+    void timeIsTheSumOfStepCountsTimesTheirSteps() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+            steps(simulation, 100);
+            simulation.change(Assignment.parse("time_step_s=0.0003"));
+            steps(simulation, 100);
+            simulation.change(Assignment.parse("time_step_s=0.0007"));
+            steps(simulation, 100);
+            assertThat(simulation.time()).isEqualTo(100 * 0.00125 + 100 * 0.0003 + 100 * 0.0007);
+        }
+    }
+
+    @Test
+    void anUnknownAStructuralAndAnImpossibleChangeAreOneSentenceAndChangeNothing() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+            for (String bad : List.of("depht=1", "resolution=high", "depth=9", "integrator=rk2")) {
+                Scenario before = simulation.settings();
+                boolean refused = false;
+                try {
+                    simulation.change(
+                            bad.startsWith("integrator")
+                                    ? List.of(Assignment.parse(bad), Assignment.parse("damping_rate_per_s=0"))
+                                    : List.of(Assignment.parse(bad)));
+                } catch (IllegalArgumentException | BadInputException e) {
+                    refused = true;
+                    assertThat(e.getMessage())
+                            .doesNotContain("\n")
+                            .containsAnyOf("depht", "resolution", "depth", "rk2");
+                }
+                assertThat(refused).as(bad).isTrue();
+                assertThat(simulation.settings()).isEqualTo(before);
+                assertThat(simulation.changes()).isEmpty();
+            }
+        }
+    }
+
+    @Test
+    void changesOfAScenarioAreCheckedBeforeItRuns() {
+        Scenario scenario = Scenario.defaults();
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> ScheduledChange.parse("-3:depth=1"))
+                .withMessageContaining("step of 0 or more");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> scenario.withChanges(
+                        List.of(ScheduledChange.parse("9:depth=1"), ScheduledChange.parse("3:depth=1"))))
+                .withMessageContaining("found step 3 after step 9");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> scenario.withChanges(List.of(ScheduledChange.parse("9:resolution=low"))))
+                .withMessageContaining("cannot be changed while");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> scenario.withChanges(List.of(ScheduledChange.parse("9:depht=1"))))
+                .withMessageContaining("did you mean 'depth'?");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> scenario.withChanges(List.of(ScheduledChange.parse("9:depth=7"))))
+                .withMessageContaining("found 7, expected 0 to 2");
+    }
+
+    @Test
+    void aRestartGivesTheBitsOfASceneThatWasPutTogetherWithWhatIsSet() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male());
+                Simulation fresh =
+                        Simulation.of(Runs.scenario(Runs.sheetAlone("depth=1.5", "preset=deep")), Runs.male())) {
+            steps(simulation, 77);
+            simulation.change(Assignment.parse("preset=deep"));
+            simulation.change(Assignment.parse("depth=1.5"));
+            steps(simulation, 77);
+            assertThat(simulation.restart()).isTrue();
+            assertThat(simulation.time()).isZero();
+            steps(simulation, 120);
+            steps(fresh, 120);
+            assertThat(simulation.stateHash()).isEqualTo(fresh.stateHash());
+            simulation.change(Assignment.parse("muscle_stiffness_n_per_m=500"));
+            assertThat(simulation.restart()).as("another assembly").isFalse();
+        }
+    }
+}

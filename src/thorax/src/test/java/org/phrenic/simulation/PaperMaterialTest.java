@@ -1,0 +1,45 @@
+package org.phrenic.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.scenario.Scenario;
+
+/** The model of Villard, Bourne and Bello 2009: k = 15, m = 0.1, gamma = 0.02, dt = 0.01 s. */
+class PaperMaterialTest {
+    private static final String[] PAPER = Runs.sheetAlone("material=paper", "pressure=false", "tendon=plane");
+
+    private static String[] paper(String... more) {
+        String[] all = java.util.Arrays.copyOf(PAPER, PAPER.length + more.length);
+        System.arraycopy(more, 0, all, PAPER.length, more.length);
+        return all;
+    }
+
+    @Test
+    void itsStepIsStableWithVerletAndItMovesAndStaysBounded() {
+        Runs.Run breaths = Runs.of(8, paper("preset=deep", "step_policy=refuse"));
+        assertThat(breaths.substeps()).isEqualTo(1);
+        assertThat(breaths.most("from_rest_rms_mm")).isBetween(0.1, 60.0);
+        assertThat(breaths.fall("dome_right_mm")).as("the force pulls down").isPositive();
+        assertThat(breaths.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);
+    }
+
+    @Test
+    void itsOwnRungeKuttaSchemeIsBeyondItsLimitAndIsSplit() {
+        Scenario scenario = Runs.scenario(paper("integrator=rk2"));
+        try (Simulation simulation = Simulation.of(scenario, Runs.male())) {
+            assertThat(simulation.stepper().substeps()).isGreaterThan(1);
+            assertThat(simulation.stepper().limit().describe(IntegratorKind.RK2, 0.01))
+                    .contains("0.01")
+                    .contains("beyond the stability limit")
+                    .contains("rk2");
+        }
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> Simulation.of(scenario.with("step_policy=refuse"), Runs.male()))
+                .withMessageContaining("time step 0.0100000 s")
+                .withMessageContaining("stability limit 0.0")
+                .withMessageEndingWith("refused");
+    }
+}

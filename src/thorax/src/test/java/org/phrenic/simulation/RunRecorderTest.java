@@ -1,0 +1,95 @@
+package org.phrenic.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.OutputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Observation;
+
+/** What a run leaves behind; the paper's material, for it is quick. */
+class RunRecorderTest {
+    @TempDir
+    Path folder;
+
+    private static Scenario scenario(String... more) {
+        return Runs.scenario(Runs.sheetAlone(
+                        "material=paper", "pressure=false", "preset=sniff", "duration_s=0.1", "record_every_s=0.02"))
+                .with(more);
+    }
+
+    private static Map<String, Object> execute(Scenario scenario, Path out) {
+        return SimulationRun.run(scenario, out, (at, of, perS) -> {});
+    }
+
+    @Test
+    void aRunLeavesSummaryObservablesScenarioAndMeshesAndTheScenarioGivesTheSameBitsAgain() throws IOException {
+        Path out = folder.resolve("new/out");
+        Map<String, Object> summary = execute(scenario("meshes_every_s=0.05"), out);
+        assertThat(Files.readString(out.resolve("summary.json")))
+                .contains("\"state_sha256\": \"" + summary.get("state_sha256") + "\"")
+                .contains("\"made_by\"")
+                .contains("Not for clinical use");
+        List<String> lines = Files.readAllLines(out.resolve("observables.csv"));
+        assertThat(lines.get(0)).isEqualTo(String.join(",", Observation.COLUMNS));
+        // Samples at 0, 0.02 ... 0.1.
+        assertThat(lines).hasSize(1 + 6);
+        meshes(out);
+        try (Stream<Path> all = Files.walk(out)) {
+            assertThat(all.map(p -> p.getFileName().toString()))
+                    .as("nothing half written is left")
+                    .noneMatch(n -> n.endsWith(".tmp") || n.endsWith(".part") || n.startsWith("."));
+        }
+        Scenario again = Scenario.read(out.resolve("scenario.yaml"));
+        assertThat(execute(again, null).get("state_sha256")).isEqualTo(summary.get("state_sha256"));
+    }
+
+    private static void meshes(Path out) throws IOException {
+        String index = Files.readString(out.resolve("scene.pvd"));
+        try (Stream<Path> files = Files.list(out.resolve("meshes"))) {
+            for (Path file : files.toList()) {
+                assertThat(index).contains("file=\"meshes/" + file.getFileName() + "\"");
+                assertThat(MeshFiles.read(file).triangleCount()).isPositive();
+            }
+        }
+        // Frames at 0, 0.05 (told at 0.06, the next sample) and 0.1.
+        TriangleMesh last = MeshFiles.read(out.resolve("meshes/diaphragm_00002.vtp"));
+        assertThat(last.vertexCount()).isEqualTo(sheetVertices());
+        assertThat(out.resolve("meshes/rib_05_R_00000.vtp")).exists();
+        assertThat(out.resolve("meshes/lung_L_00001.vtp")).exists();
+        assertThat(out.resolve("meshes/liver_00002.vtp")).exists();
+    }
+
+    private static int sheetVertices() {
+        return Runs.male().find("diaphragm").orElseThrow().mesh().vertexCount();
+    }
+
+    @Test
+    void aRunThatFailsLeavesNoSummaryNotEvenAnEarlierOne() throws IOException {
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Files.writeString(out.resolve("summary.json"), "{}");
+        Files.writeString(out.resolve("meshes"), "a file where the folder of meshes should be");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> execute(scenario("meshes_every_s=0.05"), out))
+                .withMessageContaining("meshes");
+        assertThat(out.resolve("summary.json")).doesNotExist();
+    }
+
+    @Test
+    void whereNothingCanBeWrittenTheSentenceNamesThePlace() throws IOException {
+        Path file = Files.writeString(folder.resolve("taken"), "");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> execute(scenario(), file.resolve("out")))
+                .withMessageContaining("taken");
+    }
+}

@@ -1,0 +1,95 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.assembly.Scene;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.SceneObserver;
+
+/** Simulations of the coarse virtual adult male that several tests look at, each computed once. */
+public final class Runs {
+    /**
+     * Sheet alone among what is stepped: the diaphragm does in it what it does in the whole scene, at half the price.
+     */
+    public static final String[] SHEET_ALONE = {"lungs=embedded", "sternum=kinematic"};
+
+    private static final double SAMPLE_S = 0.05;
+    private static final Map<String, Run> DONE = new ConcurrentHashMap<>();
+
+    private Runs() {}
+
+    /** What was seen of a run, and what was in it. */
+    record Run(List<Observation> seen, int nodes, int springs, int links, int attachments, int substeps) {
+
+        Observation last() {
+            return seen.get(seen.size() - 1);
+        }
+
+        /** Farthest that a column fell below its start. */
+        double fall(String column) {
+            return seen.get(0).get(column)
+                    - seen.stream().mapToDouble(o -> o.get(column)).min().orElseThrow();
+        }
+
+        /** Farthest that a column rose above its start. */
+        double rise(String column) {
+            return seen.stream().mapToDouble(o -> o.get(column)).max().orElseThrow()
+                    - seen.get(0).get(column);
+        }
+
+        double most(String column) {
+            return seen.stream().mapToDouble(o -> Math.abs(o.get(column))).max().orElseThrow();
+        }
+    }
+
+    public static Thorax male() {
+        return VirtualBodies.grow("adult-male", Resolution.LOW);
+    }
+
+    public static Scenario scenario(String... assignments) {
+        return Scenario.defaults().with("resolution=low").with(assignments);
+    }
+
+    public static String[] sheetAlone(String... more) {
+        String[] all = Arrays.copyOf(SHEET_ALONE, SHEET_ALONE.length + more.length);
+        System.arraycopy(more, 0, all, SHEET_ALONE.length, more.length);
+        return all;
+    }
+
+    /** A run of the coarse virtual adult male. */
+    static Run of(double seconds, String... assignments) {
+        return DONE.computeIfAbsent(
+                seconds + Arrays.toString(assignments), key -> run(seconds, scenario(assignments), male()));
+    }
+
+    static Run run(double seconds, Scenario scenario, Thorax thorax) {
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+            SceneObserver observer = new SceneObserver(simulation.scene());
+            List<Observation> seen = new ArrayList<>();
+            seen.add(observer.observe(0));
+            long every = Math.max(1, Math.round(SAMPLE_S / scenario.timeStepS()));
+            long steps = Math.round(seconds / scenario.timeStepS());
+            for (long i = 1; i <= steps; i++) {
+                simulation.step();
+                if (i % every == 0 || i == steps) {
+                    seen.add(observer.observe(simulation.time()));
+                }
+            }
+            Scene scene = simulation.scene();
+            return new Run(
+                    seen,
+                    scene.system().nodeCount(),
+                    scene.springCount(),
+                    scene.activeLinks().map(l -> l.count()).orElse(0),
+                    scene.attachmentCount(),
+                    simulation.stepper().substeps());
+        }
+    }
+}

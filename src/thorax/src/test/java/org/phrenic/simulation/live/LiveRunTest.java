@@ -1,0 +1,268 @@
+package org.phrenic.simulation.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
+
+/** A run on a thread of its own, as a window drives it. The sheet alone is stepped, for it is quick. */
+class LiveRunTest {
+    private static final long PATIENCE_S = 120;
+    private static final String[] SMALL = {"resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1"};
+
+    private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
+    private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
+    private final BlockingQueue<String> divergences = new LinkedBlockingQueue<>();
+    private final List<String> stages = Collections.synchronizedList(new ArrayList<>());
+    private LiveRun run;
+
+    private LiveRun start(String... more) {
+        run = new LiveRun(Scenario.defaults().with(SMALL).with(more), new LiveRun.Listener() {
+            @Override
+            public void loading(String what, double share) {
+                stages.add(what);
+            }
+
+            @Override
+            public void ready(LiveScene scene) {
+                scenes.add(scene);
+            }
+
+            @Override
+            public void failed(String sentence) {
+                failures.add(sentence);
+            }
+
+            @Override
+            public void diverged(String sentence) {
+                divergences.add(sentence);
+            }
+
+            @Override
+            public void changed() {
+                // Nothing shown here.
+            }
+        });
+        return run;
+    }
+
+    @AfterEach
+    void end() {
+        run.close();
+    }
+
+    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
+        T found = queue.poll(PATIENCE_S, TimeUnit.SECONDS);
+        assertThat(found).as("nothing came in %d s", PATIENCE_S).isNotNull();
+        return found;
+    }
+
+    private static void until(BooleanSupplier what) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        while (!what.getAsBoolean()) {
+            assertThat(System.nanoTime()).as("patience").isLessThan(end);
+            TimeUnit.MILLISECONDS.sleep(2);
+        }
+    }
+
+    private void change(String... assignments) {
+        run.change(List.of(assignments).stream().map(Assignment::parse).toList());
+    }
+
+    private void steps(long more) throws InterruptedException {
+        long goal = run.status().step() + more;
+        until(() -> run.status().step() >= goal);
+    }
+
+    private static double value(Frame frame, String column) {
+        return frame.values()[Observation.COLUMNS.indexOf(column)];
+    }
+
+    @Test
+    void itLoadsPlaysPausesStepsAndGoesBackToTheStart() throws InterruptedException {
+        start();
+        LiveScene scene = next(scenes);
+        assertThat(stages).containsExactly("body", "scene", "surfaces", "done");
+        Frame frame = scene.newFrame().get();
+        assertThat(run.isPlaying()).isFalse();
+        String atStart = run.commandHash();
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        steps(600);
+        until(() -> run.copyNewestFrame(frame) && frame.step() > 300);
+        assertThat(value(frame, "dome_right_mm")).as("breathes in").isLessThan(-0.5);
+        assertThat(frame.isFinite()).isTrue();
+        until(() -> run.status().stepsPerS() > 0);
+        run.pause();
+        until(() -> !run.status().playing());
+        long there = run.status().step();
+        run.stepOnce();
+        until(() -> run.status().step() == there + 1);
+        RunHistory history = run.history();
+        assertThat(history.size()).isGreaterThan(20);
+        assertThat(history.time(1) - history.time(0)).isCloseTo(0.02, org.assertj.core.api.Assertions.within(1e-9));
+        assertThat(history.values(3)).hasSize(Observation.COLUMNS.size());
+        Frame past = scene.newFrame().get();
+        assertThat(history.frame(0, past)).isTrue();
+        assertThat(past.timeS())
+                .isEqualTo(history.frameTime(0))
+                .isLessThan(run.status().timeS());
+        run.reset();
+        until(() -> run.status().step() == 0);
+        assertThat(run.commandHash()).isEqualTo(atStart);
+        assertThat(run.history().size()).isEqualTo(1);
+        until(() -> run.copyNewestFrame(frame) && frame.step() == 0);
+    }
+
+    @Test
+    void inRealTimeItGoesNoFasterAndTwiceAsFastIsTwice() throws InterruptedException {
+        start();
+        next(scenes);
+        run.play();
+        for (double speed : new double[] {1, 2}) {
+            run.setSpeed(speed);
+            steps(50);
+            double from = run.status().timeS();
+            long begun = System.nanoTime();
+            TimeUnit.MILLISECONDS.sleep(400);
+            double went = run.status().timeS() - from;
+            double wall = (System.nanoTime() - begun) * 1e-9;
+            // A turn of the loop more or less; slower it may be, where the machine is busy.
+            assertThat(went).isPositive().isLessThan(speed * (wall + 0.05));
+        }
+    }
+
+    @Test
+    void changesActAtOnceAndARefusedOneLeavesTheSettingsAsTheyWere() throws InterruptedException {
+        start();
+        next(scenes);
+        change("depth=2", "preset=deep");
+        assertThat(run.scenario().preset()).isEqualTo("deep");
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        steps(50);
+        change("inspiratory_fraction=0.8", "preset=sniff");
+        assertThat(next(failures)).contains("inspiratory fraction").doesNotContain("\n");
+        until(() -> run.scenario().preset().equals("deep"));
+        assertThat(run.status().step()).isPositive();
+        assertThatExceptionOfType(BadInputException.class).isThrownBy(() -> change("depth=9"));
+        assertThat(run.recordedScenario().changes()).hasSize(2);
+        change("muscle_stiffness_n_per_m=3000");
+        until(() -> !run.status().stabilityMessage().isEmpty());
+        assertThat(run.status().stabilityMessage()).contains("beyond the stability limit");
+        assertThat(run.status().substeps()).isGreaterThan(1);
+    }
+
+    @Test
+    void aStructuralChangeLoadsBesideTheRunningSceneAndCanBeCalledOff() throws InterruptedException {
+        start();
+        LiveScene first = next(scenes);
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        change("links_per_node=2");
+        assertThat(run.scenario().linksPerNode()).isEqualTo(2);
+        run.cancelLoading();
+        until(() -> run.scenario().linksPerNode() == 1);
+        steps(20);
+        change("links_per_node=3");
+        change("depth=1.5");
+        long before = run.status().step();
+        LiveScene second = next(scenes);
+        assertThat(second.id()).isGreaterThan(first.id());
+        assertThat(second.scenario().linksPerNode()).isEqualTo(3);
+        assertThat(before).as("went on meanwhile").isPositive();
+        assertThat(run.scenario().toMap()).containsEntry("depth", 1.5);
+        until(() -> run.recordedScenario().afterChanges().toMap().get("depth").equals(1.5));
+        assertThat(run.copyNewestFrame(first.newFrame().get()))
+                .as("a frame of the old scene")
+                .isFalse();
+    }
+
+    @Test
+    void aRunThatLeavesAllBoundsStopsShowsNothingBrokenAndGoesOnWithoutItsLastChange() throws InterruptedException {
+        start("preset=cough");
+        LiveScene scene = next(scenes);
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        steps(100);
+        // What no body bears: the lightest sheet under the greatest pressure, undamped.
+        change(
+                "area_density_kg_per_m2=3",
+                "greatest_pressure_kpa=20",
+                "damping_rate_per_s=0",
+                "muscle_stiffness_n_per_m=30");
+        String sentence = next(divergences);
+        assertThat(sentence).contains("diverged").contains("the last change was muscle_stiffness_n_per_m");
+        assertThat(run.isPlaying()).isFalse();
+        Frame frame = scene.newFrame().get();
+        until(() -> run.copyNewestFrame(frame));
+        assertThat(frame.isFinite()).isTrue();
+        run.restoreLastGood();
+        steps(300);
+        assertThat(run.scenario().toMap()).containsEntry("greatest_pressure_kpa", 1.8);
+        run.pause();
+        until(() -> !run.status().playing());
+        Scenario recorded = run.recordedScenario();
+        String hash = run.commandHash();
+        // The way there leads through the bad change: it is repeated bit by bit, up to the state that was restored.
+        start(recorded).setSpeed(Double.POSITIVE_INFINITY);
+        next(scenes);
+        for (long i = 0; i < recorded.givenSteps(); i++) {
+            run.stepOnce();
+        }
+        until(() -> run.status().step() == recorded.givenSteps());
+        assertThat(run.commandHash()).isEqualTo(hash);
+    }
+
+    private LiveRun start(Scenario scenario) {
+        run.close();
+        start();
+        run.load(scenario);
+        return run;
+    }
+
+    @Test
+    void closedItLeavesNoThreadAndResetsAndChangesLeaveNoMemory() throws InterruptedException {
+        start();
+        next(scenes);
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        long settled = 0;
+        for (int round = 0; round < 32; round++) {
+            change("depth=" + (0.5 + round % 10 * 0.1), "muscle_activation=" + (0.3 + round % 5 * 0.05));
+            steps(30);
+            run.reset();
+            until(() -> run.status().step() < 30);
+            if (round == 11) {
+                settled = used();
+            }
+        }
+        // A scene is some 30 MB: not one is left behind by twenty resets.
+        assertThat(used() - settled).isLessThan(15L << 20);
+        change("resolution=medium");
+        run.close();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .noneMatch(name -> name.startsWith("phrenic-simulation") || name.startsWith("phrenic-loader"));
+        assertThat(run.commandHash()).as("still answers").hasSize(64);
+    }
+
+    private static long used() {
+        System.gc();
+        Runtime runtime = Runtime.getRuntime();
+        return runtime.totalMemory() - runtime.freeMemory();
+    }
+}
