@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import javax.swing.SwingUtilities;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalReport;
@@ -16,6 +15,7 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
+import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.view.SceneViewport;
 
 /**
@@ -35,20 +35,13 @@ public final class AttemptReportWriter {
      * @param done told on the event dispatch thread: empty if all is written, else why not
      */
     public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
-        Thread writer = new Thread(() -> {
-            String problem;
-            try {
-                write(rehearsal, folder);
-                problem = "";
-            } catch (RuntimeException e) {
-                problem = String.valueOf(e.getMessage());
-            }
-            String said = problem;
-            SwingUtilities.invokeLater(() -> done.accept(said));
-        });
-        writer.setName("phrenic-report");
-        writer.setDaemon(true);
-        writer.start();
+        BackgroundWorker.execute(
+                () -> {
+                    write(rehearsal, folder);
+                    return "";
+                },
+                done,
+                done);
     }
 
     private void write(Rehearsal rehearsal, Path folder) {

@@ -39,7 +39,7 @@ public final class EntrySelection {
             return;
         }
         if (door.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent()) {
-            session.showMessage(Session.Message.Kind.NOTE, "Take the needle out first.");
+            session.note("Take the needle out first.");
             return;
         }
         entry = Optional.of(onSkinRest);
@@ -59,7 +59,7 @@ public final class EntrySelection {
                     advice = Optional.of(PathAdvice.of(found));
                     door.fireState();
                 },
-                sentence -> session.showMessage(Session.Message.Kind.REFUSED, sentence));
+                session::refuse);
     }
 
     /** The best entry of the map, over the breath or at its end. */
@@ -72,8 +72,7 @@ public final class EntrySelection {
             if (best.isPresent()) {
                 select(study.map().pointAtRest(best.get()));
             } else {
-                session.showMessage(
-                        Session.Message.Kind.NOTE, "From nowhere on the skin is the way to this target free.");
+                session.note("From nowhere on the skin is the way to this target free.");
             }
         }
     }

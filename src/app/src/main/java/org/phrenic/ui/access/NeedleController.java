@@ -53,7 +53,7 @@ public final class NeedleController {
     /** Moves the needle's tip to a depth; one that is not in the body is set on the skin first. */
     public void moveTo(double depthMm) {
         if (door.usableNeedle().isPresent() && door.entrySelection().entry().isEmpty()) {
-            session.showMessage(Session.Message.Kind.NOTE, "Choose an entry first (E), or take the best path (B).");
+            session.note("Choose an entry first (E), or take the best path (B).");
         } else if (canMove()) {
             commandedDepthMm =
                     Math.max(0, Math.min(door.plan().orElseThrow().needle().lengthMm(), depthMm));

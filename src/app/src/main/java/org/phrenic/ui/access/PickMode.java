@@ -31,8 +31,7 @@ public final class PickMode {
         mode = what == mode || door.stage() != RehearsalStage.READY ? Kind.NONE : what;
         if (mode == Kind.TARGET && door.exercise().isPresent()) {
             mode = Kind.NONE;
-            session.showMessage(
-                    Session.Message.Kind.NOTE, "The exercise sets the target; choose Practice for one of your own.");
+            session.note("The exercise sets the target; choose Practice for one of your own.");
         }
         view.setCursor(Cursor.getPredefinedCursor(mode == Kind.NONE ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
         door.fireState();
@@ -47,8 +46,7 @@ public final class PickMode {
         Kind what = mode;
         toggle(Kind.NONE);
         if (pick.isEmpty()) {
-            session.showMessage(
-                    Session.Message.Kind.NOTE,
+            session.note(
                     what == Kind.ENTRY ? "Click on the skin for the entry." : "Click on the liver for the target.");
         } else if (what == Kind.ENTRY) {
             door.entrySelection().select(pick.get().restPosition());

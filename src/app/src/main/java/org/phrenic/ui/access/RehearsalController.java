@@ -275,7 +275,7 @@ public final class RehearsalController implements Session.Listener {
     private final class AttemptListener implements AttemptRunner.Listener {
         @Override
         public void onRefused(String sentence) {
-            session.showMessage(Session.Message.Kind.REFUSED, sentence);
+            session.refuse(sentence);
         }
 
         @Override

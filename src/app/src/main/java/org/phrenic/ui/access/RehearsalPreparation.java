@@ -156,7 +156,7 @@ final class RehearsalPreparation {
         } else if (stage == RehearsalStage.MAPPING) {
             listener.onReady();
         }
-        session.showMessage(Session.Message.Kind.REFUSED, sentence);
+        session.refuse(sentence);
         listener.onChange();
     }
 

@@ -206,9 +206,9 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private void save(Path file, Consumer<Path> save) {
         try {
             save.accept(file);
-            session.showMessage(Session.Message.Kind.NOTE, "Saved " + file + ".");
+            session.note("Saved " + file + ".");
         } catch (RuntimeException failure) {
-            session.showMessage(Session.Message.Kind.REFUSED, failure.getMessage());
+            session.refuse(failure.getMessage());
         }
     }
 

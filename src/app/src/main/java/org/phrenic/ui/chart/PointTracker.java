@@ -45,7 +45,7 @@ final class PointTracker {
         Surface picked = scene.surfaces().get(surface);
         PlotCurve curve = PlotCurve.ofPoint(slot);
         tracks[slot] = new Track(curve, surface, vertex, new double[] {heightMm(picked, surface, vertex)});
-        session.showMessage(Session.Message.Kind.NOTE, curve.label() + " of the plot follows " + picked.name() + ".");
+        session.note(curve.label() + " of the plot follows " + picked.name() + ".");
         return Optional.of(curve);
     }
 

@@ -29,6 +29,7 @@ import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.chart.PhaseBar;
 import org.phrenic.ui.chart.PhaseColours;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.FileDialogs;
@@ -152,15 +153,13 @@ public final class BreathDock extends JPanel implements Session.Listener {
                 list.add(ScenarioValues.assignment(parameter, ScenarioValues.defaultOf(next, parameter)));
             }
         }
-        String change = ScenarioValues.changeName(
-                "Breathing", ChoiceRow.displayName(scenario.preset()), ChoiceRow.displayName(name));
-        session.edits().endMerging();
+        EditName change =
+                new EditName("Breathing", ChoiceRow.displayName(scenario.preset()), ChoiceRow.displayName(name));
         if (scenario.trace().isPresent()) {
             session.open(change, ScenarioValues.withoutTrace(scenario).with(list));
         } else {
-            session.change(change, list.toArray(Assignment[]::new));
+            session.changeSeparately(change, list);
         }
-        session.edits().endMerging();
     }
 
     /** Breathes by a recording; one that is none is refused in one sentence. */
@@ -171,7 +170,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
                     "Breath recorded in " + file.getFileName(),
                     new Assignment("window", "trace", file.toAbsolutePath().toString()));
         } catch (IOException e) {
-            session.showMessage(Session.Message.Kind.REFUSED, e.getMessage());
+            session.refuse(e.getMessage());
         }
     }
 

@@ -25,7 +25,7 @@ import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.ui.session.FileReadWorker;
+import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.FileDialogs;
@@ -188,22 +188,20 @@ public final class DisplayDock extends ScrollablePanel {
     private void readReference(Path file) {
         String before = reference.getText();
         reference.setText("Reading " + file.getFileName());
-        new FileReadWorker<>(
-                        file,
-                        () -> new DistanceField(MeshFiles.read(file)),
-                        surface -> {
-                            reference.setText(file.getFileName() + "...");
-                            appearance.setReference(surface);
-                            applyColours();
-                        },
-                        sentence -> {
-                            reference.setText(before);
-                            if (appearance.reference().isEmpty()) {
-                                field.setSelectedIndex(0);
-                            }
-                            session.showMessage(Session.Message.Kind.REFUSED, sentence);
-                        })
-                .execute();
+        BackgroundWorker.execute(
+                () -> new DistanceField(MeshFiles.read(file)),
+                surface -> {
+                    reference.setText(file.getFileName() + "...");
+                    appearance.setReference(surface);
+                    applyColours();
+                },
+                sentence -> {
+                    reference.setText(before);
+                    if (appearance.reference().isEmpty()) {
+                        field.setSelectedIndex(0);
+                    }
+                    session.refuse(sentence);
+                });
     }
 
     private void applyColours() {

@@ -13,7 +13,7 @@ import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.live.LiveScene;
-import org.phrenic.ui.session.ScenarioValues;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.ScrollablePanel;
 
@@ -61,16 +61,12 @@ public final class ForcesDock extends JPanel implements Session.Listener {
     }
 
     private void change(Choice choice, String from, String to) {
-        String name = choice.isSwitch()
-                ? choice.label() + (Boolean.parseBoolean(to) ? " on" : " off")
-                : ScenarioValues.changeName(choice.label(), from, to);
-        session.edits().endMerging();
-        session.change(name, new Assignment("window", choice.key(), to));
-        session.edits().endMerging();
+        EditName name = choice.isSwitch()
+                ? EditName.of(choice.label() + (Boolean.parseBoolean(to) ? " on" : " off"))
+                : new EditName(choice.label(), from, to);
+        session.changeSeparately(name, List.of(new Assignment("window", choice.key(), to)));
         if (!Simulation.isLive(choice.key())) {
-            session.showMessage(
-                    Session.Message.Kind.NOTE,
-                    name + ": the scene starts anew; the present one goes on until it is there.");
+            session.note(name.text() + ": the scene starts anew; the present one goes on until it is there.");
         }
     }
 

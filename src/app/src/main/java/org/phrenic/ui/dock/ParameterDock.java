@@ -27,6 +27,7 @@ import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
@@ -77,7 +78,7 @@ public final class ParameterDock extends JPanel implements Session.Listener {
                 Choice.MATERIAL.options(),
                 s -> true,
                 (from, to) -> session.open(
-                        ScenarioValues.changeName(Choice.MATERIAL.label(), from, to),
+                        new EditName(Choice.MATERIAL.label(), from, to),
                         ScenarioValues.ofMaterial(
                                 session.scenario(), TissueMaterial.valueOf(to.toUpperCase(Locale.ROOT))))));
         model.addRow(choice(Choice.ANATOMY, Choice.ANATOMY.options()));
@@ -101,8 +102,7 @@ public final class ParameterDock extends JPanel implements Session.Listener {
                 options,
                 s -> true,
                 (from, to) -> session.change(
-                        ScenarioValues.changeName(
-                                choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
+                        new EditName(choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
                         new Assignment("window", choice.key(), to)));
     }
 
@@ -168,11 +168,9 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         if (scenario.integrator() != integrator) {
             list.add(new Assignment("window", Choice.INTEGRATOR.key(), integrator.label()));
         }
-        session.edits().endMerging();
         if (!list.isEmpty()) {
-            session.change("Reset of all parameters", list.toArray(Assignment[]::new));
+            session.changeSeparately(EditName.of("Reset of all parameters"), list);
         }
-        session.edits().endMerging();
     }
 
     private void refresh() {

@@ -16,8 +16,8 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
@@ -98,7 +98,7 @@ public final class SettingsDock extends JPanel {
                     store.save(name, session.scenario());
                     refresh();
                     list.setSelectedValue(name.strip(), true);
-                    session.showMessage(Session.Message.Kind.NOTE, "Settings '" + name.strip() + "' are stored.");
+                    session.note("Settings '" + name.strip() + "' are stored.");
                 }));
     }
 
@@ -131,14 +131,11 @@ public final class SettingsDock extends JPanel {
     private void apply(String name) {
         reportingErrors(() -> {
             Scenario stored = store.load(name);
-            String change = "Settings '" + name + "'";
-            session.edits().endMerging();
+            EditName change = EditName.of("Settings '" + name + "'");
             // What can change while it breathes does: the two can be seen one after the other without a pause.
             ScenarioValues.liveDifference(session.scenario(), stored)
                     .ifPresentOrElse(
-                            list -> session.change(change, list.toArray(Assignment[]::new)),
-                            () -> session.open(change, stored));
-            session.edits().endMerging();
+                            list -> session.changeSeparately(change, list), () -> session.open(change, stored));
         });
     }
 
@@ -146,7 +143,7 @@ public final class SettingsDock extends JPanel {
         try {
             what.run();
         } catch (RuntimeException failure) {
-            session.showMessage(Session.Message.Kind.REFUSED, failure.getMessage());
+            session.refuse(failure.getMessage());
         }
     }
 

@@ -15,6 +15,7 @@ import org.phrenic.parameter.TissueMaterial;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
@@ -180,7 +181,7 @@ final class SliderRow extends SettingRow {
 
     private void send() {
         if (value != sent) {
-            String change = ScenarioValues.changeName(name, sent, value, unit);
+            EditName change = EditName.of(name, sent, value, unit);
             sent = value;
             session.change(change, new Assignment("window", key, ScenarioValues.plain(value)));
         }

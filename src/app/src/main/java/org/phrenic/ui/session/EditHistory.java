@@ -1,162 +1,136 @@
 package org.phrenic.ui.session;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Scenario;
+import javax.swing.undo.AbstractUndoableEdit;
+import javax.swing.undo.UndoManager;
+import javax.swing.undo.UndoableEdit;
 
 /**
- * What was changed, by name, so that it can be undone and done again. Changes of the same keys that follow one another
- * quickly, as from a slider that is dragged, count as one.
+ * The changes made by hand, to undo and redo: a {@link UndoManager} whose listeners are told of every change. Changes
+ * of the same keys that follow one another within {@link #COALESCE_NS}, as from a dragged slider, merge into one.
  */
 public final class EditHistory {
-    /** One way to get to other settings. */
-    sealed interface Step {
-        /** Values for some keys. */
-        record Set(List<Assignment> assignments) implements Step {
-            public Set {
-                assignments = List.copyOf(assignments);
-            }
-
-            List<String> keys() {
-                return assignments.stream().map(Assignment::key).sorted().toList();
-            }
-        }
-
-        /** A whole scenario. */
-        record Load(Scenario scenario) implements Step {}
-    }
-
-    private record Edit(String name, Step undo, Step redo) {}
-
-    /** Changes of the same keys within this time are one. */
+    /** Changes of the same keys within this time merge. */
     static final long COALESCE_NS = 700_000_000L;
 
     /** Changes that can be undone. */
     static final int MAX_EDITS = 200;
 
-    private final Deque<Edit> undoable = new ArrayDeque<>();
-    private final Deque<Edit> redoable = new ArrayDeque<>();
+    private final UndoManager edits = new UndoManager();
     private final List<Runnable> listeners = new ArrayList<>();
-    private final Consumer<Step> applyStep;
     private final LongSupplier clockNs;
-    private long lastEditNs;
     private boolean mergeable;
 
-    /**
-     * @param apply carries out a step back or forth
-     * @param clockNs a clock such as {@link System#nanoTime}
-     */
-    EditHistory(Consumer<Step> apply, LongSupplier clockNs) {
-        this.applyStep = apply;
+    /** @param clockNs a clock such as {@link System#nanoTime} */
+    EditHistory(LongSupplier clockNs) {
         this.clockNs = clockNs;
+        edits.setLimit(MAX_EDITS);
     }
 
-    EditHistory(Consumer<Step> apply) {
-        this(apply, System::nanoTime);
-    }
-
-    /** Told after every change of what can be undone or done again. */
+    /** {@code listener} runs after every change of what can be undone or redone. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }
 
     /**
-     * Remembers a change that was made.
+     * Adds a change that has been made.
      *
-     * @param name what was changed, such as {@code Muscle stiffness 300 -> 450 N/m}
-     * @param back what leads back, {@link #inverse(Scenario, List)} for assignments
-     * @param forth what was done
+     * @param keys that it sets, in any order; changes without keys never merge
+     * @param undo restores what was before
+     * @param redo makes the change again
      */
-    void add(String name, Step back, Step forth) {
-        long now = clockNs.getAsLong();
-        Edit last = undoable.peek();
-        if (mergeable && last != null && now - lastEditNs < COALESCE_NS && canMerge(last, forth)) {
-            undoable.pop();
-            undoable.push(new Edit(mergedName(last.name, name), last.undo, forth));
-        } else {
-            undoable.push(new Edit(name, back, forth));
-            if (undoable.size() > MAX_EDITS) {
-                undoable.removeLast();
-            }
-        }
-        redoable.clear();
-        lastEditNs = now;
+    void add(EditName name, List<String> keys, Runnable undo, Runnable redo) {
+        edits.addEdit(new ScenarioEdit(name, keys.stream().sorted().toList(), undo, redo));
         mergeable = true;
         fireChange();
     }
 
-    private static boolean canMerge(Edit last, Step forth) {
-        return last.redo instanceof Step.Set before
-                && forth instanceof Step.Set after
-                && before.keys().equals(after.keys());
-    }
-
-    /** {@code Depth 1 -> 1.2} and {@code Depth 1.2 -> 1.4} are together {@code Depth 1 -> 1.4}. */
-    private static String mergedName(String first, String second) {
-        int from = first.indexOf(" -> ");
-        int to = second.indexOf(" -> ");
-        return from < 0 || to < 0 ? second : first.substring(0, from) + second.substring(to);
-    }
-
-    /** What comes next is a change of its own, however soon: a slider was let go. */
+    /** The next change does not merge with the last one, however soon it follows. */
     public void endMerging() {
         mergeable = false;
     }
 
-    /** Takes back the last change; nothing if there is none. */
+    /** Undoes the last change; does nothing if there is none. */
     public void undo() {
-        moveEdit(undoable, redoable, true);
-    }
-
-    /** Does again what was taken back last; nothing if there is none. */
-    public void redo() {
-        moveEdit(redoable, undoable, false);
-    }
-
-    private void moveEdit(Deque<Edit> from, Deque<Edit> to, boolean back) {
-        Edit edit = from.poll();
-        if (edit == null) {
-            return;
+        if (edits.canUndo()) {
+            mergeable = false;
+            edits.undo();
+            fireChange();
         }
-        mergeable = false;
-        to.push(edit);
-        applyStep.accept(back ? edit.undo : edit.redo);
-        fireChange();
     }
 
-    /** Text of the menu: {@code Undo Muscle stiffness 300 -> 450 N/m}; empty if nothing can be undone. */
+    /** Redoes the change undone last; does nothing if there is none. */
+    public void redo() {
+        if (edits.canRedo()) {
+            mergeable = false;
+            edits.redo();
+            fireChange();
+        }
+    }
+
+    /** Text of the menu item: {@code Undo Muscle stiffness 300 -> 450 N/m}; empty if nothing can be undone. */
     public Optional<String> undoPresentationName() {
-        return Optional.ofNullable(undoable.peek()).map(edit -> "Undo " + edit.name);
+        return edits.canUndo() ? Optional.of(edits.getUndoPresentationName()) : Optional.empty();
     }
 
-    /** Text of the menu: {@code Redo Muscle stiffness 300 -> 450 N/m}; empty if nothing can be done again. */
+    /** Text of the menu item: {@code Redo Muscle stiffness 300 -> 450 N/m}; empty if nothing can be redone. */
     public Optional<String> redoPresentationName() {
-        return Optional.ofNullable(redoable.peek()).map(edit -> "Redo " + edit.name);
+        return edits.canRedo() ? Optional.of(edits.getRedoPresentationName()) : Optional.empty();
     }
 
     private void fireChange() {
         listeners.forEach(Runnable::run);
     }
 
-    /**
-     * What leads back to {@code now} after {@code assignments}: the values of the same keys, or the whole scenario if
-     * it has no value for one of them.
-     */
-    static Step inverse(Scenario now, List<Assignment> assignments) {
-        List<Assignment> before = new ArrayList<>();
-        for (Assignment assignment : assignments) {
-            Optional<String> value = ScenarioValues.text(now, assignment.key());
-            if (value.isEmpty()) {
-                return new Step.Load(now);
-            }
-            before.add(new Assignment("undo", assignment.key(), value.get()));
+    private final class ScenarioEdit extends AbstractUndoableEdit {
+        private final transient List<String> keys;
+        private final transient Runnable undo;
+        private transient EditName name;
+        private transient Runnable redo;
+        private long timeNs = clockNs.getAsLong();
+
+        ScenarioEdit(EditName name, List<String> keys, Runnable undo, Runnable redo) {
+            this.name = name;
+            this.keys = keys;
+            this.undo = undo;
+            this.redo = redo;
         }
-        return new Step.Set(before);
+
+        @Override
+        public boolean addEdit(UndoableEdit next) {
+            ScenarioEdit later = (ScenarioEdit) next;
+            if (!mergeable || keys.isEmpty() || !keys.equals(later.keys) || later.timeNs - timeNs >= COALESCE_NS) {
+                return false;
+            }
+            name = name.mergedWith(later.name);
+            redo = later.redo;
+            timeNs = later.timeNs;
+            return true;
+        }
+
+        @Override
+        public void undo() {
+            super.undo();
+            undo.run();
+        }
+
+        @Override
+        public void redo() {
+            super.redo();
+            redo.run();
+        }
+
+        @Override
+        public String getUndoPresentationName() {
+            return "Undo " + name.text();
+        }
+
+        @Override
+        public String getRedoPresentationName() {
+            return "Redo " + name.text();
+        }
     }
 }

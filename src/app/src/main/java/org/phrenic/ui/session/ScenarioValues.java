@@ -128,14 +128,17 @@ public final class ScenarioValues {
         return new Assignment("window", parameter.key(), plain(value));
     }
 
-    /** {@code Muscle stiffness 300 -> 450 N/m}. */
-    public static String changeName(String label, double from, double to, String unit) {
-        return label + " " + NumberFormats.format(from) + " -> " + NumberFormats.withUnit(to, unit);
-    }
-
-    /** {@code Resolution medium -> low}. */
-    public static String changeName(String label, String from, String to) {
-        return label + " " + from + " -> " + to;
+    /** Values of a scenario for the keys of some assignments; empty if it has no value for one of them. */
+    static Optional<List<Assignment>> valuesOf(Scenario scenario, List<Assignment> assignments) {
+        List<Assignment> values = new ArrayList<>();
+        for (Assignment assignment : assignments) {
+            Optional<String> value = text(scenario, assignment.key());
+            if (value.isEmpty()) {
+                return Optional.empty();
+            }
+            values.add(new Assignment("undo", assignment.key(), value.get()));
+        }
+        return Optional.of(values);
     }
 
     /** As many digits as it takes, without a fraction where there is none: 300, 0.64. */

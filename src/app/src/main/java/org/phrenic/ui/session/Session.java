@@ -63,7 +63,7 @@ public final class Session implements AutoCloseable {
     private static final int TICK_MS = 50;
 
     private final List<Listener> listeners = new CopyOnWriteArrayList<>();
-    private final EditHistory edits = new EditHistory(this::applyStep);
+    private final EditHistory edits = new EditHistory(System::nanoTime);
     private final LiveRun live;
     private final Timer tickTimer;
     private LiveScene scene;
@@ -114,29 +114,55 @@ public final class Session implements AutoCloseable {
         return scene == null ? requested : live.scenario();
     }
 
+    /** As {@link #change(EditName, Assignment...)}, named by one label. */
+    public void change(String label, Assignment... assignments) {
+        change(EditName.of(label), assignments);
+    }
+
     /**
-     * Changes values by hand. What is wrong with them is said in a message, and then nothing changes.
-     *
-     * @param name of the change for people, as in "Undo Damping 12"
+     * Changes values by hand; quick changes of the same keys are undone together. Wrong values are reported and change
+     * nothing.
      */
-    public void change(String name, Assignment... assignments) {
+    public void change(EditName name, Assignment... assignments) {
         List<Assignment> list = Arrays.asList(assignments);
         Scenario before = scenario();
         try {
-            Scenario after = before.with(list);
-            live.change(list);
-            requested = after;
-            edits.add(name, EditHistory.inverse(before, list), new EditHistory.Step.Set(list));
+            setValues(list);
         } catch (IllegalArgumentException e) {
             reportRefusal(e.getMessage());
+            return;
         }
+        Optional<List<Assignment>> inverse = ScenarioValues.valuesOf(before, list);
+        edits.add(
+                name,
+                list.stream().map(Assignment::key).toList(),
+                () -> inverse.ifPresentOrElse(this::setValues, () -> loadScenario(before)),
+                () -> setValues(list));
     }
 
-    /** Puts a whole scenario in the place of the present one. */
-    public void open(String name, Scenario scenario) {
+    /** As {@link #change(EditName, Assignment...)}, undone on its own however soon it follows another change. */
+    public void changeSeparately(EditName name, List<Assignment> assignments) {
+        edits.endMerging();
+        change(name, assignments.toArray(Assignment[]::new));
+        edits.endMerging();
+    }
+
+    /** Replaces the scenario. */
+    public void open(String label, Scenario scenario) {
+        open(EditName.of(label), scenario);
+    }
+
+    /** Replaces the scenario. */
+    public void open(EditName name, Scenario scenario) {
         Scenario before = scenario();
         loadScenario(scenario);
-        edits.add(name, new EditHistory.Step.Load(before), new EditHistory.Step.Load(scenario));
+        edits.add(name, List.of(), () -> loadScenario(before), () -> loadScenario(scenario));
+    }
+
+    private void setValues(List<Assignment> assignments) {
+        Scenario next = scenario().with(assignments);
+        live.change(assignments);
+        requested = next;
     }
 
     private void loadScenario(Scenario scenario) {
@@ -144,25 +170,13 @@ public final class Session implements AutoCloseable {
         live.load(scenario);
     }
 
-    /** Goes one step back or forth in the history of edits. */
-    private void applyStep(EditHistory.Step step) {
-        if (step instanceof EditHistory.Step.Set values) {
-            requested = scenario().with(values.assignments());
-            live.change(values.assignments());
-        } else if (step instanceof EditHistory.Step.Load whole) {
-            loadScenario(whole.scenario());
-        }
-    }
-
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
     public void openFile(Path file) {
         Scenario present = scenario();
-        new FileReadWorker<>(
-                        file,
-                        () -> FileOpener.readScenario(file, present),
-                        scenario -> open("Open " + file.getFileName(), scenario),
-                        this::reportRefusal)
-                .execute();
+        BackgroundWorker.execute(
+                () -> FileOpener.readScenario(file, present),
+                scenario -> open("Open " + file.getFileName(), scenario),
+                this::reportRefusal);
     }
 
     /** Shows frame {@code index} of the history and stands still meanwhile. */
@@ -215,13 +229,23 @@ public final class Session implements AutoCloseable {
         fire(Listener::onChange);
     }
 
-    /** Tells the user one sentence. */
-    public void showMessage(Message.Kind kind, String text) {
-        fire(l -> l.onMessage(new Message(kind, text)));
+    /** Shows a sentence that is worth knowing. */
+    public void note(String sentence) {
+        showMessage(Message.Kind.NOTE, sentence);
     }
 
-    private void reportRefusal(String sentence) {
+    /** Shows a sentence on why something is not done. */
+    public void refuse(String sentence) {
         showMessage(Message.Kind.REFUSED, sentence);
+    }
+
+    private void showMessage(Message.Kind kind, String sentence) {
+        fire(l -> l.onMessage(new Message(kind, sentence)));
+    }
+
+    /** Controls that show a value which is not taken go back to the scenario's. */
+    private void reportRefusal(String sentence) {
+        refuse(sentence);
         fire(Listener::onChange);
     }
 

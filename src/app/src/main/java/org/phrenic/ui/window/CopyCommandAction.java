@@ -7,7 +7,7 @@ import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
-import javax.swing.SwingWorker;
+import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
 /**
@@ -33,30 +33,25 @@ public final class CopyCommandAction extends AbstractAction {
 
     @Override
     public void actionPerformed(ActionEvent e) {
-        copy(line -> session.showMessage(Session.Message.Kind.NOTE, "Copied: " + line));
+        copy(line -> session.note("Copied: " + line));
     }
 
     /** Copies, then tells {@code done} the line on the event thread. */
     void copy(Consumer<String> done) {
-        new SwingWorker<String, Void>() {
-            @Override
-            protected String doInBackground() {
-                return session.live().command();
-            }
+        BackgroundWorker.execute(
+                () -> session.live().command(),
+                line -> {
+                    try {
+                        clipboard.get().setContents(new StringSelection(line), null);
+                        done.accept(line);
+                    } catch (IllegalStateException busy) {
+                        refuse(busy.getMessage());
+                    }
+                },
+                this::refuse);
+    }
 
-            @Override
-            protected void done() {
-                try {
-                    String line = get();
-                    clipboard.get().setContents(new StringSelection(line), null);
-                    done.accept(line);
-                } catch (InterruptedException interrupted) {
-                    Thread.currentThread().interrupt();
-                } catch (java.util.concurrent.ExecutionException | IllegalStateException failure) {
-                    session.showMessage(
-                            Session.Message.Kind.REFUSED, "The clipboard took no text: " + failure.getMessage());
-                }
-            }
-        }.execute();
+    private void refuse(String reason) {
+        session.refuse("The clipboard took no text: " + reason);
     }
 }

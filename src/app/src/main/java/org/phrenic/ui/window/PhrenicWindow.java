@@ -126,9 +126,7 @@ public final class PhrenicWindow {
         frame.getContentPane().add(toolBar, BorderLayout.NORTH);
         frame.getContentPane().add(layout, BorderLayout.CENTER);
         frame.getContentPane().add(statusBar, BorderLayout.SOUTH);
-        frame.getRootPane()
-                .setTransferHandler(new FileDropHandler(
-                        files::open, text -> session.showMessage(Session.Message.Kind.REFUSED, text)));
+        frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, text -> session.refuse(text)));
         NumericKeypad.bind(frame.getRootPane(), commands.views);
         frame.setIconImages(AppIcon.images());
         frame.setMinimumSize(new Dimension(760, 520));
@@ -281,7 +279,7 @@ public final class PhrenicWindow {
             if (!now.stabilityMessage().equals(limitSentence)) {
                 limitSentence = now.stabilityMessage();
                 if (!limitSentence.isEmpty()) {
-                    session.showMessage(Session.Message.Kind.NOTE, ParameterDock.limitInWords(now));
+                    session.note(ParameterDock.limitInWords(now));
                 }
             }
         }

@@ -48,13 +48,9 @@ final class WindowActions implements MenuActions.Handler {
         Optional<org.phrenic.scene.camera.PickResult> pick = window.view().picked();
         if (pick.isPresent()) {
             window.docks().plots().trackPoint(pick.get().index(), pick.get().vertex());
-            window.session()
-                    .showMessage(
-                            Session.Message.Kind.NOTE,
-                            "Plotting a point of " + pick.get().displayName() + ".");
+            window.session().note("Plotting a point of " + pick.get().displayName() + ".");
         } else {
-            window.session()
-                    .showMessage(Session.Message.Kind.NOTE, "Click on a structure first, then plot that point.");
+            window.session().note("Click on a structure first, then plot that point.");
         }
     }
 

@@ -4,18 +4,17 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
-import javax.swing.SwingWorker;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
+import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.FileOpener;
-import org.phrenic.ui.session.FileReadWorker;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.view.SceneViewport;
@@ -48,12 +47,10 @@ public final class WindowFiles {
     /** Opens a file or folder; what is no scenario, plan of a needle, thorax or trace is refused in a sentence. */
     public void open(Path file) {
         preferences.addRecent(file);
-        new FileReadWorker<>(
-                        file,
-                        () -> FileOpener.readPlan(file),
-                        plan -> plan.ifPresentOrElse(planListener, () -> session.openFile(file)),
-                        sentence -> session.showMessage(Session.Message.Kind.REFUSED, sentence))
-                .execute();
+        BackgroundWorker.execute(
+                () -> FileOpener.readPlan(file),
+                plan -> plan.ifPresentOrElse(planListener, () -> session.openFile(file)),
+                session::refuse);
     }
 
     /** Asks for a file or folder and opens it. */
@@ -85,7 +82,7 @@ public final class WindowFiles {
     /** Saves the view, larger than on the screen. */
     void savePicture() {
         if (view.isUnavailable() || view.frame().isEmpty()) {
-            session.showMessage(Session.Message.Kind.REFUSED, "There is no picture to save.");
+            session.refuse("There is no picture to save.");
             return;
         }
         Optional<Path> chosen = FileDialogs.save(frame, "Save picture", "phrenic.png");
@@ -100,25 +97,7 @@ public final class WindowFiles {
     }
 
     private void saveInBackground(Path file, Runnable what) {
-        new SwingWorker<Void, Void>() {
-            @Override
-            protected Void doInBackground() {
-                what.run();
-                return null;
-            }
-
-            @Override
-            protected void done() {
-                try {
-                    get();
-                    session.showMessage(Session.Message.Kind.NOTE, "Saved " + file + ".");
-                } catch (ExecutionException e) {
-                    session.showMessage(
-                            Session.Message.Kind.REFUSED, e.getCause().getMessage());
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        }.execute();
+        BackgroundWorker.execute(
+                Executors.callable(what), done -> session.note("Saved " + file + "."), session::refuse);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.phrenic.parameter.Parameter;
@@ -15,21 +16,18 @@ class EditHistoryTest {
 
     private final AtomicLong clock = new AtomicLong(1);
     private Scenario scenario = Scenario.defaults();
-    private final EditHistory history = new EditHistory(this::apply, clock::get);
+    private final EditHistory history = new EditHistory(clock::get);
 
-    private void apply(EditHistory.Step step) {
-        if (step instanceof EditHistory.Step.Set set) {
-            scenario = scenario.with(set.assignments());
-        } else if (step instanceof EditHistory.Step.Load load) {
-            scenario = load.scenario();
-        }
-    }
-
-    private void change(String name, String... texts) {
+    private void change(EditName name, String... texts) {
         List<Assignment> list = Arrays.stream(texts).map(Assignment::parse).toList();
-        EditHistory.Step back = EditHistory.inverse(scenario, list);
-        apply(new EditHistory.Step.Set(list));
-        history.add(name, back, new EditHistory.Step.Set(list));
+        Scenario before = scenario;
+        Optional<List<Assignment>> inverse = ScenarioValues.valuesOf(before, list);
+        scenario = before.with(list);
+        history.add(
+                name,
+                list.stream().map(Assignment::key).toList(),
+                () -> scenario = inverse.map(values -> scenario.with(values)).orElse(before),
+                () -> scenario = scenario.with(list));
     }
 
     private void pass(long ns) {
@@ -38,7 +36,7 @@ class EditHistoryTest {
 
     @Test
     void undoNamesTheChangeAndRestoresTheValue() {
-        change("Muscle stiffness 300 -> 450 N/m", "muscle_stiffness_n_per_m=450");
+        change(new EditName("Muscle stiffness", "300", "450 N/m"), "muscle_stiffness_n_per_m=450");
         assertThat(history.undoPresentationName()).hasValue("Undo Muscle stiffness 300 -> 450 N/m");
         history.undo();
         assertThat(scenario).isEqualTo(Scenario.defaults());
@@ -50,9 +48,9 @@ class EditHistoryTest {
 
     @Test
     void aDraggedSliderIsOneChange() {
-        change("Depth 1 -> 1.1", "depth=1.1");
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
         pass(EditHistory.COALESCE_NS / 2);
-        change("Depth 1.1 -> 1.4", "depth=1.4");
+        change(new EditName("Depth", "1.1", "1.4"), "depth=1.4");
         assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.4");
         history.undo();
         assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(1);
@@ -62,12 +60,12 @@ class EditHistoryTest {
 
     @Test
     void changesOfOtherKeysOrAfterAWhileOrAfterTheSliderWasLetGoAreTheirOwn() {
-        change("Depth 1 -> 1.1", "depth=1.1");
-        change("Rib rotation 1 -> 1.2", "rib_rotation=1.2");
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
+        change(new EditName("Rib rotation", "1", "1.2"), "rib_rotation=1.2");
         pass(LONG_NS);
-        change("Rib rotation 1.2 -> 1.3", "rib_rotation=1.3");
+        change(new EditName("Rib rotation", "1.2", "1.3"), "rib_rotation=1.3");
         history.endMerging();
-        change("Rib rotation 1.3 -> 1.4", "rib_rotation=1.4");
+        change(new EditName("Rib rotation", "1.3", "1.4"), "rib_rotation=1.4");
         history.undo();
         history.undo();
         history.undo();
@@ -77,26 +75,26 @@ class EditHistoryTest {
 
     @Test
     void aValueThatThePresetGaveComesBackThoughTheScenarioDidNotStateIt() {
-        change("Rate 15 -> 22 1/min", "rate_per_min=22");
+        change(new EditName("Rate", "15", "22 1/min"), "rate_per_min=22");
         history.undo();
         assertThat(scenario.value(Parameter.RATE)).isEqualTo(15);
     }
 
     @Test
     void whatHadNoValueBringsTheWholeScenarioBack() {
-        change("Duration 3 s", "duration_s=3");
+        change(EditName.of("Duration 3 s"), "duration_s=3");
         history.undo();
         assertThat(scenario.durationS()).isNaN();
     }
 
     @Test
     void aStructuralChangeAndALoadedScenarioAreUndoneToo() {
-        change("Resolution medium -> low", "resolution=low");
+        change(new EditName("Resolution", "medium", "low"), "resolution=low");
         pass(LONG_NS);
         Scenario deep = scenario.with("preset=deep");
-        EditHistory.Step back = new EditHistory.Step.Load(scenario);
-        apply(new EditHistory.Step.Load(deep));
-        history.add("Settings 'deep'", back, new EditHistory.Step.Load(deep));
+        Scenario low = scenario;
+        scenario = deep;
+        history.add(EditName.of("Settings 'deep'"), List.of(), () -> scenario = low, () -> scenario = deep);
         assertThat(scenario).isEqualTo(deep);
         history.undo();
         history.undo();
@@ -105,9 +103,9 @@ class EditHistoryTest {
 
     @Test
     void aNewChangeForgetsWhatWasTakenBack() {
-        change("Depth 1 -> 1.1", "depth=1.1");
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
         history.undo();
-        change("Depth 1 -> 1.2", "depth=1.2");
+        change(new EditName("Depth", "1", "1.2"), "depth=1.2");
         assertThat(history.redoPresentationName()).isEmpty();
     }
 
@@ -116,7 +114,7 @@ class EditHistoryTest {
         AtomicLong told = new AtomicLong();
         history.addListener(told::incrementAndGet);
         for (int i = 0; i < EditHistory.MAX_EDITS + 50; i++) {
-            change("Depth", "depth=" + (1 + i % 2));
+            change(EditName.of("Depth"), "depth=" + (1 + i % 2));
             pass(LONG_NS);
         }
         int undone = 0;

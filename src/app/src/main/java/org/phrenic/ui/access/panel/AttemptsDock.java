@@ -127,12 +127,14 @@ public final class AttemptsDock extends JPanel implements RehearsalListener {
     private void save(Rehearsal rehearsal) {
         chooser.get().ifPresent(folder -> {
             save.setEnabled(false);
-            session.showMessage(Session.Message.Kind.NOTE, "Writing the report into " + folder + ".");
+            session.note("Writing the report into " + folder + ".");
             saver.save(rehearsal, folder, problem -> {
                 save.setEnabled(true);
-                session.showMessage(
-                        problem.isEmpty() ? Session.Message.Kind.NOTE : Session.Message.Kind.REFUSED,
-                        problem.isEmpty() ? "Saved " + folder.resolve("report.html") + "." : problem);
+                if (problem.isEmpty()) {
+                    session.note("Saved " + folder.resolve("report.html") + ".");
+                } else {
+                    session.refuse(problem);
+                }
             });
         });
     }
