@@ -4,56 +4,66 @@ import java.util.Arrays;
 import org.phrenic.engine.math.RadixSort;
 
 /**
- * The unique edges of a {@link TriangleMesh} and the triangles at each: the part of a {@link MeshTopology} that does
- * without the neighbours of vertices, for half of its time. Built in O(n log n), as flat integer arrays, which are
- * shared and must not be written to.
+ * The unique edges of a polygon mesh whose faces all have n corners, and the faces at each edge; a {@link MeshTopology}
+ * without its vertex adjacency, in half the time. Built in O(m log m) as flat integer arrays, which are shared and must
+ * not be written to.
  *
- * <p>Edges are numbered in lexicographic order of their vertex pair (a, b), a &lt; b, so the numbering depends on the
- * triangles alone, not on their order. A side of a triangle that joins a vertex to itself (a degenerate triangle) is no
- * edge.
+ * <p>Side {@code n f + i} runs from corner i of face f to its next corner. Edges are numbered in lexicographic order of
+ * their vertex pair (a, b), a &lt; b. A side that joins a vertex to itself (degenerate face) is no edge.
  */
-public final class EdgeTable {
+public class EdgeTable {
+    /** In place of an edge or a triangle that does not exist. */
     public static final int NONE = -1;
 
-    /** Vertex pairs (a, b), a &lt; b, two numbers an edge. */
-    public final int[] edges;
-    /** Two triangles an edge, {@link #NONE} where there is only one; of a non-manifold edge the first two. */
-    final int[] edgeTriangles;
-    /** How many triangles each edge has. */
-    public final int[] edgeTriangleCount;
-    /** Three edges a triangle: the i-th joins corners i and i + 1; {@link #NONE} where these are the same vertex. */
-    public final int[] triangleEdges;
+    private final int corners;
+    private final int[] edges;
+    private final int[] edgeStart;
+    private final int[] sides;
+    private final int[] edgeOfSide;
 
-    // Each loop stands in a method of its own: compilers work on whole methods, and these are run on many meshes at the
-    // start of a program.
+    /** Edges of a triangle mesh. */
     public EdgeTable(TriangleMesh mesh) {
-        int[] triangles = mesh.triangles();
-        int[] row = rowStarts(triangles, mesh.vertexCount());
-        long[] keys = keys(triangles, row);
+        this(mesh.vertexCount(), mesh.triangles(), 3);
+    }
+
+    /**
+     * Edges of a polygon mesh.
+     *
+     * @param vertexCount vertices of the mesh
+     * @param faces vertex numbers, {@code corners} for each face
+     * @param corners of every face: 3 or more
+     */
+    public EdgeTable(int vertexCount, int[] faces, int corners) {
+        this.corners = corners;
+        int[] row = rowStarts(faces, vertexCount);
+        long[] keys = keys(faces, row);
         int count = 0;
-        for (int v = 0; v + 1 < row.length; v++) {
+        for (int v = 0; v < vertexCount; v++) {
             RadixSort.sort(keys, row[v], row[v + 1]);
             count += distinct(keys, row[v], row[v + 1]);
         }
-        triangleEdges = new int[triangles.length];
-        if (keys.length < triangles.length) {
-            Arrays.fill(triangleEdges, NONE);
+        edgeOfSide = new int[faces.length];
+        if (keys.length < faces.length) {
+            Arrays.fill(edgeOfSide, NONE);
         }
         edges = new int[2 * count];
-        edgeTriangles = new int[2 * count];
-        edgeTriangleCount = new int[count];
+        edgeStart = new int[count + 1];
+        sides = new int[keys.length];
+        edgeStart[count] = keys.length;
         int next = 0;
-        for (int v = 0; v + 1 < row.length; v++) {
+        for (int v = 0; v < vertexCount; v++) {
             next = number(v, keys, row[v], row[v + 1], next);
         }
     }
 
-    /** Where the row of each smaller vertex begins; one more at the end. */
-    private static int[] rowStarts(int[] triangles, int vertexCount) {
+    // One method for each loop: the just-in-time compiler works on whole methods, and these run on many meshes at
+    // start-up.
+    /** First key of each vertex as the smaller end of an edge; the total at the end. */
+    private int[] rowStarts(int[] faces, int vertexCount) {
         int[] row = new int[vertexCount + 1];
-        for (int side = 0; side < triangles.length; side++) {
-            int a = triangles[side];
-            int b = triangles[next(side)];
+        for (int side = 0; side < faces.length; side++) {
+            int a = faces[side];
+            int b = faces[next(side, corners)];
             if (a != b) {
                 row[Math.min(a, b) + 1]++;
             }
@@ -64,13 +74,13 @@ public final class EdgeTable {
         return row;
     }
 
-    /** The sides in rows by smaller vertex, each as larger vertex and side in one number. */
-    private static long[] keys(int[] triangles, int[] row) {
+    /** The sides in rows by smaller vertex, each as (larger vertex, side) in one number. */
+    private long[] keys(int[] faces, int[] row) {
         long[] keys = new long[row[row.length - 1]];
         int[] fill = row.clone();
-        for (int side = 0; side < triangles.length; side++) {
-            int a = triangles[side];
-            int b = triangles[next(side)];
+        for (int side = 0; side < faces.length; side++) {
+            int a = faces[side];
+            int b = faces[next(side, corners)];
             if (a != b) {
                 keys[fill[Math.min(a, b)]++] = ((long) Math.max(a, b) << 32) | side;
             }
@@ -78,7 +88,7 @@ public final class EdgeTable {
         return keys;
     }
 
-    /** How many vertices the sides of one sorted row lead to. */
+    /** Number of different larger vertices in one sorted row. */
     private static int distinct(long[] keys, int from, int to) {
         int count = 0;
         for (int k = from; k < to; k++) {
@@ -93,66 +103,97 @@ public final class EdgeTable {
         int previous = NONE;
         for (int k = from; k < to; k++) {
             int other = (int) (keys[k] >>> 32);
-            int side = (int) keys[k];
             if (other != previous) {
                 edges[2 * count] = v;
                 edges[2 * count + 1] = other;
-                edgeTriangles[2 * count + 1] = NONE;
+                edgeStart[count++] = k;
                 previous = other;
-                count++;
             }
-            int edge = count - 1;
-            triangleEdges[side] = edge;
-            if (edgeTriangleCount[edge] < 2) {
-                edgeTriangles[2 * edge + edgeTriangleCount[edge]] = side / 3;
-            }
-            edgeTriangleCount[edge]++;
+            sides[k] = (int) keys[k];
+            edgeOfSide[sides[k]] = count - 1;
         }
         return count;
     }
 
-    public int count() {
-        return edgeTriangleCount.length;
+    /** Number of edges. */
+    public final int edgeCount() {
+        return edges.length / 2;
     }
 
-    /** The triangle on the other side of a manifold edge, {@link #NONE} on a boundary. */
-    public int otherTriangle(int edge, int triangle) {
-        return edgeTriangles[2 * edge] == triangle ? edgeTriangles[2 * edge + 1] : edgeTriangles[2 * edge];
+    /** Vertex pairs (a, b), a &lt; b, two numbers for each edge, in lexicographic order. */
+    public int[] edges() {
+        return edges;
     }
 
-    /** Each edge of the triangle has exactly two triangles. */
-    public boolean isInteriorTriangle(int triangle) {
-        for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-            int edge = triangleEdges[side];
-            if (edge == NONE || edgeTriangleCount[edge] != 2) {
+    /** The sides of edge e are {@code sides()[start(e)]} to {@code sides()[start(e + 1) - 1]}, ascending. */
+    public int[] sides() {
+        return sides;
+    }
+
+    /** First place of an edge in {@link #sides}; the edge number may be {@link #edgeCount}. */
+    public int start(int edge) {
+        return edgeStart[edge];
+    }
+
+    /** How many faces an edge has. */
+    public int faceCount(int edge) {
+        return edgeStart[edge + 1] - edgeStart[edge];
+    }
+
+    /** The i-th face of an edge; {@link #NONE} if it has no more than i. */
+    public int face(int edge, int i) {
+        int place = edgeStart[edge] + i;
+        return place < edgeStart[edge + 1] ? sides[place] / corners : NONE;
+    }
+
+    /** The edge of each side; {@link #NONE} for a side that joins a vertex to itself. */
+    public int[] edgeOfSide() {
+        return edgeOfSide;
+    }
+
+    /** The face on the other side of an edge of two faces; {@link #NONE} on a boundary. */
+    public int otherFace(int edge, int face) {
+        return face(edge, 0) == face ? face(edge, 1) : face(edge, 0);
+    }
+
+    /** Whether each edge of the face has exactly two faces. */
+    public boolean isInteriorFace(int face) {
+        for (int side = corners * face; side < corners * (face + 1); side++) {
+            int edge = edgeOfSide[side];
+            if (edge == NONE || faceCount(edge) != 2) {
                 return false;
             }
         }
         return true;
     }
 
-    /** Every edge has exactly two triangles, and there is one. */
+    /** Whether every edge has exactly two faces; false without edges. */
     public boolean isClosed() {
-        for (int triangles : edgeTriangleCount) {
-            if (triangles != 2) {
+        for (int e = 0; e < edgeCount(); e++) {
+            if (faceCount(e) != 2) {
                 return false;
             }
         }
-        return edgeTriangleCount.length > 0;
+        return edgeCount() > 0;
     }
 
-    /** No edge has more than two triangles. */
-    boolean isEdgeManifold() {
-        for (int triangles : edgeTriangleCount) {
-            if (triangles > 2) {
+    /** Whether no edge has more than two faces. */
+    public boolean isEdgeManifold() {
+        for (int e = 0; e < edgeCount(); e++) {
+            if (faceCount(e) > 2) {
                 return false;
             }
         }
         return true;
     }
 
-    /** The side after this one round its triangle. */
-    public static int next(int side) {
-        return side % 3 == 2 ? side - 2 : side + 1;
+    /** The side that follows in a face of so many corners. */
+    public static int next(int side, int corners) {
+        return (side + 1) % corners == 0 ? side + 1 - corners : side + 1;
+    }
+
+    /** The other end of an edge. */
+    public int otherVertex(int edge, int vertex) {
+        return edges[2 * edge] == vertex ? edges[2 * edge + 1] : edges[2 * edge];
     }
 }

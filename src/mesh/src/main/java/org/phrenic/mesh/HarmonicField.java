@@ -110,7 +110,7 @@ public final class HarmonicField {
         double[] weights = new double[topology.edgeCount()];
         double[] n = new double[3];
         for (int i = 0; i < mesh.triangleCount(); i++) {
-            addCotangents(mesh, i, topology.triangleEdges(), n, weights);
+            addCotangents(mesh, i, topology.edgeOfSide(), n, weights);
         }
         for (int e = 0; e < weights.length; e++) {
             weights[e] = Math.max(LEAST_WEIGHT, Math.min(MOST_WEIGHT, weights[e]));

@@ -1,6 +1,5 @@
 package org.phrenic.mesh;
 
-import java.util.List;
 import org.phrenic.engine.math.Triangles;
 
 /** Sizes and shape figures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
@@ -25,7 +24,7 @@ public final class MeshMeasure {
     /**
      * Signed volume, mm^3, by the divergence theorem: the sum over triangles of p0 . (p1 x p2) / 6, taken about the
      * centre of the bounding box so that a mesh far from the origin loses no digits. Positive when triangles face
-     * outward. For an open mesh see {@link #cappedVolume}.
+     * outward.
      */
     public static double signedVolume(TriangleMesh mesh) {
         double[] centre = centre(mesh);
@@ -33,50 +32,6 @@ public final class MeshMeasure {
         int[] triangles = mesh.triangles();
         for (int t = 0; t < triangles.length; t += 3) {
             sum += sixfoldVolume(mesh, triangles[t], triangles[t + 1], triangles[t + 2], centre);
-        }
-        return sum / 6;
-    }
-
-    /**
-     * Signed volume of a mesh whose boundary loops are closed by fans about the loops' centroids, mm^3. Equals
-     * {@link #signedVolume} for a closed mesh.
-     */
-    public static double cappedVolume(TriangleMesh mesh) {
-        return cappedVolume(mesh, new MeshTopology(mesh).boundaryLoops());
-    }
-
-    /**
-     * As {@link #cappedVolume(TriangleMesh)}, with loops found before (the mesh has moved, its triangles have not
-     * changed).
-     */
-    public static double cappedVolume(TriangleMesh mesh, List<int[]> boundaryLoops) {
-        double[] centre = centre(mesh);
-        double sum = 6 * signedVolume(mesh);
-        double[] p = mesh.positions();
-        for (int[] loop : boundaryLoops) {
-            double cx = 0;
-            double cy = 0;
-            double cz = 0;
-            for (int v : loop) {
-                cx += p[3 * v];
-                cy += p[3 * v + 1];
-                cz += p[3 * v + 2];
-            }
-            cx = cx / loop.length - centre[0];
-            cy = cy / loop.length - centre[1];
-            cz = cz / loop.length - centre[2];
-            for (int k = 0; k < loop.length; k++) {
-                // The loop runs with the surface's sides, so the cap's triangles run against it.
-                int a = loop[(k + 1) % loop.length];
-                int b = loop[k];
-                double ax = p[3 * a] - centre[0];
-                double ay = p[3 * a + 1] - centre[1];
-                double az = p[3 * a + 2] - centre[2];
-                double bx = p[3 * b] - centre[0];
-                double by = p[3 * b + 1] - centre[1];
-                double bz = p[3 * b + 2] - centre[2];
-                sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-            }
         }
         return sum / 6;
     }
@@ -211,8 +166,8 @@ public final class MeshMeasure {
         double[] p = mesh.positions();
         int[] triangles = mesh.triangles();
         int a = 3 * triangles[side];
-        int b = 3 * triangles[EdgeTable.next(side)];
-        int c = 3 * triangles[EdgeTable.next(EdgeTable.next(side))];
+        int b = 3 * triangles[EdgeTable.next(side, 3)];
+        int c = 3 * triangles[EdgeTable.next(EdgeTable.next(side, 3), 3)];
         double ux = p[b] - p[a];
         double uy = p[b + 1] - p[a + 1];
         double uz = p[b + 2] - p[a + 2];

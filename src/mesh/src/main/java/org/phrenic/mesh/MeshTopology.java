@@ -3,51 +3,36 @@ package org.phrenic.mesh;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.engine.math.DisjointSets;
 
 /**
- * What touches what in a {@link TriangleMesh}: unique edges, the edges and triangles at a vertex, the triangles at an
- * edge, boundary loops and connected components. The first four are built once, in O(n log n), as flat integer arrays.
+ * Adjacency of a {@link TriangleMesh}: its {@link EdgeTable} (face = triangle) and the edges and triangles at each
+ * vertex; from these boundary loops, connected components and tests for manifolds.
  *
- * <p>Edges are numbered in lexicographic order of their vertex pair (a, b), a &lt; b, so the numbering depends on the
- * triangles alone, not on their order. A side of a triangle that joins a vertex to itself (a degenerate triangle) is no
- * edge. The neighbour lists are in compressed rows: those of vertex {@code v} stand at {@code start[v]} to
- * {@code start[v + 1] - 1}, ascending. All arrays are shared and must not be written to.
+ * <p>The lists of a vertex are in compressed rows: those of vertex {@code v} are at {@code start[v]} to {@code start[v
+ * + 1] - 1}, ascending. All arrays are shared and must not be written to.
  */
-public final class MeshTopology {
-    private static final int NONE = EdgeTable.NONE;
-
+public final class MeshTopology extends EdgeTable {
     private final TriangleMesh mesh;
-    private final EdgeTable table;
-    private final int[] edges;
-    private final int[] edgeTriangles;
-    private final int[] edgeTriangleCount;
-    private final int[] triangleEdges;
     private final int[] vertexEdgeStart;
     private final int[] vertexEdges;
     private final int[] vertexTriangleStart;
     private final int[] vertexTriangles;
 
     public MeshTopology(TriangleMesh mesh) {
+        super(mesh);
         this.mesh = mesh;
-        table = new EdgeTable(mesh);
-        edges = table.edges;
-        edgeTriangles = table.edgeTriangles;
-        edgeTriangleCount = table.edgeTriangleCount;
-        triangleEdges = table.triangleEdges;
-        int vertexCount = mesh.vertexCount();
-        int[] triangles = mesh.triangles();
-
-        vertexEdgeStart = new int[vertexCount + 1];
-        vertexEdges = rows(edges, 2, vertexEdgeStart);
-        vertexTriangleStart = new int[vertexCount + 1];
-        vertexTriangles = rows(triangles, 3, vertexTriangleStart);
+        vertexEdgeStart = new int[mesh.vertexCount() + 1];
+        vertexEdges = rows(edges(), 2, vertexEdgeStart);
+        vertexTriangleStart = new int[mesh.vertexCount() + 1];
+        vertexTriangles = rows(mesh.triangles(), 3, vertexTriangleStart);
     }
 
     /** Compressed rows vertex to item, from items that name {@code width} vertices each; fills {@code start}. */
     private static int[] rows(int[] items, int width, int[] start) {
         int vertexCount = start.length - 1;
         for (int k = 0; k < items.length; k++) {
-            if (firstMention(items, width, k)) {
+            if (isFirstMention(items, width, k)) {
                 start[items[k] + 1]++;
             }
         }
@@ -57,17 +42,15 @@ public final class MeshTopology {
         int[] fill = Arrays.copyOf(start, vertexCount);
         int[] row = new int[start[vertexCount]];
         for (int k = 0; k < items.length; k++) {
-            if (firstMention(items, width, k)) {
+            if (isFirstMention(items, width, k)) {
                 row[fill[items[k]]++] = k / width;
             }
         }
         return row;
     }
 
-    /**
-     * False for the second mention of a vertex within one item: a degenerate triangle stands once in a vertex's row.
-     */
-    private static boolean firstMention(int[] items, int width, int k) {
+    /** False where an item names a vertex again: a degenerate triangle is once in a vertex's row. */
+    private static boolean isFirstMention(int[] items, int width, int k) {
         for (int j = k - k % width; j < k; j++) {
             if (items[j] == items[k]) {
                 return false;
@@ -76,163 +59,93 @@ public final class MeshTopology {
         return true;
     }
 
-    /** Whether the triangles at each vertex form a single fan, open or closed (edges are known to have at most two). */
+    /** Whether the triangles at each vertex form a single fan, open or closed, given that edges have at most two. */
     private boolean isVertexManifold() {
         for (int v = 0; v < mesh.vertexCount(); v++) {
-            int from = vertexTriangleStart[v];
-            int to = vertexTriangleStart[v + 1];
-            if (from == to) {
-                continue;
-            }
-            int edge = vertexEdges[vertexEdgeStart[v]];
-            for (int k = vertexEdgeStart[v]; k < vertexEdgeStart[v + 1]; k++) {
-                if (edgeTriangleCount[vertexEdges[k]] == 1) {
-                    edge = vertexEdges[k];
-                    break;
-                }
-            }
-            int first = edge;
-            int triangle = edgeTriangles[2 * edge];
-            int seen = 0;
-            while (triangle != NONE && seen <= to - from) {
-                seen++;
-                edge = otherEdgeAt(triangle, v, edge);
-                if (edge == NONE || edge == first) {
-                    break;
-                }
-                triangle = otherTriangle(edge, triangle);
-            }
-            if (seen != to - from) {
+            int count = vertexTriangleStart[v + 1] - vertexTriangleStart[v];
+            if (count > 0 && fanSize(v, count) != count) {
                 return false;
             }
         }
         return true;
     }
 
-    /** The edge of {@code triangle} at vertex {@code v} that is not {@code edge}; -1 in a degenerate triangle. */
+    /**
+     * Number of triangles met going round {@code v} across edges, from a boundary edge if there is one; at most one
+     * above {@code most}.
+     */
+    private int fanSize(int v, int most) {
+        int edge = vertexEdges[vertexEdgeStart[v]];
+        for (int k = vertexEdgeStart[v]; k < vertexEdgeStart[v + 1]; k++) {
+            if (faceCount(vertexEdges[k]) == 1) {
+                edge = vertexEdges[k];
+                break;
+            }
+        }
+        int first = edge;
+        int triangle = face(edge, 0);
+        int seen = 0;
+        while (triangle != NONE && seen <= most) {
+            seen++;
+            edge = otherEdgeAt(triangle, v, edge);
+            if (edge == NONE || edge == first) {
+                break;
+            }
+            triangle = otherFace(edge, triangle);
+        }
+        return seen;
+    }
+
+    /**
+     * The edge of {@code triangle} at vertex {@code v} that is not {@code edge}; {@link #NONE} in a degenerate
+     * triangle.
+     */
     private int otherEdgeAt(int triangle, int v, int edge) {
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
-            int e = triangleEdges[side];
-            if (e != NONE && e != edge && (edges[2 * e] == v || edges[2 * e + 1] == v)) {
+            int e = edgeOfSide()[side];
+            if (e != NONE && e != edge && (edges()[2 * e] == v || edges()[2 * e + 1] == v)) {
                 return e;
             }
         }
         return NONE;
     }
 
-    public TriangleMesh mesh() {
-        return mesh;
-    }
-
-    public int edgeCount() {
-        return table.count();
-    }
-
-    /** Vertex pairs (a, b), a &lt; b, two numbers an edge, in lexicographic order. */
-    public int[] edges() {
-        return edges;
-    }
-
-    /** Two triangles an edge, -1 where there is only one; of a non-manifold edge the first two. */
-    public int[] edgeTriangles() {
-        return edgeTriangles;
-    }
-
-    /** Three edges a triangle: the i-th joins corners i and i + 1; -1 where these are the same vertex. */
-    public int[] triangleEdges() {
-        return triangleEdges;
-    }
-
+    /** Row starts of {@link #vertexEdges}. */
     public int[] vertexEdgeStart() {
         return vertexEdgeStart;
     }
 
+    /** The edges at each vertex. */
     public int[] vertexEdges() {
         return vertexEdges;
     }
 
+    /** Row starts of {@link #vertexTriangles}. */
     public int[] vertexTriangleStart() {
         return vertexTriangleStart;
     }
 
+    /** The triangles at each vertex. */
     public int[] vertexTriangles() {
         return vertexTriangles;
     }
 
-    /**
-     * Component label of each vertex, numbered by the lowest vertex in it; a vertex without edges is one of its own.
-     * Worked out anew at each call.
-     */
-    public int[] componentOfVertex() {
-        int[] component = new int[mesh.vertexCount()];
-        Arrays.fill(component, NONE);
-        int[] queue = new int[component.length];
-        int labels = 0;
-        for (int seed = 0; seed < component.length; seed++) {
-            if (component[seed] != NONE) {
-                continue;
-            }
-            int head = 0;
-            int tail = 0;
-            queue[tail++] = seed;
-            component[seed] = labels;
-            while (head < tail) {
-                int v = queue[head++];
-                for (int k = vertexEdgeStart[v]; k < vertexEdgeStart[v + 1]; k++) {
-                    int other = otherVertex(vertexEdges[k], v);
-                    if (component[other] == NONE) {
-                        component[other] = labels;
-                        queue[tail++] = other;
-                    }
-                }
-            }
-            labels++;
-        }
-        return component;
-    }
-
-    /** How many labels {@link #componentOfVertex} has. Worked out anew at each call. */
+    /** Number of connected components; a vertex without edges is one. Computed at each call. */
     public int componentCount() {
-        int highest = NONE;
-        for (int label : componentOfVertex()) {
-            highest = Math.max(highest, label);
+        int[] parent = DisjointSets.singletons(mesh.vertexCount());
+        for (int k = 0; k < edges().length; k += 2) {
+            DisjointSets.unionToLower(parent, edges()[k], edges()[k + 1]);
         }
-        return highest + 1;
+        int count = 0;
+        for (int v = 0; v < parent.length; v++) {
+            count += parent[v] == v ? 1 : 0;
+        }
+        return count;
     }
 
-    public int otherVertex(int edge, int vertex) {
-        return edges[2 * edge] == vertex ? edges[2 * edge + 1] : edges[2 * edge];
-    }
-
-    /** The triangle on the other side of a manifold edge, -1 on a boundary. */
-    public int otherTriangle(int edge, int triangle) {
-        return table.otherTriangle(edge, triangle);
-    }
-
-    public boolean isBoundaryEdge(int edge) {
-        return edgeTriangleCount[edge] == 1;
-    }
-
-    /** True for an edge of three or more triangles. */
-    public boolean isNonManifoldEdge(int edge) {
-        return edgeTriangleCount[edge] > 2;
-    }
-
-    /** Whether every edge of a mesh has exactly two triangles; without working out the rest. */
-    public static boolean isClosed(TriangleMesh mesh) {
-        return new EdgeTable(mesh).isClosed();
-    }
-
-    /** Every edge has exactly two triangles. */
-    public boolean isClosed() {
-        return table.isClosed();
-    }
-
-    /**
-     * No edge has more than two triangles, and the triangles at each vertex form one fan. Worked out anew at each call.
-     */
+    /** No edge has more than two triangles, and the triangles at each vertex form one fan. Computed at each call. */
     public boolean isManifold() {
-        return table.isEdgeManifold() && isVertexManifold();
+        return isEdgeManifold() && isVertexManifold();
     }
 
     /** Vertices - edges + triangles, counting only vertices that a triangle uses: 2 for a sphere, 0 for a torus. */
@@ -254,14 +167,14 @@ public final class MeshTopology {
         int[] chain = new int[edgeCount()];
         List<int[]> loops = new ArrayList<>();
         for (int side = 0; side < triangles.length; side++) {
-            int first = triangleEdges[side];
-            if (first == NONE || edgeTriangleCount[first] != 1 || done[first]) {
+            int first = edgeOfSide()[side];
+            if (first == NONE || faceCount(first) != 1 || done[first]) {
                 continue;
             }
             int length = 0;
             int edge = first;
             int vertex = triangles[side];
-            boolean complete = true;
+            boolean complete;
             do {
                 done[edge] = true;
                 chain[length++] = vertex;
@@ -276,19 +189,22 @@ public final class MeshTopology {
         return loops;
     }
 
-    /** Turns about {@code vertex} through the fan that {@code edge} bounds, to the fan's other boundary edge. */
+    /**
+     * The other boundary edge of the fan at {@code vertex} that {@code edge} bounds; {@link #NONE} behind a
+     * non-manifold edge.
+     */
     private int nextBoundaryEdge(int edge, int vertex) {
-        int triangle = edgeTriangles[2 * edge];
+        int triangle = face(edge, 0);
         int current = edge;
         while (true) {
             current = otherEdgeAt(triangle, vertex, current);
-            if (current == NONE || edgeTriangleCount[current] > 2) {
+            if (current == NONE || faceCount(current) > 2) {
                 return NONE;
             }
-            if (edgeTriangleCount[current] == 1) {
+            if (faceCount(current) == 1) {
                 return current;
             }
-            triangle = otherTriangle(current, triangle);
+            triangle = otherFace(current, triangle);
         }
     }
 }

@@ -101,18 +101,10 @@ abstract class HalfEdges {
     }
 
     private void pair(EdgeTable edges) {
-        int[] first = new int[edges.count()];
-        Arrays.fill(first, NONE);
-        int[] sideEdges = edges.triangleEdges;
-        for (int h = 0; h < start.length; h++) {
-            int edge = sideEdges[h];
-            if (edges.edgeTriangleCount[edge] != 2) {
-                continue;
-            }
-            int other = first[edge];
-            if (other == NONE) {
-                first[edge] = h;
-            } else if (start[other] == end(h)) {
+        for (int e = 0; e < edges.edgeCount(); e++) {
+            int h = edges.sides()[edges.start(e)];
+            int other = edges.faceCount(e) == 2 ? edges.sides()[edges.start(e) + 1] : h;
+            if (other != h && start[other] == end(h)) {
                 twin[h] = other;
                 twin[other] = h;
             }

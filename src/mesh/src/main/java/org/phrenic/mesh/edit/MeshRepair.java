@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -21,13 +20,8 @@ public final class MeshRepair {
 
     /** What a repair did, as counts. */
     public record Report(
-            int verticesWelded,
-            int degenerateRemoved,
-            int duplicatesRemoved,
-            int unusedRemoved,
-            int trianglesFlipped,
-            int loopsCapped) {
-        static final Report NONE = new Report(0, 0, 0, 0, 0, 0);
+            int verticesWelded, int degenerateRemoved, int duplicatesRemoved, int unusedRemoved, int trianglesFlipped) {
+        static final Report NONE = new Report(0, 0, 0, 0, 0);
 
         Report plus(Report other) {
             return new Report(
@@ -35,8 +29,7 @@ public final class MeshRepair {
                     degenerateRemoved + other.degenerateRemoved,
                     duplicatesRemoved + other.duplicatesRemoved,
                     unusedRemoved + other.unusedRemoved,
-                    trianglesFlipped + other.trianglesFlipped,
-                    loopsCapped + other.loopsCapped);
+                    trianglesFlipped + other.trianglesFlipped);
         }
 
         @Override
@@ -47,7 +40,6 @@ public final class MeshRepair {
             addCount(parts, duplicatesRemoved, "duplicate triangles removed");
             addCount(parts, unusedRemoved, "unused vertices removed");
             addCount(parts, trianglesFlipped, "triangles flipped");
-            addCount(parts, loopsCapped, "boundary loops capped");
             return parts.isEmpty() ? "Nothing to repair." : "Repaired: " + String.join(", ", parts) + ".";
         }
 
@@ -92,15 +84,6 @@ public final class MeshRepair {
         return new Result(oriented.mesh(), report.plus(cleaned.report()).plus(oriented.report()));
     }
 
-    /** {@link #repair}, then {@link #cap}, then {@link #orient} again: what the caps closed now faces outward. */
-    public static Result repairAndCap(TriangleMesh mesh, double tolerance) {
-        Result repaired = repair(mesh, tolerance);
-        Result capped = cap(repaired.mesh());
-        Result oriented = orient(capped.mesh());
-        return new Result(
-                oriented.mesh(), repaired.report().plus(capped.report()).plus(oriented.report()));
-    }
-
     /**
      * Replaces each vertex by the nearest earlier kept vertex within {@code tolerance} (mm), the earliest of equals; a
      * vertex that has none is kept. Vertices that lose their place are dropped.
@@ -131,7 +114,7 @@ public final class MeshRepair {
         for (int v = 0; v < keep.length; v++) {
             keep[v] = keeper[v] == v;
         }
-        return new Result(compact(mesh.positions(), triangles, keep), new Report(welded, 0, 0, 0, 0, 0));
+        return new Result(compact(mesh.positions(), triangles, keep), new Report(welded, 0, 0, 0, 0));
     }
 
     /**
@@ -175,7 +158,7 @@ public final class MeshRepair {
             return new Result(mesh, Report.NONE);
         }
         TriangleMesh cleaned = compact(mesh.positions(), Arrays.copyOf(kept, length), used);
-        return new Result(cleaned, new Report(0, degenerate, duplicates, unused, 0, 0));
+        return new Result(cleaned, new Report(0, degenerate, duplicates, unused, 0));
     }
 
     private static boolean isDegenerate(TriangleMesh mesh, int triangle, double[] normal) {
@@ -196,39 +179,6 @@ public final class MeshRepair {
      */
     public static Result orient(TriangleMesh mesh) {
         return MeshOrienter.orient(mesh, new EdgeTable(mesh));
-    }
-
-    /** Closes each boundary loop: three edges by a triangle, more by a fan about the loop's centroid. */
-    public static Result cap(TriangleMesh mesh) {
-        List<int[]> loops = new MeshTopology(mesh).boundaryLoops();
-        int newVertices = 0;
-        int newCorners = 0;
-        for (int[] loop : loops) {
-            newVertices += loop.length > 3 ? 1 : 0;
-            newCorners += loop.length > 3 ? 3 * loop.length : 3;
-        }
-        double[] p = Arrays.copyOf(mesh.positions(), mesh.positions().length + 3 * newVertices);
-        int[] t = Arrays.copyOf(mesh.triangles(), mesh.triangles().length + newCorners);
-        int vertex = mesh.vertexCount();
-        int corner = mesh.triangles().length;
-        for (int[] loop : loops) {
-            if (loop.length == 3) {
-                t[corner++] = loop[0];
-                t[corner++] = loop[2];
-                t[corner++] = loop[1];
-                continue;
-            }
-            for (int k = 0; k < loop.length; k++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    p[3 * vertex + axis] += p[3 * loop[k] + axis] / loop.length;
-                }
-                t[corner++] = loop[(k + 1) % loop.length];
-                t[corner++] = loop[k];
-                t[corner++] = vertex;
-            }
-            vertex++;
-        }
-        return new Result(new TriangleMesh(p, t), new Report(0, 0, 0, 0, 0, loops.size()));
     }
 
     /** Keeps the named vertices in their order and renames the corners (in place). */

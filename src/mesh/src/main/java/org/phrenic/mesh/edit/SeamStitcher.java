@@ -38,10 +38,10 @@ final class SeamStitcher {
     private static int[] boundaryVertices(TriangleMesh mesh, EdgeTable edges) {
         boolean[] open = new boolean[mesh.vertexCount()];
         int count = 0;
-        for (int e = 0; e < edges.count(); e++) {
-            for (int k = 2 * e; edges.edgeTriangleCount[e] == 1 && k < 2 * e + 2; k++) {
-                count += open[edges.edges[k]] ? 0 : 1;
-                open[edges.edges[k]] = true;
+        for (int e = 0; e < edges.edgeCount(); e++) {
+            for (int k = 2 * e; edges.faceCount(e) == 1 && k < 2 * e + 2; k++) {
+                count += open[edges.edges()[k]] ? 0 : 1;
+                open[edges.edges()[k]] = true;
             }
         }
         int[] rim = new int[count];

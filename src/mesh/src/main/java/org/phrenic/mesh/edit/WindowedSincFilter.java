@@ -89,11 +89,11 @@ public final class WindowedSincFilter {
         int count = 0;
         for (int k = topology.vertexEdgeStart()[v]; k < topology.vertexEdgeStart()[v + 1]; k++) {
             int edge = topology.vertexEdges()[k];
-            if (topology.isNonManifoldEdge(edge)) {
+            if (topology.faceCount(edge) > 2) {
                 return 0;
             }
             int other = topology.otherVertex(edge, v);
-            if (topology.isBoundaryEdge(edge)) {
+            if (topology.faceCount(edge) == 1) {
                 if (boundary == 0) {
                     count = 0;
                 }

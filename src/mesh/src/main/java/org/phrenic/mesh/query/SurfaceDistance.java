@@ -41,11 +41,11 @@ public final class SurfaceDistance {
     /** Each edge is run along once in each direction. */
     private boolean isOriented(TriangleMesh mesh) {
         int[] t = mesh.triangles();
-        int[] sides = topology.triangleEdges();
+        int[] sides = topology.edgeOfSide();
         int[] balance = new int[topology.edgeCount()];
         for (int side = 0; side < t.length; side++) {
             if (sides[side] >= 0) {
-                balance[sides[side]] += t[side] < t[EdgeTable.next(side)] ? 1 : -1;
+                balance[sides[side]] += t[side] < t[EdgeTable.next(side, 3)] ? 1 : -1;
             }
         }
         for (int b : balance) {
@@ -131,8 +131,8 @@ public final class SurfaceDistance {
             int corner = a ? 0 : b ? 1 : 2;
             return outward * along(vertexNormals, tree.mesh().triangles()[sideOfA + corner], dx, dy, dz);
         }
-        int edge = topology.triangleEdges()[sideOfA + (!c ? 0 : !a ? 1 : 2)];
-        int other = topology.otherTriangle(edge, t);
+        int edge = topology.edgeOfSide()[sideOfA + (!c ? 0 : !a ? 1 : 2)];
+        int other = topology.otherFace(edge, t);
         return outward * (along(faceNormals, t, dx, dy, dz) + along(faceNormals, other, dx, dy, dz));
     }
 

@@ -2,6 +2,7 @@ package org.phrenic.mesh.voxel;
 
 import java.util.Arrays;
 import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -15,7 +16,7 @@ final class QuadStitcher {
     private final double[] given;
     private final int[] quads;
     private final long[] voxels;
-    private final QuadEdges edges;
+    private final EdgeTable edges;
     /** The side that each side is joined with. */
     private final int[] mate;
     /** Corners of one fan lead to one corner. */
@@ -39,7 +40,7 @@ final class QuadStitcher {
         this.given = given;
         this.quads = quads;
         this.voxels = voxels;
-        edges = new QuadEdges(given.length / 3, quads);
+        edges = new EdgeTable(given.length / 3, quads, 4);
         mate = new int[quads.length];
         fan = DisjointSets.singletons(quads.length);
         vertexOfFan = new int[quads.length];
@@ -51,8 +52,8 @@ final class QuadStitcher {
     }
 
     TriangleMesh mesh() {
-        for (int place = 0; place < mate.length; place = edges.end(place)) {
-            join(place, edges.end(place));
+        for (int e = 0; e < edges.edgeCount(); e++) {
+            join(edges.start(e), edges.start(e + 1));
         }
         for (int corner = 0; corner < quads.length; corner++) {
             int root = DisjointSets.find(fan, corner);
@@ -61,9 +62,9 @@ final class QuadStitcher {
                 vertexOfFan[root] = addVertex(given[v], given[v + 1], given[v + 2]);
             }
         }
-        for (int place = 0; place < mate.length; place = edges.end(place)) {
-            if (edges.end(place) - place > 2) {
-                separate(place, edges.end(place));
+        for (int e = 0; e < edges.edgeCount(); e++) {
+            if (edges.faceCount(e) > 2) {
+                separate(edges.start(e), edges.start(e + 1));
             }
         }
         for (int q = 0; q < quads.length / 4; q++) {
@@ -74,9 +75,9 @@ final class QuadStitcher {
 
     private void join(int from, int to) {
         for (int i = from; i < to; i++) {
-            int side = edges.order()[i];
+            int side = edges.sides()[i];
             for (int j = i + 1; j < to; j++) {
-                int other = edges.order()[j];
+                int other = edges.sides()[j];
                 if (to - from == 2 || voxels[side >> 2] == voxels[other >> 2]) {
                     mate[side] = other;
                     mate[other] = side;
@@ -88,7 +89,7 @@ final class QuadStitcher {
     }
 
     private static int next(int side) {
-        return (side & 3) == 3 ? side - 3 : side + 1;
+        return EdgeTable.next(side, 4);
     }
 
     /** Where two joined sides name one vertex, their corners are one. */
@@ -112,9 +113,9 @@ final class QuadStitcher {
 
     /** Two pairs of faces on one edge that still share both ends: the later pair gets a vertex between them. */
     private void separate(int from, int to) {
-        int first = edges.order()[from];
+        int first = edges.sides()[from];
         for (int i = from + 1; i < to; i++) {
-            int side = edges.order()[i];
+            int side = edges.sides()[i];
             boolean sameEnds = Math.min(vertex(first), vertex(next(first)))
                             == Math.min(vertex(side), vertex(next(side)))
                     && Math.max(vertex(first), vertex(next(first))) == Math.max(vertex(side), vertex(next(side)));

@@ -83,10 +83,6 @@ public final class SurfaceNet {
         return positions.length / 3;
     }
 
-    public int faceCount() {
-        return faces.length;
-    }
-
     /**
      * The same net with smooth vertices, see {@link WindowedSincFilter}. Where three parts or more meet, vertices are
      * smoothed along the line at which they do.
@@ -96,7 +92,7 @@ public final class SurfaceNet {
      */
     public SurfaceNet smoothed(int iterations, double passBand) {
         double[] c = WindowedSincFilter.coefficients(iterations, passBand, WindowedSincFilter.Window.NUTTALL);
-        SurfaceNetNeighbours neighbours = new SurfaceNetNeighbours(vertexCount(), quads, sides);
+        SurfaceNetNeighbours neighbours = SurfaceNetNeighbours.of(vertexCount(), quads, sides);
         return new SurfaceNet(
                 this, WindowedSincFilter.filter(positions, neighbours.start(), neighbours.neighbours(), c));
     }

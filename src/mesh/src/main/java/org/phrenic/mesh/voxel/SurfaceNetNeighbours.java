@@ -1,64 +1,56 @@
 package org.phrenic.mesh.voxel;
 
-/**
- * Which vertices of a {@link SurfaceNet} each vertex is drawn to: all along its edges; on a line where three parts or
- * more meet, those along the line.
- */
-final class SurfaceNetNeighbours {
-    private final int[] start;
-    private final int[] neighbours;
+import org.phrenic.mesh.EdgeTable;
 
-    SurfaceNetNeighbours(int vertices, int[] quads, short[] sides) {
-        QuadEdges edges = new QuadEdges(vertices, quads);
-        int[] order = edges.order();
-        int[] all = new int[vertices + 1];
+/**
+ * Neighbours for smoothing a {@link SurfaceNet}, in compressed rows: the ends of a vertex's edges; of a vertex on a
+ * line where three parts or more meet, only those along the line.
+ *
+ * @param start neighbours of vertex v are {@code neighbours[start[v]]} to {@code neighbours[start[v + 1] - 1]}
+ */
+record SurfaceNetNeighbours(int[] start, int[] neighbours) {
+    /**
+     * Neighbours in a net.
+     *
+     * @param quads four vertices a face
+     * @param parts two a face, those on its sides
+     */
+    static SurfaceNetNeighbours of(int vertices, int[] quads, short[] parts) {
+        EdgeTable table = new EdgeTable(vertices, quads, 4);
+        int[] ends = table.edges();
+        boolean[] line = new boolean[table.edgeCount()];
+        int[] start = new int[vertices + 1];
         int[] onLine = new int[vertices];
-        for (int place = 0; place < order.length; place = edges.end(place)) {
-            boolean line = isLine(edges, place, sides);
-            for (int v : new int[] {edges.low(order[place]), edges.high(order[place])}) {
-                all[v + 1]++;
-                onLine[v] += line ? 1 : 0;
-            }
+        for (int k = 0; k < ends.length; k++) {
+            line[k / 2] = k % 2 == 0 ? isLine(table, k / 2, parts) : line[k / 2];
+            start[ends[k] + 1]++;
+            onLine[ends[k]] += line[k / 2] ? 1 : 0;
         }
         for (int v = 0; v < vertices; v++) {
-            all[v + 1] = all[v] + (onLine[v] > 1 ? onLine[v] : all[v + 1]);
+            start[v + 1] = start[v] + (onLine[v] > 1 ? onLine[v] : start[v + 1]);
         }
-        start = all;
-        neighbours = new int[start[vertices]];
+        int[] neighbours = new int[start[vertices]];
         int[] filled = new int[vertices];
-        for (int place = 0; place < order.length; place = edges.end(place)) {
-            boolean line = isLine(edges, place, sides);
-            int a = edges.low(order[place]);
-            int b = edges.high(order[place]);
-            if (line || onLine[a] < 2) {
-                neighbours[start[a] + filled[a]++] = b;
-            }
-            if (line || onLine[b] < 2) {
-                neighbours[start[b] + filled[b]++] = a;
+        for (int k = 0; k < ends.length; k++) {
+            int v = ends[k];
+            if (line[k / 2] || onLine[v] < 2) {
+                neighbours[start[v] + filled[v]++] = ends[k ^ 1];
             }
         }
+        return new SurfaceNetNeighbours(start, neighbours);
     }
 
-    private static boolean isLine(QuadEdges edges, int place, short[] sides) {
-        int one = sides[2 * (edges.order()[place] >> 2)];
-        int two = sides[2 * (edges.order()[place] >> 2) + 1];
-        for (int p = place + 1; p < edges.end(place); p++) {
-            int quad = edges.order()[p] >> 2;
-            int a = sides[2 * quad];
-            int b = sides[2 * quad + 1];
-            if ((a != one && a != two) || (b != one && b != two)) {
-                return true;
+    /** Whether three parts or more meet at an edge. */
+    private static boolean isLine(EdgeTable table, int edge, short[] parts) {
+        int first = 2 * table.face(edge, 0);
+        for (int i = 1; i < table.faceCount(edge); i++) {
+            int face = 2 * table.face(edge, i);
+            for (int k = face; k < face + 2; k++) {
+                if (parts[k] != parts[first] && parts[k] != parts[first + 1]) {
+                    return true;
+                }
             }
         }
         return false;
-    }
-
-    /** Neighbours of vertex v lie from start[v] to before start[v + 1]. */
-    int[] start() {
-        return start;
-    }
-
-    int[] neighbours() {
-        return neighbours;
     }
 }

@@ -49,7 +49,7 @@ class SurfaceNetTest {
         Set<Long> directed = new HashSet<>();
         int[] t = surface.triangles();
         for (int side = 0; side < t.length; side++) {
-            long edge = (long) t[side] << 32 | t[EdgeTable.next(side)];
+            long edge = (long) t[side] << 32 | t[EdgeTable.next(side, 3)];
             assertThat(directed.add(edge))
                     .as("each edge is run along once each way")
                     .isTrue();

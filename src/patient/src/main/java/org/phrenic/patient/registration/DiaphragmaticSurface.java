@@ -161,8 +161,8 @@ public final class DiaphragmaticSurface {
             for (int at = 0; at < length; at++) {
                 area += area(lung, queue[at], normals);
                 for (int side = 0; side < 3; side++) {
-                    int edge = topology.triangleEdges()[3 * queue[at] + side];
-                    int next = topology.isBoundaryEdge(edge) ? -1 : topology.otherTriangle(edge, queue[at]);
+                    int edge = topology.edgeOfSide()[3 * queue[at] + side];
+                    int next = topology.faceCount(edge) == 1 ? -1 : topology.otherFace(edge, queue[at]);
                     if (next >= 0 && member[next] && piece[next] == 0) {
                         piece[next] = pieces;
                         queue[length++] = next;

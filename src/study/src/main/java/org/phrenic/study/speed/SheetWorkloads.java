@@ -86,7 +86,7 @@ final class SheetWorkloads {
             }
         }
         int[] t = mesh.triangles();
-        int[] middle = topology.triangleEdges();
+        int[] middle = topology.edgeOfSide();
         int[] triangles = new int[4 * t.length];
         for (int i = 0; i < t.length; i += 3) {
             int ab = n + middle[i];

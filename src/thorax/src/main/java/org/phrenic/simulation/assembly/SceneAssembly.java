@@ -28,8 +28,8 @@ import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Remesher;
@@ -237,7 +237,7 @@ public final class SceneAssembly {
     private Diaphragm diaphragm() {
         TriangleMesh given = thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
         TriangleMesh sheet = ConnectedComponents.of(given).stream()
-                .filter(m -> MeshTopology.isClosed(m) && MeshMeasure.signedVolume(m) > 0)
+                .filter(m -> new EdgeTable(m).isClosed() && MeshMeasure.signedVolume(m) > 0)
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow(() -> new BadInputException(thorax.name()
                         + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"

@@ -134,8 +134,8 @@ public final class DiaphragmPart {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
             boolean stiff = diaphragm.isTendon(a) && diaphragm.isTendon(b);
-            int one = topology.edgeTriangles()[2 * e];
-            int other = topology.edgeTriangles()[2 * e + 1];
+            int one = topology.face(e, 0);
+            int other = topology.face(e, 1);
             int sides = (one >= 0 ? 1 : 0) + (other >= 0 ? 1 : 0);
             double share = (one >= 0 ? alongFibre(p, a, b, fibre, one) : 0)
                     + (other >= 0 ? alongFibre(p, a, b, fibre, other) : 0);

@@ -1,8 +1,8 @@
 package org.phrenic.simulation.organ;
 
 import java.util.Arrays;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -100,14 +100,13 @@ public interface TissueLaw {
 
     /** Springs along all edges of a passive surface, at its present lengths. */
     default void addEdges(SpringList springs, TriangleMesh mesh, int first, double relative) {
-        MeshTopology topology = new MeshTopology(mesh);
-        int[] edges = topology.edges();
-        int[] sides = topology.edgeTriangles();
+        EdgeTable table = new EdgeTable(mesh);
+        int[] edges = table.edges();
         double[] p = mesh.positions();
-        for (int e = 0; e < topology.edgeCount(); e++) {
+        for (int e = 0; e < table.edgeCount(); e++) {
             int a = edges[2 * e];
             int b = edges[2 * e + 1];
-            int triangles = sides[2 * e + 1] < 0 ? 1 : 2;
+            int triangles = Math.min(table.faceCount(e), 2);
             springs.add(
                     first + a,
                     first + b,
