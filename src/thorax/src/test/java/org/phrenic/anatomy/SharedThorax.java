@@ -3,7 +3,7 @@ package org.phrenic.anatomy;
 import java.nio.file.Path;
 import java.util.Comparator;
 import org.junit.jupiter.api.Assumptions;
-import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 
@@ -34,7 +34,7 @@ public final class SharedThorax {
     public static TriangleMesh diaphragmSheet() {
         TriangleMesh given = male().find("diaphragm").orElseThrow().mesh();
         return ConnectedComponents.of(given).stream()
-                .filter(MeshTopology::isClosed)
+                .filter(m -> new EdgeTable(m).isClosed())
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow();
     }
