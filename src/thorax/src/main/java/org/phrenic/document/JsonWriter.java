@@ -1,14 +1,26 @@
 package org.phrenic.document;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter.NopIndenter;
+import com.fasterxml.jackson.core.util.Separators;
+import com.fasterxml.jackson.core.util.Separators.Spacing;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
-/** Writes maps as JSON (RFC 8259), two spaces a level, keys in their order. */
+/** Writes maps as JSON (RFC 8259) by Jackson: two spaces a level, lists in one line, keys in their order. */
 public final class JsonWriter {
+    /** Surrogates and what lies above them are escaped, so that half a pair can be written too. */
+    private static final int HIGHEST_PLAIN_CHARACTER = Character.MIN_SURROGATE - 1;
+
     private JsonWriter() {}
 
     /**
@@ -18,8 +30,14 @@ public final class JsonWriter {
      * @throws IllegalArgumentException for NaN, infinity or a value of another type, naming its key
      */
     public static String format(Map<String, ?> values) {
-        StringBuilder text = new StringBuilder();
-        append(text, PlainValues.copy("", values), "\n");
+        StringWriter text = new StringWriter();
+        try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
+            json.setPrettyPrinter(new Layout());
+            json.setHighestNonEscapedChar(HIGHEST_PLAIN_CHARACTER);
+            write(json, PlainValues.copy("", values));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException("a StringWriter takes all text", impossible);
+        }
         return text.append('\n').toString();
     }
 
@@ -32,53 +50,43 @@ public final class JsonWriter {
         AtomicFile.write(file, format(values));
     }
 
-    private static void append(StringBuilder text, Object value, String lineBreak) {
+    private static void write(JsonGenerator json, Object value) throws IOException {
         if (value instanceof Map<?, ?> map) {
-            String inner = lineBreak + "  ";
-            text.append('{');
-            for (Iterator<? extends Map.Entry<?, ?>> entries = map.entrySet().iterator(); entries.hasNext(); ) {
-                Map.Entry<?, ?> entry = entries.next();
-                text.append(inner);
-                appendText(text, (String) entry.getKey());
-                text.append(": ");
-                append(text, entry.getValue(), inner);
-                text.append(entries.hasNext() ? "," : lineBreak);
+            json.writeStartObject();
+            for (Map.Entry<?, ?> entry : map.entrySet()) {
+                json.writeFieldName((String) entry.getKey());
+                write(json, entry.getValue());
             }
-            text.append('}');
+            json.writeEndObject();
         } else if (value instanceof List<?> list) {
-            String separator = "";
-            text.append('[');
+            json.writeStartArray();
             for (Object item : list) {
-                text.append(separator);
-                append(text, item, lineBreak + "  ");
-                separator = ", ";
+                write(json, item);
             }
-            text.append(']');
-        } else if (value instanceof String word) {
-            appendText(text, word);
+            json.writeEndArray();
         } else {
-            text.append(value);
+            json.writePOJO(value);
         }
     }
 
-    private static void appendText(StringBuilder text, String word) {
-        text.append('"');
-        for (int i = 0; i < word.length(); i++) {
-            char c = word.charAt(i);
-            switch (c) {
-                case '"', '\\' -> text.append('\\').append(c);
-                case '\n' -> text.append("\\n");
-                case '\t' -> text.append("\\t");
-                default -> {
-                    if (c < ' ' || Character.isSurrogate(c)) {
-                        text.append("\\u")
-                                .append(Integer.toHexString(0x10000 | c).substring(1));
-                    } else {
-                        text.append(c);
-                    }
-                }
-            }
+    /** Maps in lines of their own, lists in one line; a list indents the maps in it by a level. */
+    private static final class Layout extends DefaultPrettyPrinter {
+        Layout() {
+            super(new Separators(null, ':', Spacing.AFTER, ',', Spacing.NONE, "", ',', Spacing.AFTER, ""));
+            indentObjectsWith(new DefaultIndenter("  ", "\n"));
+            indentArraysWith(NopIndenter.instance);
         }
-        text.append('"');
+
+        @Override
+        public void writeStartArray(JsonGenerator json) throws IOException {
+            super.writeStartArray(json);
+            _nesting++;
+        }
+
+        @Override
+        public void writeEndArray(JsonGenerator json, int count) throws IOException {
+            _nesting--;
+            super.writeEndArray(json, count);
+        }
     }
 }

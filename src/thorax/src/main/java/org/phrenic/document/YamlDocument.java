@@ -1,46 +1,57 @@
 package org.phrenic.document;
 
+import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.io.IOContext;
+import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
+import com.fasterxml.jackson.dataformat.yaml.YAMLParser;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.Reader;
 import java.io.StringReader;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.phrenic.document.YamlValue.Place;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
+import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.composer.Composer;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
-import org.yaml.snakeyaml.nodes.MappingNode;
-import org.yaml.snakeyaml.nodes.Node;
-import org.yaml.snakeyaml.nodes.NodeTuple;
-import org.yaml.snakeyaml.nodes.ScalarNode;
-import org.yaml.snakeyaml.nodes.SequenceNode;
+import org.yaml.snakeyaml.events.AliasEvent;
+import org.yaml.snakeyaml.events.CollectionStartEvent;
+import org.yaml.snakeyaml.events.DocumentStartEvent;
+import org.yaml.snakeyaml.events.Event;
+import org.yaml.snakeyaml.events.ImplicitTuple;
+import org.yaml.snakeyaml.events.NodeEvent;
+import org.yaml.snakeyaml.events.ScalarEvent;
 import org.yaml.snakeyaml.nodes.Tag;
-import org.yaml.snakeyaml.parser.ParserImpl;
-import org.yaml.snakeyaml.reader.StreamReader;
-import org.yaml.snakeyaml.resolver.Resolver;
 
 /**
- * Reads one YAML document whose top is a mapping. Nothing is constructed but maps, lists and texts; keys may not come
- * twice; nesting and repeated aliases are limited, so a small file cannot unfold into a large one.
+ * Reads one YAML document whose top is a mapping, by Jackson's streaming parser. The values are maps, lists and texts;
+ * keys may not come twice; depth, number of values and aliases are limited, so a small file cannot unfold into a large
+ * one.
  */
 public final class YamlDocument {
     private static final int MAX_DEPTH = 30;
     private static final int MAX_ALIASES = 20;
     private static final int MAX_VALUES = 1_000_000;
+    private static final YAMLFactory FACTORY = new EventFactory();
 
     private final String file;
+    private final EventParser parser;
     private int valueCount;
+    private int aliasCount;
 
-    private YamlDocument(String file) {
+    private YamlDocument(String file, EventParser parser) {
         this.file = file;
+        this.parser = parser;
     }
 
     /**
@@ -71,76 +82,153 @@ public final class YamlDocument {
      * @param name what to call it in messages
      */
     public static YamlMap parse(String name, String text) {
-        LoaderOptions options = new LoaderOptions();
-        options.setAllowDuplicateKeys(false);
-        options.setAllowRecursiveKeys(false);
-        options.setMaxAliasesForCollections(MAX_ALIASES);
-        options.setNestingDepthLimit(MAX_DEPTH);
-        // The composer alone: what builds and writes objects would be loaded for nothing.
-        Composer composer = new Composer(
-                new ParserImpl(new StreamReader(new StringReader(text)), options), new Resolver(), options);
-        try {
-            Node root = composer.getSingleNode();
-            YamlValue.Place top = new YamlValue.Place(name, 1, "");
-            return root == null
-                    ? new YamlMap(top, new LinkedHashMap<>())
-                    : new YamlDocument(name).value(root, top, 0).map();
-        } catch (MarkedYAMLException broken) {
-            String line = broken.getProblemMark() == null
-                    ? ""
-                    : "line " + (broken.getProblemMark().getLine() + 1) + ": ";
-            throw new BadInputException(
-                    name + ": " + line + "found YAML that cannot be read (" + broken.getProblem()
-                            + "), expected 'key: value' lines",
-                    broken);
-        } catch (YAMLException broken) {
-            throw new BadInputException(
-                    name + ": found YAML that cannot be read (" + oneLine(broken.getMessage())
-                            + "), expected 'key: value' lines",
-                    broken);
+        try (EventParser parser = (EventParser) FACTORY.createParser(new StringReader(text))) {
+            return new YamlDocument(name, parser).document();
+        } catch (IOException | IllegalArgumentException broken) {
+            throw unreadable(name, broken);
         }
     }
 
-    private YamlValue value(Node node, YamlValue.Place place, int depth) {
-        if (depth > MAX_DEPTH || ++valueCount > MAX_VALUES) {
-            throw place.bad("found values nested within themselves or without end, expected at most " + MAX_DEPTH
-                    + " levels and " + MAX_VALUES + " values");
+    private static BadInputException unreadable(String name, Exception broken) {
+        String line = "";
+        String problem =
+                broken instanceof JacksonException jackson ? jackson.getOriginalMessage() : broken.getMessage();
+        if (broken.getCause() instanceof MarkedYAMLException marked && marked.getProblemMark() != null) {
+            line = "line " + (marked.getProblemMark().getLine() + 1) + ": ";
+            problem = marked.getProblem();
         }
-        if (node instanceof MappingNode mapping) {
-            return new YamlValue(place, map(mapping, place, depth), false);
-        }
-        if (node instanceof SequenceNode sequence) {
-            List<YamlValue> items = new ArrayList<>();
-            for (Node item : sequence.getValue()) {
-                items.add(value(item, place.item(items.size(), line(item)), depth + 1));
-            }
-            return new YamlValue(place, items, false);
-        }
-        ScalarNode scalar = (ScalarNode) node;
-        boolean plain = scalar.isPlain();
-        boolean nothing = plain && Tag.NULL.equals(scalar.getTag());
-        return new YamlValue(place, nothing ? null : scalar.getValue(), !plain);
+        return new BadInputException(
+                name + ": " + line + "found YAML that cannot be read ("
+                        + String.valueOf(problem).replaceAll("\\p{Cntrl}", "?") + "), expected 'key: value' lines",
+                broken);
     }
 
-    private YamlMap map(MappingNode mapping, YamlValue.Place place, int depth) {
+    private YamlMap document() throws IOException {
+        Place top = new Place(file, 1, "");
+        if (parser.nextToken() == null) {
+            return new YamlMap(top, new LinkedHashMap<>());
+        }
+        YamlValue root = value(top, 0);
+        if (parser.nextToken() != null) {
+            throw new Place(file, parser.documentLine, "").bad("found another document, expected one");
+        }
+        return root.map();
+    }
+
+    /** The value that begins at the current token. */
+    private YamlValue value(Place place, int depth) throws IOException {
+        count(place, depth);
+        if (parser.event() instanceof AliasEvent alias) {
+            return copy(aliased(alias, place), place, depth);
+        }
+        String anchor = ((NodeEvent) parser.event()).getAnchor();
+        if (anchor != null) {
+            parser.anchors.put(anchor, null);
+        }
+        YamlValue value = content(place, depth);
+        if (anchor != null) {
+            parser.anchors.put(anchor, value);
+        }
+        return value;
+    }
+
+    private YamlValue content(Place place, int depth) throws IOException {
+        if (parser.event() instanceof ScalarEvent scalar) {
+            requireStandardTag(scalar.getTag(), place);
+            boolean nothing = parser.currentToken() == JsonToken.VALUE_NULL;
+            return new YamlValue(place, nothing ? null : scalar.getValue(), !scalar.isPlain());
+        }
+        requireStandardTag(((CollectionStartEvent) parser.event()).getTag(), place);
+        if (parser.currentToken() == JsonToken.START_OBJECT) {
+            return new YamlValue(place, mapping(place, depth), false);
+        }
+        List<YamlValue> items = new ArrayList<>();
+        while (parser.nextToken() != JsonToken.END_ARRAY) {
+            items.add(value(place.item(items.size(), parser.line()), depth + 1));
+        }
+        return new YamlValue(place, items, false);
+    }
+
+    private YamlMap mapping(Place place, int depth) throws IOException {
         Map<String, YamlValue> values = new LinkedHashMap<>();
-        for (NodeTuple entry : mapping.getValue()) {
-            Node keyNode = entry.getKeyNode();
-            if (!(keyNode instanceof ScalarNode scalar)) {
-                throw new YamlValue.Place(file, line(keyNode), place.path())
-                        .bad("found a list or mapping as a key, expected a word");
+        while (nextKey(place) != JsonToken.END_OBJECT) {
+            String key = parser.currentName();
+            Place at = place.key(key, parser.line());
+            String anchor = ((NodeEvent) parser.event()).getAnchor();
+            if (anchor != null) {
+                parser.anchors.put(anchor, new YamlValue(at, key, false));
             }
-            String key = scalar.getValue();
-            YamlValue.Place at = place.key(key, line(keyNode));
-            if (values.put(key, value(entry.getValueNode(), at, depth + 1)) != null) {
+            parser.nextToken();
+            if (values.put(key, value(at, depth + 1)) != null) {
                 throw at.bad("found the key a second time, expected it once");
             }
         }
         return new YamlMap(place, values);
     }
 
-    private static int line(Node node) {
-        return node.getStartMark() == null ? 0 : node.getStartMark().getLine() + 1;
+    private JsonToken nextKey(Place place) throws IOException {
+        try {
+            return parser.nextToken();
+        } catch (JacksonException broken) {
+            if (broken.getCause() == null && parser.event() instanceof CollectionStartEvent) {
+                throw new Place(file, parser.line(), place.path())
+                        .bad("found a list or mapping as a key, expected a word");
+            }
+            throw broken;
+        }
+    }
+
+    private YamlValue aliased(AliasEvent alias, Place place) {
+        YamlValue value = parser.anchors.get(alias.getAnchor());
+        if (value == null) {
+            throw parser.anchors.containsKey(alias.getAnchor())
+                    ? tooMany(place)
+                    : place.bad("found the undefined alias '" + alias.getAnchor() + "', expected an anchor before it");
+        }
+        if (!(value.content() instanceof String) && ++aliasCount > MAX_ALIASES) {
+            throw place.bad("found more than " + MAX_ALIASES + " aliases of lists or mappings, expected fewer");
+        }
+        return value;
+    }
+
+    /** The same value at another place. */
+    private YamlValue copy(YamlValue value, Place place, int depth) {
+        if (value.content() instanceof YamlMap map) {
+            Map<String, YamlValue> values = new LinkedHashMap<>();
+            map.values().forEach((key, inner) -> {
+                Place at = place.key(key, inner.place().line());
+                count(at, depth + 1);
+                values.put(key, copy(inner, at, depth + 1));
+            });
+            return new YamlValue(place, new YamlMap(place, values), false);
+        }
+        if (value.content() instanceof List<?>) {
+            List<YamlValue> items = new ArrayList<>();
+            for (YamlValue inner : value.list("")) {
+                Place at = place.item(items.size(), inner.place().line());
+                count(at, depth + 1);
+                items.add(copy(inner, at, depth + 1));
+            }
+            return new YamlValue(place, items, false);
+        }
+        return new YamlValue(place, value.content(), value.quoted());
+    }
+
+    private void count(Place place, int depth) {
+        if (depth > MAX_DEPTH || ++valueCount > MAX_VALUES) {
+            throw tooMany(place);
+        }
+    }
+
+    private static BadInputException tooMany(Place place) {
+        return place.bad("found values nested within themselves or without end, expected at most " + MAX_DEPTH
+                + " levels and " + MAX_VALUES + " values");
+    }
+
+    private static void requireStandardTag(String tag, Place place) {
+        if (tag != null && !tag.equals("!") && new Tag(tag.strip()).isCustomGlobal()) {
+            throw place.bad("found '" + tag + "': this tag is not allowed, expected a plain value");
+        }
     }
 
     private static String text(String name, byte[] bytes) {
@@ -155,7 +243,52 @@ public final class YamlDocument {
         }
     }
 
-    private static String oneLine(String message) {
-        return message == null ? "no reason given" : message.lines().findFirst().orElse("");
+    /** Jackson's parser with the event behind the current token: it alone knows quotes, anchors and tags. */
+    private static final class EventParser extends YAMLParser {
+        /** Values by anchor; null while the value of the anchor is still being read. */
+        private final Map<String, YamlValue> anchors = new HashMap<>();
+        /** Line of the document that began last. */
+        private int documentLine;
+
+        EventParser(IOContext context, int features, int yamlFeatures, LoaderOptions options, Reader reader) {
+            super(context, features, yamlFeatures, options, null, reader);
+        }
+
+        @Override
+        protected Event getEvent() throws IOException {
+            Event event = super.getEvent();
+            if (event instanceof DocumentStartEvent) {
+                documentLine = event.getStartMark().getLine() + 1;
+            }
+            // Jackson takes no alias as a key.
+            boolean key = getParsingContext().inObject() && currentToken() != JsonToken.FIELD_NAME;
+            YamlValue known = key && event instanceof AliasEvent alias ? anchors.get(alias.getAnchor()) : null;
+            if (known != null && known.content() instanceof String text) {
+                return new ScalarEvent(
+                        null,
+                        null,
+                        new ImplicitTuple(true, false),
+                        text,
+                        event.getStartMark(),
+                        event.getEndMark(),
+                        DumperOptions.ScalarStyle.PLAIN);
+            }
+            return event;
+        }
+
+        Event event() {
+            return _lastEvent;
+        }
+
+        int line() {
+            return _lastEvent.getStartMark().getLine() + 1;
+        }
+    }
+
+    private static final class EventFactory extends YAMLFactory {
+        @Override
+        protected YAMLParser _createParser(Reader reader, IOContext context) {
+            return new EventParser(context, _parserFeatures, _yamlParserFeatures, _loaderOptions, reader);
+        }
     }
 }

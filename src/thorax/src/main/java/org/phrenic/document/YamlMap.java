@@ -99,9 +99,7 @@ public final class YamlMap {
 
     /** A list of finite numbers. */
     public double[] numbers(String key) {
-        return get(key, "a list of numbers").list("a list of numbers").stream()
-                .mapToDouble(YamlValue::number)
-                .toArray();
+        return get(key, "a list of numbers").numbers("a list of numbers", -1);
     }
 
     /** A list of texts. */
@@ -145,7 +143,43 @@ public final class YamlMap {
         return plain;
     }
 
-    private YamlValue get(String key, String expected) {
+    /**
+     * The record whose components are the keys of this mapping, each named by {@link Key} or by the component in
+     * snake_case.
+     *
+     * @throws BadInputException naming file, line and key, for a key that is unknown or absent, and a value that is of
+     *     another kind, out of range, or refused by the constructor of the record
+     */
+    public <T> T bind(Class<T> type) {
+        requireOnly(RecordBinder.keys(type));
+        return RecordBinder.bind(this, type);
+    }
+
+    /** As {@link #bind}, where the mapping has other keys besides those of the record. */
+    public <T> T bindPart(Class<T> type) {
+        return RecordBinder.bind(this, type);
+    }
+
+    /** The keys that {@link #bindPart} looks at. */
+    public static List<String> keysOf(Class<?> type) {
+        return RecordBinder.keys(type);
+    }
+
+    /** An exception about this mapping as a whole. */
+    public BadInputException bad(String problem) {
+        return place.bad(problem);
+    }
+
+    Map<String, YamlValue> values() {
+        return values;
+    }
+
+    /** A value for a key that is absent, written as in a file. */
+    YamlValue absent(String key, String text) {
+        return new YamlValue(place.key(key, place.line()), text, false);
+    }
+
+    YamlValue get(String key, String expected) {
         YamlValue value = values.get(key);
         if (value == null) {
             List<String> present = new ArrayList<>(values.keySet());

@@ -30,7 +30,7 @@ record YamlValue(Place place, Object content, boolean quoted) {
         }
     }
 
-    private BadInputException not(String expected) {
+    BadInputException not(String expected) {
         String found = "nothing";
         if (content instanceof YamlMap) {
             found = "a mapping";
@@ -63,6 +63,24 @@ record YamlValue(Place place, Object content, boolean quoted) {
             }
         }
         throw not("a whole number");
+    }
+
+    /** A whole number that an {@code int} holds. */
+    int wholeInt() {
+        long value = integer();
+        if (value != (int) value) {
+            throw not("a whole number that is not so large");
+        }
+        return (int) value;
+    }
+
+    /** A list of finite numbers, so many of them unless {@code count} is negative. */
+    double[] numbers(String expected, int count) {
+        List<YamlValue> items = list(expected);
+        if (count >= 0 && items.size() != count) {
+            throw place.bad("found a list of " + items.size() + ", expected " + expected);
+        }
+        return items.stream().mapToDouble(YamlValue::number).toArray();
     }
 
     boolean flag() {
