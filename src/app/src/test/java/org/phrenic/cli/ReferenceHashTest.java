@@ -1,0 +1,80 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The bits of the simulation. Each scene (materials, bodies, resolutions, integrators, changes while it runs, a
+ * rehearsal) ends in the same state as in commit 690655c, on one thread and on two.
+ */
+class ReferenceHashTest {
+    private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
+    private static final Path SHARED = Path.of("..", "shared");
+    private static final String PLAN_HASH = "d3ebeb7c863e887bb5b6c7417bace20cf03fceac57ab49d69e60f151150765e7";
+
+    record ReferenceScene(String name, String options, String hash) {
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+
+    static Stream<ReferenceScene> scenes() throws IOException {
+        return resource("reference-hashes.txt")
+                .lines()
+                .filter(line -> !line.startsWith("#"))
+                .map(line -> line.split(" \\| "))
+                .map(cell -> new ReferenceScene(cell[0], cell[1], cell[2]));
+    }
+
+    private static String resource(String name) throws IOException {
+        try (InputStream in = ReferenceHashTest.class.getResourceAsStream(name)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void aSceneEndsInTheStateOfTheReference(ReferenceScene scene) {
+        assumeTrue(
+                !scene.options().contains("@shared") || Files.isDirectory(SHARED),
+                "needs public data in ../shared, which is absent");
+        List<String> arguments = new ArrayList<>(
+                List.of("run", "--json", "--threads", scene.hash().charAt(0) < '8' ? "1" : "2"));
+        arguments.addAll(
+                List.of(scene.options().replace("@shared", SHARED.toString()).split(" ")));
+        assertThat(hashOf(arguments)).isEqualTo(scene.hash());
+    }
+
+    @Test
+    void aRehearsalEndsInTheStateOfTheReference(@TempDir Path folder) throws IOException {
+        Path plan = Files.writeString(folder.resolve("plan.yaml"), resource("reference-plan.yaml"));
+        String out = folder.resolve("report").toString();
+        assertThat(hashOf(List.of("rehearse", plan.toString(), "--out", out, "--no-pictures", "--json")))
+                .isEqualTo(PLAN_HASH);
+    }
+
+    private static String hashOf(List<String> arguments) {
+        CommandLineRun run = CommandLineRun.of(arguments.toArray(String[]::new));
+        Matcher matcher = HASH.matcher(run.out());
+        assertThat(matcher.find())
+                .as("a state_sha256 in %s%s", run.out(), run.err())
+                .isTrue();
+        return matcher.group(1);
+    }
+}
