@@ -99,16 +99,16 @@ final class BenchStabilityCommand implements Callable<Integer> {
             }
         }
         List<IntegratorKind> kinds = integrators == null
-                ? usual.kinds()
+                ? usual.integrators()
                 : OptionValues.split(integrators).stream()
                         .map(IntegratorKind::of)
                         .toList();
-        StabilityStudy.Settings settings = usual.of(cases, kinds)
-                .on(
+        StabilityStudy.Settings settings = usual.only(cases, kinds)
+                .withThreads(
                         threads == null
                                 ? Scenario.defaults().threads()
                                 : OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS));
-        return spend == null ? settings : settings.spending(OptionValues.number("--spend", spend, 1, MAX_SPEND));
+        return spend == null ? settings : settings.withEvaluations(OptionValues.number("--spend", spend, 1, MAX_SPEND));
     }
 
     private static String table(List<List<String>> rows) {

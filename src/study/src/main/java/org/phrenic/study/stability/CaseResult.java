@@ -1,70 +1,65 @@
 package org.phrenic.study.stability;
 
+import java.util.Map;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * One hard case under one integrator.
+ * One stability case under one integrator.
  *
  * @param caseKey which case
  * @param integrator the scheme
  * @param outcome how it ended
- * @param sentence what was refused, noticed or passed over; empty for a stable cell
+ * @param sentence what was refused, diverged or refined; empty where nothing was
  * @param requestedS simulated time asked for, s
  * @param simulatedS simulated time at the end, s
- * @param dtS time step, s
- * @param substeps parts a step at the end; 0 where it was refused
- * @param kineticFactor largest kinetic energy over that of the trusted run; NaN without one
- * @param speedMmS largest speed of a node, mm/s
- * @param reachMm largest distance of a node from its start, mm
- * @param shapeError largest rms distance from the trusted run over its excursion; NaN without one
- * @param linkError largest relative error of a rigid link's length
- * @param returnMm rms distance from the start at the end, mm
- * @param repeatMm largest distance of a node at the end of any later period from where it was at the end of the first
- *     period after a minute, mm; NaN in shorter runs
- * @param driftMm largest distance of a node from its start after the breath was stopped and the body had come to rest,
- *     mm; NaN where that is not asked for
+ * @param dtS time step, s; NaN where it was refused
+ * @param substeps per step at the end; 0 where it was refused
+ * @param found values of the measures; those that were not measured are missing
  */
 public record CaseResult(
         String caseKey,
         IntegratorKind integrator,
-        CaseOutcome outcome,
+        Outcome outcome,
         String sentence,
         double requestedS,
         double simulatedS,
         double dtS,
         int substeps,
-        double kineticFactor,
-        double speedMmS,
-        double reachMm,
-        double shapeError,
-        double linkError,
-        double returnMm,
-        double repeatMm,
-        double driftMm) {
+        Map<StabilityMeasure, Double> found) {
+    /** How a case ended. */
+    public enum Outcome {
+        /** Every measure stayed within the bounds of the case. */
+        STABLE("stable"),
+        /** A diverged state was detected, an earlier one was restored, and what followed held the bounds. */
+        RECOVERED("recovered"),
+        /** The scene was refused before it ran, in a sentence that says why. */
+        REFUSED("refused"),
+        /** A bound was violated and nothing was reported: what must not be. */
+        SILENT_FAILURE("FAILED SILENTLY");
 
-    /** Whether it ended before its time because it had spent what it may. */
-    boolean endedEarly() {
-        return outcome != CaseOutcome.REFUSED && outcome != CaseOutcome.SILENT_FAILURE && simulatedS < requestedS - dtS;
+        private final String label;
+
+        Outcome(String label) {
+            this.label = label;
+        }
+
+        /** Name for people. */
+        public String label() {
+            return label;
+        }
     }
 
-    static CaseResult refused(StabilityCase hard, IntegratorKind kind, double askedS, String sentence) {
-        double none = Double.NaN;
-        return new CaseResult(
-                hard.key(),
-                kind,
-                CaseOutcome.REFUSED,
-                sentence,
-                askedS,
-                0,
-                none,
-                0,
-                none,
-                none,
-                none,
-                none,
-                none,
-                none,
-                none,
-                none);
+    static CaseResult refused(String caseKey, IntegratorKind integrator, double requestedS, String sentence) {
+        return new CaseResult(caseKey, integrator, Outcome.REFUSED, sentence, requestedS, 0, Double.NaN, 0, Map.of());
+    }
+
+    /** Whether it ended before its time because it had spent the evaluations it may. */
+    boolean endedEarly() {
+        return outcome != Outcome.REFUSED && outcome != Outcome.SILENT_FAILURE && simulatedS < requestedS - dtS;
+    }
+
+    /** NaN where it was not measured. */
+    double value(StabilityMeasure measure) {
+        return found.getOrDefault(measure, Double.NaN);
     }
 }

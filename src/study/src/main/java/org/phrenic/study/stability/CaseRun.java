@@ -1,57 +1,50 @@
 package org.phrenic.study.stability;
 
+import java.util.EnumMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.study.stability.CaseResult.Outcome;
 
-/** Runs one hard case under one integrator and judges it. */
+/** Runs one stability case under one integrator and judges it. */
 final class CaseRun {
-    /** Between looks at the scene, s of simulated time. */
+    /** Simulated time between samples, s. */
     static final double SAMPLE_S = 0.05;
 
     /**
-     * Conjugate-gradient iterations of a backward Euler step, each about a force evaluation: as measured on these
-     * scenes.
+     * Conjugate-gradient iterations of a backward Euler step, each about a force evaluation, measured on these scenes.
      */
     private static final int EVALUATIONS_PER_IMPLICIT_STEP = 20;
 
-    /** After so many a scene is given up, with a good state put back. */
     private static final int MAX_DIVERGENCES = 1000;
 
-    /** Backward Euler damps what it does not resolve: it may be so many times as far from the trusted shape. */
+    /** Backward Euler damps what it does not resolve: it may be so many times as far from the reference solution. */
     private static final double DISSIPATIVE_FACTOR = 2;
 
-    /** By then the swing of the start has died down, s: with the paper's damping it fades by e in 10 s. */
+    /** Oscillations of the start have decayed by then, s: with the paper's damping they decay by e in 10 s. */
     private static final double TRANSIENT_S = 60;
 
     /** Breaths that end farther apart do not repeat each other, mm. */
     private static final double MAX_REPEAT_MM = 0.1;
 
-    /**
-     * What had begun to swing when a step was split, or was on its way out when a state was put back, has so long to
-     * die down, s.
-     */
+    /** Time in which oscillations decay after a step was refined or a state was restored, s. */
     private static final double SETTLING_S = 1;
 
-    private final StabilityCase hard;
-    private final IntegratorKind kind;
+    private final StabilityCase stabilityCase;
+    private final StabilityBounds bounds;
+    private final IntegratorKind integrator;
     private final ReferenceSolution reference;
-    private final StabilityScene trial;
-    private final NodeState shape;
+    private final StabilityScene scene;
+    private final NodeState nodes;
     private final double[] start;
     private final double allowedKinetic;
+    private final Map<StabilityMeasure, Double> found = new EnumMap<>(StabilityMeasure.class);
 
     private int divergences;
-    private double maxKinetic;
-    private double maxSpeed;
-    private double maxDistance;
-    private double maxShapeError;
-    private double maxLinkError;
     private double[] settledPeriodEnd;
-    private double repeat = Double.NaN;
-    private double drift = Double.NaN;
-    private double returnDistance;
     private double endS;
     private String violation = "";
     private String divergence = "";
@@ -60,55 +53,61 @@ final class CaseRun {
     private double refinementTime = Double.NEGATIVE_INFINITY;
     private int substeps;
 
-    private CaseRun(StabilityCase hard, IntegratorKind kind, ReferenceSolution trusted, StabilityScene trial) {
-        this.hard = hard;
-        this.kind = kind;
-        this.reference = trusted;
-        this.trial = trial;
-        shape = new NodeState(trial.system());
-        start = shape.positions().clone();
-        substeps = trial.stepper().substeps();
-        // A trusted run that hardly moves says nothing about energy: as much as all nodes at 1 mm/s is then allowed.
-        double mass = 0;
-        for (double m : trial.system().masses()) {
-            mass += m;
+    private CaseRun(
+            StabilityCase stabilityCase, IntegratorKind integrator, ReferenceSolution reference, StabilityScene scene) {
+        this.stabilityCase = stabilityCase;
+        this.integrator = integrator;
+        this.reference = reference;
+        this.scene = scene;
+        bounds = stabilityCase.bounds();
+        nodes = new NodeState(scene.system());
+        start = nodes.positions().clone();
+        substeps = scene.stepper().substeps();
+        List.of(StabilityMeasure.SPEED_MM_S, StabilityMeasure.REACH_MM, StabilityMeasure.LINK_ERROR)
+                .forEach(m -> found.put(m, 0.0));
+        if (reference == null) {
+            allowedKinetic = Double.NaN;
+        } else {
+            // A reference solution that hardly moves gives no measure: as much as all nodes at 1 mm/s is then allowed.
+            double mass = 0;
+            for (double m : scene.system().masses()) {
+                mass += m;
+            }
+            allowedKinetic = Math.max(reference.maxKinetic(), 0.5 * mass);
+            List.of(StabilityMeasure.KINETIC_FACTOR, StabilityMeasure.SHAPE).forEach(m -> found.put(m, 0.0));
         }
-        allowedKinetic = trusted == null ? Double.NaN : Math.max(trusted.maxKinetic(), 0.5 * mass);
     }
 
     /**
-     * Runs a cell.
+     * Runs a case.
      *
-     * @param trusted measure of the case; null where it needs none
+     * @param reference solution of the case; null where it needs none
      * @param durationS simulated time asked for, s
-     * @param nodeEvaluations evaluations of the force on a node that may be spent; a cell that needs more ends earlier,
-     *     which its simulated time shows
+     * @param nodeEvaluations evaluations of the force on a node that may be spent; a case that needs more ends earlier
      */
     static CaseResult of(
-            StabilityCase hard,
-            IntegratorKind kind,
-            ReferenceSolution trusted,
+            StabilityCase stabilityCase,
+            IntegratorKind integrator,
+            ReferenceSolution reference,
             double durationS,
             double nodeEvaluations) {
-        StabilityScene trial;
-        try {
-            trial = hard.factory().create(kind, 1, durationS);
+        try (StabilityScene scene = stabilityCase.factory().create(integrator, 1, durationS)) {
+            CaseRun run = new CaseRun(stabilityCase, integrator, reference, scene);
+            run.advance(durationS, nodeEvaluations);
+            return run.result(durationS);
         } catch (IllegalArgumentException refused) {
-            return CaseResult.refused(hard, kind, durationS, refused.getMessage());
-        }
-        try (trial) {
-            CaseRun run = new CaseRun(hard, kind, trusted, trial);
-            String refused = run.advance(durationS, nodeEvaluations);
-            return refused.isEmpty() ? run.result(durationS) : CaseResult.refused(hard, kind, durationS, refused);
+            return CaseResult.refused(stabilityCase.key(), integrator, durationS, refused.getMessage());
         }
     }
 
-    /** Steps to the end, looking every so often; returns the sentence if the scene was refused on the way. */
-    private String advance(double durationS, double nodeEvaluations) {
-        Stepper stepper = trial.stepper();
+    /** @throws IllegalArgumentException if the scene is refused on the way */
+    private void advance(double durationS, double nodeEvaluations) {
+        Stepper stepper = scene.stepper();
+        int evaluations = integrator == IntegratorKind.BACKWARD_EULER
+                ? EVALUATIONS_PER_IMPLICIT_STEP
+                : integrator.forceEvaluations();
+        double costPerSubstep = evaluations * (double) scene.system().nodeCount();
         double spent = 0;
-        double step = (kind == IntegratorKind.BACKWARD_EULER ? EVALUATIONS_PER_IMPLICIT_STEP : kind.forceEvaluations())
-                * (double) trial.system().nodeCount();
         long sample = 0;
         boolean over = false;
         while (!over && violation.isEmpty()) {
@@ -116,159 +115,155 @@ final class CaseRun {
             double until = Math.min(sample * SAMPLE_S, durationS);
             while (!over && violation.isEmpty() && stepper.time() < until - 1e-9) {
                 try {
-                    trial.step();
-                } catch (DivergenceException told) {
-                    divergence = told.getMessage();
+                    scene.step();
+                } catch (DivergenceException diverged) {
+                    divergence = diverged.getMessage();
                     divergenceTime = stepper.time();
                     sample(stepper.time());
-                    over = ++divergences > MAX_DIVERGENCES || !trial.undoLastChange();
-                } catch (IllegalArgumentException refused) {
-                    return refused.getMessage();
+                    over = ++divergences > MAX_DIVERGENCES || !scene.undoLastChange();
                 }
-                if (stepper.substeps() > substeps
-                        && !stepper.substepRefinementReason().isEmpty()) {
-                    refinementTime = stepper.time();
-                    refinement = String.format(
-                            Locale.ROOT,
-                            "at %.2f s: %s: split into %d substeps",
-                            refinementTime,
-                            stepper.substepRefinementReason(),
-                            stepper.substeps());
-                }
-                substeps = stepper.substeps();
-                spent += step * stepper.substeps();
+                noteRefinement(stepper);
+                spent += costPerSubstep * stepper.substeps();
             }
             sample(stepper.time());
             over |= stepper.time() >= durationS - 1e-9 || spent > nodeEvaluations;
         }
         finish(durationS);
-        return "";
+    }
+
+    private void noteRefinement(Stepper stepper) {
+        String reason = stepper.substepRefinementReason();
+        if (stepper.substeps() > substeps && !reason.isEmpty()) {
+            refinementTime = stepper.time();
+            refinement = String.format(
+                    Locale.ROOT, "at %.2f s: %s: split into %d substeps", refinementTime, reason, stepper.substeps());
+        }
+        substeps = stepper.substeps();
     }
 
     private void sample(double time) {
-        double kinetic = trial.system().kineticEnergy();
-        double fastest = shape.maxSpeed();
-        double[] now = shape.positions();
-        maxKinetic = Math.max(maxKinetic, kinetic);
-        maxSpeed = Math.max(maxSpeed, fastest);
-        double farthest = NodeState.maxDistance(now, start);
-        maxDistance = Math.max(maxDistance, farthest);
-        maxLinkError = Math.max(maxLinkError, trial.linkError());
-        StabilityBounds bounds = hard.bounds();
-        if (!(time < refinementTime + SETTLING_S)) {
-            checkBound("speed of a node, mm/s", fastest, bounds.speedMmS(), time);
-            if (reference != null) {
-                checkBound(
-                        "kinetic energy over that of the trusted run",
-                        kinetic / allowedKinetic,
-                        bounds.kineticFactor(),
-                        time);
+        double[] positions = nodes.positions();
+        double speed = nodes.maxSpeed();
+        double reach = NodeState.maxDistance(positions, start);
+        double linkError = keepLargest(StabilityMeasure.LINK_ERROR, scene.linkError());
+        keepLargest(StabilityMeasure.SPEED_MM_S, speed);
+        keepLargest(StabilityMeasure.REACH_MM, reach);
+        boolean refinedLately = time < refinementTime + SETTLING_S;
+        if (!refinedLately) {
+            checkBound(StabilityMeasure.SPEED_MM_S, speed, 1, time);
+        }
+        if (reference != null) {
+            double kinetic = scene.system().kineticEnergy() / allowedKinetic;
+            keepLargest(StabilityMeasure.KINETIC_FACTOR, kinetic);
+            if (!refinedLately) {
+                checkBound(StabilityMeasure.KINETIC_FACTOR, kinetic, 1, time);
             }
         }
-        // What was noticed far out may go on for a moment before it turns round.
+        // A node that was far out when the divergence was detected needs a moment to turn round.
         if (!(time < divergenceTime + SETTLING_S)) {
-            checkBound("distance of a node from its start, mm", farthest, bounds.reachMm(), time);
+            checkBound(StabilityMeasure.REACH_MM, reach, 1, time);
         }
         if (divergence.isEmpty()) {
-            checkBound("error of a link's length", maxLinkError, bounds.linkError(), time);
+            checkBound(StabilityMeasure.LINK_ERROR, linkError, 1, time);
+            compareWithReference(positions, time);
         }
-        boolean comparable = reference != null && divergence.isEmpty() && time <= bounds.shapeS();
-        double[] right = comparable ? reference.positionsAt(time) : null;
-        if (right != null) {
-            maxShapeError =
-                    Math.max(maxShapeError, NodeState.rmsDistance(now, right) / Math.max(reference.excursion(), 1));
-            double most = bounds.shape() * (kind == IntegratorKind.BACKWARD_EULER ? DISSIPATIVE_FACTOR : 1);
-            checkBound("rms distance from the trusted run over its excursion", maxShapeError, most, time);
+        compareWithEarlierPeriod(positions, time);
+    }
+
+    private void compareWithReference(double[] positions, double time) {
+        double[] expected = reference == null || time > bounds.shapeUntilS() ? null : reference.positionsAt(time);
+        if (expected != null) {
+            double distance = NodeState.rmsDistance(positions, expected) / Math.max(reference.excursion(), 1);
+            double factor = integrator == IntegratorKind.BACKWARD_EULER ? DISSIPATIVE_FACTOR : 1;
+            checkBound(StabilityMeasure.SHAPE, keepLargest(StabilityMeasure.SHAPE, distance), factor, time);
         }
-        if (hard.periodS() > 0) {
-            double periods = time / hard.periodS();
-            if (Math.abs(periods - Math.rint(periods)) * hard.periodS() < 1e-6 && time > TRANSIENT_S) {
-                if (settledPeriodEnd == null) {
-                    settledPeriodEnd = now.clone();
-                } else {
-                    double apart = NodeState.maxDistance(now, settledPeriodEnd);
-                    repeat = Double.isNaN(repeat) ? apart : Math.max(repeat, apart);
-                    checkBound(
-                            "distance of a node from where an earlier breath left it, mm",
-                            apart,
-                            bounds.repeatMm(),
-                            time);
-                }
-            }
+    }
+
+    private void compareWithEarlierPeriod(double[] positions, double time) {
+        double periodS = stabilityCase.periodS();
+        double periods = time / periodS;
+        if (periodS == 0 || time <= TRANSIENT_S || Math.abs(periods - Math.rint(periods)) * periodS >= 1e-6) {
+            return;
+        }
+        if (settledPeriodEnd == null) {
+            settledPeriodEnd = positions.clone();
+        } else {
+            double distance = NodeState.maxDistance(positions, settledPeriodEnd);
+            keepLargest(StabilityMeasure.REPEAT_MM, distance);
+            checkBound(StabilityMeasure.REPEAT_MM, distance, 1, time);
         }
     }
 
     private void finish(double durationS) {
-        endS = trial.stepper().time();
-        returnDistance = NodeState.rmsDistance(shape.positions(), start);
+        endS = scene.stepper().time();
+        double distance = NodeState.rmsDistance(nodes.positions(), start);
+        found.put(StabilityMeasure.RETURN_MM, distance);
         if (violation.isEmpty() && divergence.isEmpty() && endS >= durationS - 1e-9) {
-            checkBound(
-                    "rms distance from the start at the end, mm",
-                    returnDistance,
-                    hard.bounds().returnMm(),
-                    endS);
+            checkBound(StabilityMeasure.RETURN_MM, distance, 1, endS);
         }
-        if (violation.isEmpty() && hard.bounds().driftMm() < Double.POSITIVE_INFINITY) {
+        if (violation.isEmpty() && bounds.isBounded(StabilityMeasure.DRIFT_MM)) {
             measureDrift();
         }
     }
 
-    /** Stops the breath and holds the shape in which the body comes to rest against that of its start. */
+    /** Stops the breath and compares the shape in which the body comes to rest with that of its start. */
     private void measureDrift() {
-        Stepper stepper = trial.stepper();
-        trial.stopBreathing();
-        double until = stepper.time() + BreathStop.SETTLING_S;
+        Stepper stepper = scene.stepper();
+        scene.stopBreathing();
+        double until = stepper.time() + ThoraxScene.SETTLING_S;
         try {
             while (stepper.time() < until - 1e-9) {
-                trial.step();
+                scene.step();
             }
-        } catch (DivergenceException told) {
-            divergence = told.getMessage();
+        } catch (DivergenceException diverged) {
+            divergence = diverged.getMessage();
             return;
         }
-        drift = NodeState.maxDistance(shape.positions(), start);
-        checkBound("drift of a node of the rest shape, mm", drift, hard.bounds().driftMm(), stepper.time());
+        double drift = NodeState.maxDistance(nodes.positions(), start);
+        found.put(StabilityMeasure.DRIFT_MM, drift);
+        checkBound(StabilityMeasure.DRIFT_MM, drift, 1, stepper.time());
     }
 
-    /**
-     * A number that is none is within nothing; where no trusted run is asked for, nothing is asked of what needs it.
-     */
-    private void checkBound(String what, double found, double most, double time) {
-        if (most < Double.POSITIVE_INFINITY && !(found <= most) && violation.isEmpty()) {
+    private double keepLargest(StabilityMeasure measure, double value) {
+        return found.merge(measure, value, Math::max);
+    }
+
+    /** Keeps the first violation; NaN violates every bound. */
+    private void checkBound(StabilityMeasure measure, double value, double factor, double time) {
+        double maximum = bounds.maximum(measure) * factor;
+        if (bounds.isBounded(measure) && !(value <= maximum) && violation.isEmpty()) {
             violation = String.format(
-                    Locale.ROOT, "at %.2f s: %s: found %.4g, expected at most %.4g", time, what, found, most);
+                    Locale.ROOT,
+                    "at %.2f s: %s: found %.4g, expected at most %.4g",
+                    time,
+                    measure.description(),
+                    value,
+                    maximum);
         }
     }
 
     private CaseResult result(double durationS) {
-        String told = divergence.isEmpty() ? refinement : divergence;
-        CaseOutcome verdict = !violation.isEmpty()
-                ? CaseOutcome.SILENT_FAILURE
-                : told.isEmpty() ? CaseOutcome.STABLE : CaseOutcome.RECOVERED;
-        if (told.isEmpty() && repeat > MAX_REPEAT_MM) {
-            told = String.format(
+        String reported = divergence.isEmpty() ? refinement : divergence;
+        Outcome outcome =
+                !violation.isEmpty() ? Outcome.SILENT_FAILURE : reported.isEmpty() ? Outcome.STABLE : Outcome.RECOVERED;
+        double repeat = found.getOrDefault(StabilityMeasure.REPEAT_MM, Double.NaN);
+        if (reported.isEmpty() && repeat > MAX_REPEAT_MM) {
+            reported = String.format(
                     Locale.ROOT,
                     "no breath repeats another: nodes end one up to %.2g mm from where they ended another; stopped,"
                             + " all come to rest within %.2g mm of their start",
                     repeat,
-                    drift);
+                    found.getOrDefault(StabilityMeasure.DRIFT_MM, Double.NaN));
         }
         return new CaseResult(
-                hard.key(),
-                kind,
-                verdict,
-                violation.isEmpty() ? told : violation,
+                stabilityCase.key(),
+                integrator,
+                outcome,
+                violation.isEmpty() ? reported : violation,
                 durationS,
                 endS,
-                trial.stepper().dt(),
-                trial.stepper().substeps(),
-                reference == null ? Double.NaN : maxKinetic / allowedKinetic,
-                maxSpeed,
-                maxDistance,
-                reference == null ? Double.NaN : maxShapeError,
-                maxLinkError,
-                returnDistance,
-                repeat,
-                drift);
+                scene.stepper().dt(),
+                scene.stepper().substeps(),
+                found);
     }
 }

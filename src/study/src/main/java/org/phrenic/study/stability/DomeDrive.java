@@ -13,7 +13,7 @@ final class DomeDrive implements ForceField, PrescribedMotion {
     private static final double WIDENING = 1.0 / 12;
     private static final double RISE_MM = 8;
 
-    private final DomeParameters recipe;
+    private final DomeParameters parameters;
     private final ActionLine line;
     private final double lineForce;
     private final double[] rim;
@@ -22,8 +22,8 @@ final class DomeDrive implements ForceField, PrescribedMotion {
      * @param lineForce of the action line at full drive, mN
      * @param rim where the rim is at rest, mm
      */
-    DomeDrive(DomeParameters recipe, ActionLine line, double lineForce, double[] rim) {
-        this.recipe = recipe;
+    DomeDrive(DomeParameters parameters, ActionLine line, double lineForce, double[] rim) {
+        this.parameters = parameters;
         this.line = line;
         this.lineForce = lineForce;
         this.rim = rim.clone();
@@ -39,7 +39,7 @@ final class DomeDrive implements ForceField, PrescribedMotion {
 
     @Override
     public void prepare(double time) {
-        line.setForce(recipe.force() * lineForce * drive(time));
+        line.setForce(parameters.force * lineForce * drive(time));
     }
 
     @Override
@@ -53,9 +53,9 @@ final class DomeDrive implements ForceField, PrescribedMotion {
     @Override
     public void at(double time, double[] position, double[] velocity) {
         double phase = time / PERIOD_S - Math.floor(time / PERIOD_S);
-        boolean out = recipe.rimJumps() && phase >= 0.25 && phase < 0.75;
-        double turn = recipe.rimJumps() ? (out ? 1 : 0) : drive(time);
-        double rate = recipe.rimJumps() ? 0 : driveRate(time);
+        boolean out = parameters.rimJumps && phase >= 0.25 && phase < 0.75;
+        double turn = parameters.rimJumps ? (out ? 1 : 0) : drive(time);
+        double rate = parameters.rimJumps ? 0 : driveRate(time);
         for (int i = 0; i < rim.length; i++) {
             double range = i % 3 == 2 ? RISE_MM : WIDENING * rim[i];
             position[i] = rim[i] + turn * range;

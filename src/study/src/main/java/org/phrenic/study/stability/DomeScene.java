@@ -14,13 +14,15 @@ import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
 
 /**
  * The engine alone on a dome that breathes: springs along the edges and between the faces, rigid links in its middle, a
  * rim carried by ribs, one action line, and soft springs that bring each node home.
  */
 final class DomeScene implements StabilityScene {
-    /** Largest relative length error that links are swept to, and sweeps at most, as in the scenes of the program. */
+    /** Tolerance of the relative length error and maximum number of sweeps, as in the scenes of the program. */
     private static final double LINK_TOLERANCE = 1e-6;
 
     private static final int LINK_SWEEPS = 50;
@@ -30,38 +32,38 @@ final class DomeScene implements StabilityScene {
     private static final double LINE_RADIUS = 60;
     private static final double HOME_SHARE = 0.25;
     private static final double LINE_FORCE = 300;
-    private final DomeParameters recipe;
+    private final DomeParameters parameters;
     private final Workers workers = Workers.of(1);
     private final Stepper stepper;
     private final RigidLinks links;
 
     /**
-     * Puts a dome together.
+     * Assembles a dome.
      *
      * @param kind the scheme
      * @param refinement more than 1 for a step of the stability limit over so much
      * @throws IllegalArgumentException with one sentence, if the scene is refused
      */
-    DomeScene(DomeParameters recipe, IntegratorKind kind, int refinement) {
-        this.recipe = recipe;
-        DomeMesh mesh = recipe.mesh();
+    DomeScene(DomeParameters parameters, IntegratorKind kind, int refinement) {
+        this.parameters = parameters;
+        DomeMesh mesh = parameters.mesh;
         double[] rest = mesh.positions();
         NodeLayout layout = NodeLayout.morton(rest);
         ParticleSystem system = new ParticleSystem(layout, rest, masses(rest.length / 3), workers);
-        system.setViscosity(recipe.viscosity());
+        system.setViscosity(parameters.viscosity);
         int[][] edges = edges(mesh);
         system.add(Springs.between(layout, edges[0], edges[1])
-                .stiffness(recipe.stiffness())
+                .stiffness(parameters.stiffness)
                 .restLengthsAt(rest)
                 .build());
         int[] free = IntStream.range(0, rest.length / 3)
                 .filter(i -> Arrays.stream(mesh.rim()).noneMatch(r -> r == i))
                 .toArray();
         double[] home = new double[free.length];
-        Arrays.fill(home, recipe.homeSprings() ? HOME_SHARE * recipe.stiffness() : 0);
+        Arrays.fill(home, parameters.homeSprings ? HOME_SHARE * parameters.stiffness : 0);
         system.add(new Attachments(layout, free, home, 0, PrescribedMotion.stationary(gather(rest, free))));
         ActionLine line = new ActionLine(layout, free, rest, 0, 0, LINE_RADIUS);
-        DomeDrive breath = new DomeDrive(recipe, line, LINE_FORCE, gather(rest, mesh.rim()));
+        DomeDrive breath = new DomeDrive(parameters, line, LINE_FORCE, gather(rest, mesh.rim()));
         system.add(breath);
         system.add(line);
         links = links(mesh, layout, rest);
@@ -69,40 +71,33 @@ final class DomeScene implements StabilityScene {
         system.prescribe(mesh.rim(), breath);
         StabilityLimit limit = StabilityLimit.of(system);
         double dt = refinement == 1
-                ? recipe.dtS()
+                ? parameters.dtS
                 : CaseRun.SAMPLE_S
-                        / Math.ceil(CaseRun.SAMPLE_S * refinement / Math.min(limit.largestStep(kind), recipe.dtS()));
+                        / Math.ceil(CaseRun.SAMPLE_S * refinement / Math.min(limit.largestStep(kind), parameters.dtS));
         stepper = new Stepper(kind.create(system), dt, StepPolicy.SUBSTEP, limit);
     }
 
     private double[] masses(int nodes) {
         double[] mass = new double[nodes];
-        double spread = Math.sqrt(recipe.massRatio());
+        double spread = Math.sqrt(parameters.massRatio);
         for (int i = 0; i < nodes; i++) {
-            mass[i] = spread == 1 ? recipe.mass() : recipe.mass() * (i % 7 == 0 ? spread : 1 / spread);
+            mass[i] = spread == 1 ? parameters.mass : parameters.mass * (i % 7 == 0 ? spread : 1 / spread);
         }
         return mass;
     }
 
     /** Each edge of both faces once, then a strut from each node of the upper face to that below it. */
     private static int[][] edges(DomeMesh mesh) {
-        int[] t = mesh.triangles();
-        long[] keys = IntStream.range(0, t.length)
-                .mapToLong(i -> {
-                    int next = t[i % 3 == 2 ? i - 2 : i + 1];
-                    return (long) Math.min(t[i], next) << 32 | Math.max(t[i], next);
-                })
-                .sorted()
-                .distinct()
-                .toArray();
+        int[] edges = new MeshTopology(new TriangleMesh(mesh.positions(), mesh.triangles())).edges();
         int[] below = mesh.below();
         int[] upper =
                 IntStream.range(0, below.length).filter(i -> below[i] != i).toArray();
-        int[] a = new int[keys.length + upper.length];
+        int count = edges.length / 2;
+        int[] a = new int[count + upper.length];
         int[] b = new int[a.length];
         for (int i = 0; i < a.length; i++) {
-            a[i] = i < keys.length ? (int) (keys[i] >>> 32) : upper[i - keys.length];
-            b[i] = i < keys.length ? (int) keys[i] : below[upper[i - keys.length]];
+            a[i] = i < count ? edges[2 * i] : upper[i - count];
+            b[i] = i < count ? edges[2 * i + 1] : below[upper[i - count]];
         }
         return new int[][] {a, b};
     }
@@ -116,7 +111,7 @@ final class DomeScene implements StabilityScene {
         int[] linked = IntStream.range(0, below.length)
                 .filter(i -> below[i] != i && Math.hypot(rest[3 * i], rest[3 * i + 1]) < LINKED_RADIUS)
                 .toArray();
-        double[] shares = recipe.conflictingLinks() ? CONFLICTING_LENGTHS : CONSISTENT_LENGTHS;
+        double[] shares = parameters.conflictingLinks ? CONFLICTING_LENGTHS : CONSISTENT_LENGTHS;
         int[] a = new int[shares.length * linked.length];
         int[] b = new int[a.length];
         double[] length = new double[a.length];

@@ -2,7 +2,7 @@ package org.phrenic.study.stability;
 
 import org.phrenic.engine.ParticleSystem;
 
-/** Where the nodes of a scene are, in the caller's order. */
+/** Positions and speeds of the nodes of a scene, in the caller's order. */
 final class NodeState {
     private final ParticleSystem system;
     private final double[] positions;
@@ -12,7 +12,7 @@ final class NodeState {
         positions = new double[3 * system.nodeCount()];
     }
 
-    /** Positions now, mm; the same array each time. */
+    /** Current positions, mm; the same array each time. */
     double[] positions() {
         system.layout().toCaller(system.positions(), positions);
         return positions;
@@ -27,7 +27,7 @@ final class NodeState {
         return Math.sqrt(3 * sum / p.length);
     }
 
-    /** Largest distance of a node, mm; NaN where a position is no number. */
+    /** Largest distance of a node, mm; NaN where a position is NaN. */
     static double maxDistance(double[] p, double[] q) {
         double worst = 0;
         for (int i = 0; i < p.length; i += 3) {
@@ -39,7 +39,7 @@ final class NodeState {
         return Math.sqrt(worst);
     }
 
-    /** Largest speed of a node, mm/s; NaN where one is no number. */
+    /** Largest speed of a node, mm/s; NaN where one is NaN. */
     double maxSpeed() {
         double[] v = system.velocities();
         double worst = 0;

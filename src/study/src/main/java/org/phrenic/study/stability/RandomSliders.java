@@ -4,16 +4,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Consumer;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 
 /**
- * Throws sliders from end to end at random, several at a time, then puts all back, stops breathing and lets the body
+ * Moves sliders from end to end at random, several at a time; then restores all, stops the breath and lets the body
  * come to rest.
  */
-final class RandomSliders implements ThoraxScene.Intervention {
+final class RandomSliders implements Consumer<Simulation> {
     private static final long SEED = 2009;
     private static final double MIN_INTERVAL_S = 0.05;
     private static final double SPREAD_S = 1;
@@ -28,11 +29,11 @@ final class RandomSliders implements ThoraxScene.Intervention {
     private boolean restored;
 
     /**
-     * @param start what the body does at first
-     * @param untilS when all is put back, s
+     * @param start initial scenario
+     * @param durationS of the run, s: all is restored in time for the body to come to rest
      */
-    RandomSliders(Scenario start, double untilS) {
-        this.untilS = untilS;
+    RandomSliders(Scenario start, double durationS) {
+        untilS = durationS - ThoraxScene.SETTLING_S;
         initialScenario = start;
         parameters = Arrays.stream(Parameter.values())
                 .filter(p -> p.isUsedBy(start.material()))
@@ -40,7 +41,7 @@ final class RandomSliders implements ThoraxScene.Intervention {
     }
 
     @Override
-    public void beforeStep(Simulation simulation) {
+    public void accept(Simulation simulation) {
         double now = simulation.time();
         if (now >= untilS) {
             if (!restored) {
@@ -52,8 +53,7 @@ final class RandomSliders implements ThoraxScene.Intervention {
             try {
                 simulation.change(randomChanges());
             } catch (IllegalArgumentException refused) {
-                // What cannot be breathed, or stepped, is refused and nothing has changed: as for anybody at the
-                // sliders, it goes on.
+                // A refused change leaves the scene as it was, as for a user at the sliders.
                 return;
             }
         }
@@ -66,22 +66,22 @@ final class RandomSliders implements ThoraxScene.Intervention {
             int which = random.nextInt(parameters.length + SWITCHES.size() + 1);
             if (which < parameters.length) {
                 Parameter p = parameters[which];
-                list.add(BreathStop.assignment(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
+                list.add(ThoraxScene.assignment(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
             } else if (which < parameters.length + SWITCHES.size()) {
-                list.add(BreathStop.assignment(SWITCHES.get(which - parameters.length), random.nextBoolean()));
+                list.add(ThoraxScene.assignment(SWITCHES.get(which - parameters.length), random.nextBoolean()));
             } else {
-                list.add(BreathStop.assignment("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
+                list.add(ThoraxScene.assignment("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
             }
         }
         return list;
     }
 
-    /** All as it was, but no breath any more. */
+    /** The initial values, with the breath stopped. */
     private List<Assignment> restoringChanges() {
         List<Assignment> list = new ArrayList<>();
-        list.add(BreathStop.assignment("preset", initialScenario.preset()));
+        list.add(ThoraxScene.assignment("preset", initialScenario.preset()));
         for (String key : SWITCHES) {
-            list.add(BreathStop.assignment(key, initialScenario.toMap().get(key)));
+            list.add(ThoraxScene.assignment(key, initialScenario.toMap().get(key)));
         }
         var breath = initialScenario.breathing().parameters();
         for (Parameter p : parameters) {
@@ -95,9 +95,9 @@ final class RandomSliders implements ThoraxScene.Intervention {
             } else if (p == Parameter.DEPTH) {
                 value = 0;
             } else if (p == Parameter.DAMPING) {
-                value = BreathStop.DAMPING;
+                value = ThoraxScene.SETTLING_DAMPING;
             }
-            list.add(BreathStop.assignment(p.key(), value));
+            list.add(ThoraxScene.assignment(p.key(), value));
         }
         return list;
     }

@@ -5,10 +5,7 @@ import java.util.List;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 
-/**
- * A hard case computed so finely that its energy and shape serve as measure for all integrators: velocity Verlet at an
- * eighth of the case's stable step.
- */
+/** A stability case solved by velocity Verlet at an eighth of its stable step: the measure of all integrators. */
 final class ReferenceSolution {
     private static final int REFINEMENT = 8;
 
@@ -23,32 +20,29 @@ final class ReferenceSolution {
         this.endS = endS;
     }
 
-    /**
-     * Runs a case finely; null where its bounds need no such run, or where the case is refused or diverges however
-     * finely it is stepped.
-     */
-    static ReferenceSolution of(StabilityCase hard, double durationS, double sampleS) {
-        if (!hard.bounds().needsReference()) {
+    /** Solves a case; null where its bounds need no reference, or where the case is refused or diverges even so. */
+    static ReferenceSolution of(StabilityCase stabilityCase, double durationS, double sampleS) {
+        if (!stabilityCase.bounds().needsReference()) {
             return null;
         }
-        ReferenceSolution run = new ReferenceSolution(sampleS, Math.min(durationS, hard.referenceS()));
-        try (StabilityScene trial = hard.factory().create(IntegratorKind.VERLET, REFINEMENT, durationS)) {
-            NodeState shape = new NodeState(trial.system());
-            double[] start = shape.positions().clone();
-            long perSample = Math.max(1, Math.round(sampleS / trial.stepper().dt()));
+        ReferenceSolution run = new ReferenceSolution(sampleS, Math.min(durationS, stabilityCase.referenceS()));
+        try (StabilityScene scene = stabilityCase.factory().create(IntegratorKind.VERLET, REFINEMENT, durationS)) {
+            NodeState nodes = new NodeState(scene.system());
+            double[] start = nodes.positions().clone();
+            long perSample = Math.max(1, Math.round(sampleS / scene.stepper().dt()));
             run.shapes.add(start);
             long samples = Math.round(run.endS / sampleS);
             for (long s = 0; s < samples; s++) {
                 for (long i = 0; i < perSample; i++) {
-                    trial.step();
+                    scene.step();
                 }
-                double[] now = shape.positions().clone();
+                double[] now = nodes.positions().clone();
                 run.shapes.add(now);
-                run.maxKinetic = Math.max(run.maxKinetic, trial.system().kineticEnergy());
+                run.maxKinetic = Math.max(run.maxKinetic, scene.system().kineticEnergy());
                 run.excursion = Math.max(run.excursion, NodeState.rmsDistance(now, start));
             }
             return run;
-        } catch (IllegalArgumentException | DivergenceException told) {
+        } catch (IllegalArgumentException | DivergenceException unsolvable) {
             return null;
         }
     }
@@ -63,7 +57,7 @@ final class ReferenceSolution {
         return excursion;
     }
 
-    /** The shape at a time; null where there is none. */
+    /** Positions at a sampled time; null at any other. */
     double[] positionsAt(double time) {
         long index = Math.round(time / sampleS);
         return index >= 0 && index < shapes.size() && Math.abs(index * sampleS - time) < 1e-6

@@ -1,84 +1,48 @@
 package org.phrenic.study.stability;
 
-/**
- * What must hold in a hard case. The trusted run is velocity Verlet at an eighth of its stability limit, over the first
- * {@link StabilityCase#referenceS()}.
- *
- * @param kineticFactor kinetic energy at any sample over the largest of the trusted run
- * @param speedMmS speed of any node at any sample, mm/s
- * @param reachMm distance of any node from where it began, mm
- * @param shape rms distance of all nodes from the trusted run at the same time, while it lasts, over that run's largest
- *     rms distance from its start; infinite where trajectories may part
- * @param shapeS until when that is asked, s: where a sheet crumples or snaps through, trusted runs of different
- *     fineness part too
- * @param linkError largest | |AB| - L | / L of a rigid link
- * @param returnMm rms distance of all nodes from the start at the end of the case; infinite where it does not come back
- * @param repeatMm distance of any node at the end of any later period from where it was at the end of the first period
- *     after a minute; infinite where a motion need not repeat itself
- * @param driftMm distance of any node from where it began, once the breath is stopped at the end and the body has come
- *     to rest; infinite where it is not asked for
- */
-record StabilityBounds(
-        double kineticFactor,
-        double speedMmS,
-        double reachMm,
-        double shape,
-        double shapeS,
-        double linkError,
-        double returnMm,
-        double repeatMm,
-        double driftMm) {
-    private static final double ANY = Double.POSITIVE_INFINITY;
+import java.util.EnumMap;
+import java.util.Map;
 
+/**
+ * What must hold in a stability case.
+ *
+ * @param maxima largest value allowed of each measure; what is missing is not bounded
+ * @param shapeUntilS until when {@link StabilityMeasure#SHAPE} is compared, s: where a sheet crumples or snaps through,
+ *     reference solutions of different fineness part too
+ */
+record StabilityBounds(Map<StabilityMeasure, Double> maxima, double shapeUntilS) {
     /**
      * A cough moves tissue at some 1,000 mm/s and nothing in a trunk is 300 mm from where it was; links to a
      * thousandth.
      */
-    static StabilityBounds body() {
-        return new StabilityBounds(ANY, 1000, 300, ANY, ANY, 1e-3, ANY, ANY, ANY);
+    static final StabilityBounds BODY = new StabilityBounds(
+            Map.of(
+                    StabilityMeasure.SPEED_MM_S, 1000.0,
+                    StabilityMeasure.REACH_MM, 300.0,
+                    StabilityMeasure.LINK_ERROR, 1e-3),
+            Double.POSITIVE_INFINITY);
+
+    /** These bounds with another maximum; infinity for no bound. */
+    StabilityBounds with(StabilityMeasure measure, double maximum) {
+        Map<StabilityMeasure, Double> changed = new EnumMap<>(maxima);
+        changed.put(measure, maximum);
+        return new StabilityBounds(changed, shapeUntilS);
     }
 
-    StabilityBounds kinetic(double factor) {
-        return new StabilityBounds(factor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
+    StabilityBounds withShapeUntil(double seconds) {
+        return new StabilityBounds(maxima, seconds);
     }
 
-    StabilityBounds speed(double mmS) {
-        return new StabilityBounds(kineticFactor, mmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
+    /** Infinity where the measure is not bounded. */
+    double maximum(StabilityMeasure measure) {
+        return maxima.getOrDefault(measure, Double.POSITIVE_INFINITY);
     }
 
-    StabilityBounds reach(double mm) {
-        return new StabilityBounds(kineticFactor, speedMmS, mm, shape, shapeS, linkError, returnMm, repeatMm, driftMm);
+    boolean isBounded(StabilityMeasure measure) {
+        return maximum(measure) < Double.POSITIVE_INFINITY;
     }
 
-    StabilityBounds shape(double share) {
-        return new StabilityBounds(
-                kineticFactor, speedMmS, reachMm, share, shapeS, linkError, returnMm, repeatMm, driftMm);
-    }
-
-    StabilityBounds shapeUntil(double seconds) {
-        return new StabilityBounds(
-                kineticFactor, speedMmS, reachMm, shape, seconds, linkError, returnMm, repeatMm, driftMm);
-    }
-
-    StabilityBounds links(double relative) {
-        return new StabilityBounds(
-                kineticFactor, speedMmS, reachMm, shape, shapeS, relative, returnMm, repeatMm, driftMm);
-    }
-
-    StabilityBounds returns(double mm) {
-        return new StabilityBounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, mm, repeatMm, driftMm);
-    }
-
-    StabilityBounds repeats(double mm) {
-        return new StabilityBounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, mm, driftMm);
-    }
-
-    StabilityBounds drift(double mm) {
-        return new StabilityBounds(kineticFactor, speedMmS, reachMm, shape, shapeS, linkError, returnMm, repeatMm, mm);
-    }
-
-    /** Whether a trusted run is needed. */
     boolean needsReference() {
-        return kineticFactor < ANY || shape < ANY;
+        return isBounded(StabilityMeasure.KINETIC_FACTOR) || isBounded(StabilityMeasure.SHAPE);
     }
 }

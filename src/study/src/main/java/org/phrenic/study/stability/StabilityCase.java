@@ -7,12 +7,10 @@ import org.phrenic.engine.integrator.IntegratorKind;
  *
  * @param key name on the command line
  * @param title what is hard about it
- * @param bounds what must hold
- * @param factory puts it together
  * @param durationS simulated time, s
  * @param quickS simulated time of the short version, s
  * @param periodS of what drives it, s; 0 where it does not repeat itself
- * @param referenceS how much of it the trusted run covers at most, s
+ * @param referenceS how much of it the reference solution covers at most, s
  */
 record StabilityCase(
         String key,
@@ -23,15 +21,13 @@ record StabilityCase(
         double quickS,
         double periodS,
         double referenceS) {
-
-    /** Puts a scene together for an integrator. */
+    /** Assembles a scene for an integrator. */
     interface Factory {
         /**
-         * @param kind the scheme
-         * @param refinement parts into which the case's time step is cut: 1 as the case has it, more for a trusted run
+         * @param refinement parts into which the case's time step is cut: 1 as the case has it, more for a reference
          * @param durationS how long it will run, s
          * @throws IllegalArgumentException with one sentence, if the scene is refused
          */
-        StabilityScene create(IntegratorKind kind, int refinement, double durationS);
+        StabilityScene create(IntegratorKind integrator, int refinement, double durationS);
     }
 }

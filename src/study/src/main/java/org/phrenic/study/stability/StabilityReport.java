@@ -7,57 +7,47 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /** A stability study as Markdown, as CSV and as values for JSON; the same study gives the same text. */
 public final class StabilityReport {
-    private static final String NOTICE = "For research and training only. Not for clinical use.";
-    private static final List<String> FIGURES = List.of(
-            "simulated_s",
-            "time_step_s",
-            "kinetic_factor",
-            "speed_mm_s",
-            "reach_mm",
-            "shape",
-            "link_error",
-            "return_mm",
-            "repeat_mm",
-            "drift_mm");
-
     private final StabilityStudy study;
 
     public StabilityReport(StabilityStudy study) {
         this.study = study;
     }
 
-    private CaseResult cell(String key, IntegratorKind kind) {
+    private CaseResult result(String key, IntegratorKind integrator) {
         return study.cells().stream()
-                .filter(c -> c.caseKey().equals(key) && c.integrator() == kind)
+                .filter(c -> c.caseKey().equals(key) && c.integrator() == integrator)
                 .findFirst()
                 .orElseThrow();
     }
 
     /** How many cells ended in each way: "120 stable, 6 recovered, ...". */
     public String summary() {
-        return Arrays.stream(CaseOutcome.values())
-                .map(v -> study.cells().stream().filter(c -> c.outcome() == v).count() + " " + v.label())
+        return Arrays.stream(CaseResult.Outcome.values())
+                .map(o -> study.cells().stream().filter(c -> c.outcome() == o).count() + " " + o.label())
                 .collect(Collectors.joining(", "));
     }
 
     /**
-     * A row a case, a column an integrator: the verdicts, with the simulated time where the cell ended before that of
-     * the case.
+     * A header and a row a case, a column an integrator: the outcomes, with the simulated time where the cell ended
+     * before that of the case.
      */
     public List<List<String>> table() {
         List<List<String>> rows = new ArrayList<>();
-        List<String> header = new ArrayList<>(List.of("case"));
-        study.integrators().forEach(kind -> header.add(kind.label()));
-        rows.add(header);
-        for (String key : study.keys()) {
+        rows.add(header());
+        for (String key : study.cases().keySet()) {
             List<String> row = new ArrayList<>(List.of(key));
-            for (IntegratorKind kind : study.integrators()) {
-                CaseResult c = cell(key, kind);
+            for (IntegratorKind integrator : study.integrators()) {
+                CaseResult c = result(key, integrator);
                 row.add(c.outcome().label()
                         + (c.endedEarly() ? String.format(Locale.ROOT, " (%.3g s)", c.simulatedS()) : ""));
             }
@@ -66,120 +56,99 @@ public final class StabilityReport {
         return rows;
     }
 
+    private List<String> header() {
+        return Stream.concat(Stream.of("case"), study.integrators().stream().map(IntegratorKind::label))
+                .toList();
+    }
+
     /** The whole report as Markdown. */
     public String markdown() {
-        StringBuilder text = new StringBuilder("# Stability on hard cases\n\n");
-        text.append(summary()).append(". ").append(NOTICE).append("\n\n");
-        text.append("A time in brackets: the cell spent what it may and ended there.\n\n");
+        ReportDocument report = new ReportDocument("Stability on hard cases", summary() + ".");
+        report.paragraph("A time in brackets: the cell spent the evaluations it may and ended there.");
         List<List<String>> table = table();
-        for (int r = 0; r < table.size(); r++) {
-            text.append("| ").append(String.join(" | ", table.get(r))).append(" |\n");
-            if (r == 0) {
-                text.append("|---".repeat(table.get(0).size())).append("|\n");
-            }
-        }
-        text.append("\n## What was seen\n\n| case | what is hard | s |\n|---|---|---|\n");
-        for (int i = 0; i < study.keys().size(); i++) {
-            text.append(String.format(
-                    Locale.ROOT,
-                    "| %s | %s | %.4g |%n",
-                    study.keys().get(i),
-                    study.titles().get(i),
-                    cell(study.keys().get(i), study.integrators().get(0)).requestedS()));
-        }
-        text.append(
-                "\n| case | integrator | verdict | substeps | kinetic | mm/s | reach mm | shape | links |"
-                        + " return mm | repeat mm | drift mm | sentence |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-        for (CaseResult c : study.cells()) {
-            text.append("| ")
-                    .append(String.join(
-                            " | ",
-                            c.caseKey(),
-                            c.integrator().label(),
-                            c.outcome().label(),
-                            String.valueOf(c.substeps()),
-                            brief(c.kineticFactor()),
-                            brief(c.speedMmS()),
-                            brief(c.reachMm()),
-                            brief(c.shapeError()),
-                            brief(c.linkError()),
-                            brief(c.returnMm()),
-                            brief(c.repeatMm()),
-                            brief(c.driftMm()),
-                            c.sentence()))
-                    .append(" |\n");
-        }
-        return text.toString().replace("\r\n", "\n");
+        report.table("", header().stream().map(Column::text).toList(), table.subList(1, table.size()));
+        report.section("What was seen");
+        report.table(
+                "",
+                List.of(Column.text("case"), Column.text("what is hard"), Column.number("s")),
+                study.cases().entrySet().stream()
+                        .map(e -> List.of(e.getKey(), e.getValue(), requestedS(e.getKey())))
+                        .toList());
+        List<Column> columns = new ArrayList<>(List.of(
+                Column.text("case"), Column.text("integrator"), Column.text("verdict"), Column.number("substeps")));
+        Arrays.stream(StabilityMeasure.values()).forEach(m -> columns.add(Column.number(m.heading())));
+        columns.add(Column.text("sentence"));
+        report.table(
+                "", columns, study.cells().stream().map(StabilityReport::row).toList());
+        return MarkdownPage.format(report);
+    }
+
+    private String requestedS(String key) {
+        return String.format(
+                Locale.ROOT, "%.4g", result(key, study.integrators().get(0)).requestedS());
+    }
+
+    private static List<String> row(CaseResult c) {
+        List<String> row = new ArrayList<>(
+                List.of(c.caseKey(), c.integrator().label(), c.outcome().label(), String.valueOf(c.substeps())));
+        Arrays.stream(StabilityMeasure.values()).forEach(m -> row.add(brief(c.value(m))));
+        row.add(c.sentence());
+        return row;
     }
 
     private static String brief(double value) {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3g", value);
     }
 
+    /** The numbers of a cell by their names in CSV and JSON. */
+    private static Map<String, Double> figures(CaseResult c) {
+        Map<String, Double> figures = new LinkedHashMap<>();
+        figures.put("simulated_s", c.simulatedS());
+        figures.put("time_step_s", c.dtS());
+        Arrays.stream(StabilityMeasure.values()).forEach(m -> figures.put(m.key(), c.value(m)));
+        return figures;
+    }
+
     /** A line a cell, with all figures. */
     public String csv() {
-        List<String> header = new ArrayList<>(List.of("case", "integrator", "verdict"));
-        header.addAll(FIGURES);
-        header.add("substeps");
-        header.add("sentence");
+        List<String> header = new ArrayList<>(List.of("case", "integrator", "verdict", "simulated_s", "time_step_s"));
+        Arrays.stream(StabilityMeasure.values()).forEach(m -> header.add(m.key()));
+        header.addAll(List.of("substeps", "sentence"));
         List<List<String>> rows = new ArrayList<>();
         for (CaseResult c : study.cells()) {
             List<String> row = new ArrayList<>(
                     List.of(c.caseKey(), c.integrator().label(), c.outcome().label()));
-            for (double figure : figures(c)) {
-                row.add(CsvWriter.number(figure, CsvWriter.ALL_DIGITS));
-            }
-            row.add(String.valueOf(c.substeps()));
-            row.add(c.sentence());
+            figures(c).values().forEach(figure -> row.add(CsvWriter.number(figure, CsvWriter.ALL_DIGITS)));
+            row.addAll(List.of(String.valueOf(c.substeps()), c.sentence()));
             rows.add(row);
         }
         return CsvWriter.format(header, rows);
     }
 
-    private static double[] figures(CaseResult c) {
-        return new double[] {
-            c.simulatedS(),
-            c.dtS(),
-            c.kineticFactor(),
-            c.speedMmS(),
-            c.reachMm(),
-            c.shapeError(),
-            c.linkError(),
-            c.returnMm(),
-            c.repeatMm(),
-            c.driftMm()
-        };
-    }
-
     /** All of it as values, for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", NOTICE);
+        map.put("notice", Disclaimer.TEXT);
         map.put("passes", study.passes());
-        Map<String, Object> titles = new LinkedHashMap<>();
-        for (int i = 0; i < study.keys().size(); i++) {
-            titles.put(study.keys().get(i), study.titles().get(i));
+        map.put("cases", study.cases());
+        map.put("cells", study.cells().stream().map(StabilityReport::values).toList());
+        return map;
+    }
+
+    private static Map<String, Object> values(CaseResult c) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("case", c.caseKey());
+        map.put("integrator", c.integrator().label());
+        map.put("verdict", c.outcome().label());
+        if (!c.sentence().isEmpty()) {
+            map.put("sentence", c.sentence());
         }
-        map.put("cases", titles);
-        List<Object> cells = new ArrayList<>();
-        for (CaseResult c : study.cells()) {
-            Map<String, Object> each = new LinkedHashMap<>();
-            each.put("case", c.caseKey());
-            each.put("integrator", c.integrator().label());
-            each.put("verdict", c.outcome().label());
-            if (!c.sentence().isEmpty()) {
-                each.put("sentence", c.sentence());
+        figures(c).forEach((key, figure) -> {
+            if (Double.isFinite(figure)) {
+                map.put(key, figure);
             }
-            double[] figures = figures(c);
-            for (int i = 0; i < figures.length; i++) {
-                if (Double.isFinite(figures[i])) {
-                    each.put(FIGURES.get(i), figures[i]);
-                }
-            }
-            each.put("substeps", c.substeps());
-            cells.add(each);
-        }
-        map.put("cells", cells);
+        });
+        map.put("substeps", c.substeps());
         return map;
     }
 }

@@ -1,36 +1,37 @@
 package org.phrenic.study.stability;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 
 /**
- * Every hard case under every integrator, and how each ended.
+ * Every stability case under every integrator, and how each ended.
  *
- * @param titles of the cases, by their place in {@link #keys}
- * @param keys of the cases, in order
- * @param integrators the integrators, in order
+ * @param cases titles by key, in order
+ * @param integrators in order
  * @param cells one a case and integrator, case by case
  */
-public record StabilityStudy(
-        List<String> keys, List<String> titles, List<IntegratorKind> integrators, List<CaseResult> cells) {
-
+public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> integrators, List<CaseResult> cells) {
     /**
      * What to run.
      *
      * @param only keys of cases; empty for all
-     * @param kinds integrators
      * @param quick whether to run the short version: coarser domes, shorter times
      * @param nodeEvaluations evaluations of the force on a node that a cell may spend: one that needs more ends
      *     earlier, which its simulated time shows
-     * @param verletEvaluations the same for velocity Verlet, which is what the program uses unless told otherwise
+     * @param verletEvaluations the same for velocity Verlet, the default integrator
      * @param threads cases at a time, one thread each
      */
     public record Settings(
             List<String> only,
-            List<IntegratorKind> kinds,
+            List<IntegratorKind> integrators,
             boolean quick,
             double nodeEvaluations,
             double verletEvaluations,
@@ -43,29 +44,26 @@ public record StabilityStudy(
         public static final Settings QUICK =
                 new Settings(List.of(), List.of(IntegratorKind.values()), true, 2e7, 2e7, 1);
 
-        /** As much for every integrator. */
-        public Settings spending(double evaluations) {
-            return new Settings(only, kinds, quick, evaluations, evaluations, threads);
+        public Settings withEvaluations(double evaluations) {
+            return new Settings(only, integrators, quick, evaluations, evaluations, threads);
         }
 
-        /** So many cases at a time. */
-        public Settings on(int count) {
-            return new Settings(only, kinds, quick, nodeEvaluations, verletEvaluations, count);
+        public Settings withThreads(int count) {
+            return new Settings(only, integrators, quick, nodeEvaluations, verletEvaluations, count);
         }
 
         /** Only these cases under these integrators. */
-        public Settings of(List<String> keys, List<IntegratorKind> integrators) {
-            return new Settings(keys, integrators, quick, nodeEvaluations, verletEvaluations, threads);
+        public Settings only(List<String> keys, List<IntegratorKind> kinds) {
+            return new Settings(keys, kinds, quick, nodeEvaluations, verletEvaluations, threads);
         }
 
-        private double evaluations(IntegratorKind kind) {
-            return kind == IntegratorKind.VERLET ? verletEvaluations : nodeEvaluations;
+        private double evaluations(IntegratorKind integrator) {
+            return integrator == IntegratorKind.VERLET ? verletEvaluations : nodeEvaluations;
         }
     }
 
     public StabilityStudy {
-        keys = List.copyOf(keys);
-        titles = List.copyOf(titles);
+        cases = Collections.unmodifiableMap(new LinkedHashMap<>(cases));
         integrators = List.copyOf(integrators);
         cells = List.copyOf(cells);
     }
@@ -76,64 +74,51 @@ public record StabilityStudy(
     }
 
     /**
-     * Runs the cells, the cases last in the list first, for they take longest; the same settings give the same cells,
-     * on any number of threads.
+     * Runs the cells, the last cases first, for they take longest; the same settings give the same cells on any number
+     * of threads.
      */
     public static StabilityStudy of(Settings settings, ProgressListener progress) {
         List<StabilityCase> cases = StabilityCases.all(settings.quick()).stream()
                 .filter(c -> settings.only().isEmpty() || settings.only().contains(c.key()))
                 .toList();
-        CellsDone done = new CellsDone(cases.size() * settings.kinds().size(), progress);
+        int total = cases.size() * settings.integrators().size();
+        AtomicInteger count = new AtomicInteger();
+        Consumer<CaseResult> done = cell -> {
+            synchronized (count) {
+                progress.done(count.incrementAndGet(), total, description(cell));
+            }
+        };
         List<BatchRunner.Job<List<CaseResult>>> jobs = new ArrayList<>();
-        for (StabilityCase hard : cases) {
-            jobs.add(0, new BatchRunner.Job<>(hard.key(), () -> cells(hard, settings, done)));
+        Map<String, String> titles = new LinkedHashMap<>();
+        for (StabilityCase each : cases) {
+            jobs.add(0, new BatchRunner.Job<>(each.key(), () -> cells(each, settings, done)));
+            titles.put(each.key(), each.title());
         }
         List<CaseResult> cells = new ArrayList<>();
-        for (List<CaseResult> row : BatchRunner.run(jobs, settings.threads(), (count, total, what) -> {})) {
-            cells.addAll(0, row);
-        }
-        return new StabilityStudy(
-                cases.stream().map(StabilityCase::key).toList(),
-                cases.stream().map(StabilityCase::title).toList(),
-                settings.kinds(),
-                cells);
+        BatchRunner.run(jobs, settings.threads(), (number, of, what) -> {}).forEach(row -> cells.addAll(0, row));
+        return new StabilityStudy(titles, settings.integrators(), cells);
     }
 
-    private static List<CaseResult> cells(StabilityCase hard, Settings settings, CellsDone done) {
-        double duration = settings.quick() ? hard.quickS() : hard.durationS();
-        ReferenceSolution trusted = ReferenceSolution.of(hard, duration, CaseRun.SAMPLE_S);
+    private static List<CaseResult> cells(StabilityCase stabilityCase, Settings settings, Consumer<CaseResult> done) {
+        double duration = settings.quick() ? stabilityCase.quickS() : stabilityCase.durationS();
+        ReferenceSolution reference = ReferenceSolution.of(stabilityCase, duration, CaseRun.SAMPLE_S);
         List<CaseResult> cells = new ArrayList<>();
-        for (IntegratorKind kind : settings.kinds()) {
-            CaseResult cell = CaseRun.of(hard, kind, trusted, duration, settings.evaluations(kind));
+        for (IntegratorKind kind : settings.integrators()) {
+            CaseResult cell = CaseRun.of(stabilityCase, kind, reference, duration, settings.evaluations(kind));
             cells.add(cell);
-            done.count(cell);
+            done.accept(cell);
         }
         return cells;
     }
 
-    /** Counts cells and tells of each. */
-    private static final class CellsDone {
-        private final int total;
-        private final ProgressListener progress;
-        private int count;
-
-        CellsDone(int total, ProgressListener progress) {
-            this.total = total;
-            this.progress = progress;
-        }
-
-        synchronized void count(CaseResult cell) {
-            progress.done(
-                    ++count,
-                    total,
-                    cell.caseKey() + ", " + cell.integrator().label() + ": "
-                            + cell.outcome().label()
-                            + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")"));
-        }
+    private static String description(CaseResult cell) {
+        return cell.caseKey() + ", " + cell.integrator().label() + ": "
+                + cell.outcome().label()
+                + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")");
     }
 
-    /** Whether no cell failed in silence. */
+    /** Whether no cell failed silently. */
     public boolean passes() {
-        return cells.stream().noneMatch(c -> c.outcome() == CaseOutcome.SILENT_FAILURE);
+        return cells.stream().noneMatch(c -> c.outcome() == CaseResult.Outcome.SILENT_FAILURE);
     }
 }

@@ -1,23 +1,38 @@
 package org.phrenic.study.stability;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 
-/** A thorax of the program, as it is run for anybody, and what is done to it on the way. */
+/** A thorax of the program and what is changed in it while it runs. */
 final class ThoraxScene implements StabilityScene {
-    /** Something done before each step. */
-    interface Intervention {
-        void beforeStep(Simulation simulation);
-    }
+    /** How long a body has to come to rest, s. */
+    static final double SETTLING_S = 20;
+
+    /**
+     * About critical, N s/m, for the springs that bring the paper's sheet home; its own 0.02 lets it swing for a
+     * minute.
+     */
+    static final double SETTLING_DAMPING = 1;
 
     private final Simulation simulation;
-    private final Intervention intervention;
+    private final Consumer<Simulation> beforeStep;
 
-    ThoraxScene(Scenario scenario, Thorax thorax, Intervention doing) {
+    /** @param beforeStep what is done to the simulation before each step */
+    ThoraxScene(Scenario scenario, Thorax thorax, Consumer<Simulation> beforeStep) {
         simulation = Simulation.of(scenario, thorax);
-        this.intervention = doing;
+        this.beforeStep = beforeStep;
+    }
+
+    static Assignment assignment(String key, Object value) {
+        return new Assignment("slider " + key, key, String.valueOf(value));
     }
 
     @Override
@@ -27,7 +42,7 @@ final class ThoraxScene implements StabilityScene {
 
     @Override
     public void step() {
-        intervention.beforeStep(simulation);
+        beforeStep.accept(simulation);
         simulation.step();
     }
 
@@ -43,7 +58,11 @@ final class ThoraxScene implements StabilityScene {
 
     @Override
     public void stopBreathing() {
-        simulation.change(BreathStop.stopChanges(simulation.start()));
+        List<Assignment> changes = new ArrayList<>(List.of(assignment(Parameter.DEPTH.key(), 0.0)));
+        if (simulation.start().material() == TissueMaterial.PAPER) {
+            changes.add(assignment(Parameter.DAMPING.key(), SETTLING_DAMPING));
+        }
+        simulation.change(changes);
     }
 
     @Override

@@ -11,6 +11,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.virtual.VirtualBodies;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.stability.CaseResult.Outcome;
 
 /**
  * The short version of the hard cases: no scheme may fail in silence, and those known to be unfit must be refused or
@@ -22,8 +23,8 @@ class StabilityStudyTest {
 
     private static StabilityStudy run(List<String> only, double spent, IntegratorKind... kinds) {
         StabilityStudy.Settings settings =
-                StabilityStudy.Settings.QUICK.of(only, Arrays.asList(kinds)).spending(spent);
-        return StabilityStudy.of(settings.on(2), (count, total, what) -> {});
+                StabilityStudy.Settings.QUICK.only(only, Arrays.asList(kinds)).withEvaluations(spent);
+        return StabilityStudy.of(settings.withThreads(2), (count, total, what) -> {});
     }
 
     private static List<String> domes() {
@@ -42,17 +43,17 @@ class StabilityStudyTest {
         StabilityStudy study = run(domes(), SPENT, IntegratorKind.values());
         assertThat(study.cells()).allSatisfy(c -> assertThat(c.outcome())
                 .as(c.caseKey() + ", " + c.integrator().label() + ": " + c.sentence())
-                .isNotEqualTo(CaseOutcome.SILENT_FAILURE));
+                .isNotEqualTo(Outcome.SILENT_FAILURE));
         assertThat(study.passes()).isTrue();
-        Map<String, CaseOutcome> of = study.cells().stream()
+        Map<String, Outcome> of = study.cells().stream()
                 .collect(
                         Collectors.toMap(c -> c.caseKey() + " " + c.integrator().label(), CaseResult::outcome));
         // Both grow at every step without damping (docs/equations.md).
-        assertThat(of.get("damping-0 rk2")).isEqualTo(CaseOutcome.REFUSED);
-        assertThat(of.get("damping-0 lagged")).isEqualTo(CaseOutcome.REFUSED);
-        assertThat(of.get("published verlet")).isEqualTo(CaseOutcome.STABLE);
-        assertThat(of.get("links-conflict verlet")).isEqualTo(CaseOutcome.RECOVERED);
-        assertThat(of.get("coincident verlet")).isEqualTo(CaseOutcome.REFUSED);
+        assertThat(of.get("damping-0 rk2")).isEqualTo(Outcome.REFUSED);
+        assertThat(of.get("damping-0 lagged")).isEqualTo(Outcome.REFUSED);
+        assertThat(of.get("published verlet")).isEqualTo(Outcome.STABLE);
+        assertThat(of.get("links-conflict verlet")).isEqualTo(Outcome.RECOVERED);
+        assertThat(of.get("coincident verlet")).isEqualTo(Outcome.REFUSED);
         // The published step of 0.01 s is beyond the limit of midpoint Runge-Kutta: it is split.
         assertThat(study.cells().stream()
                         .filter(c -> c.caseKey().equals("published") && c.integrator() == IntegratorKind.RK2)
@@ -68,7 +69,7 @@ class StabilityStudyTest {
                 run(List.of("thorax-published", "sliders-paper", "hour-paper"), 1e9, IntegratorKind.VERLET);
         assertThat(study.cells()).allSatisfy(c -> assertThat(c.outcome())
                 .as(c.caseKey() + ": " + c.sentence())
-                .isNotEqualTo(CaseOutcome.SILENT_FAILURE));
+                .isNotEqualTo(Outcome.SILENT_FAILURE));
     }
 
     /**
@@ -81,9 +82,9 @@ class StabilityStudyTest {
                 .findFirst()
                 .orElseThrow();
         CaseResult cell = CaseRun.of(hour, IntegratorKind.VERLET, null, 72, 1e12);
-        assertThat(cell.outcome()).as(cell.sentence()).isEqualTo(CaseOutcome.STABLE);
-        assertThat(cell.repeatMm()).isGreaterThan(1);
-        assertThat(cell.driftMm()).isLessThan(1e-3);
+        assertThat(cell.outcome()).as(cell.sentence()).isEqualTo(Outcome.STABLE);
+        assertThat(cell.value(StabilityMeasure.REPEAT_MM)).isGreaterThan(1);
+        assertThat(cell.value(StabilityMeasure.DRIFT_MM)).isLessThan(1e-3);
         assertThat(cell.sentence()).contains("no breath repeats another").contains("come to rest within");
     }
 
@@ -123,17 +124,16 @@ class StabilityStudyTest {
         StabilityCase strict = new StabilityCase(
                 "strict",
                 "",
-                StabilityBounds.body().speed(1),
+                StabilityBounds.BODY.with(StabilityMeasure.SPEED_MM_S, 1),
                 made.factory(),
                 made.durationS(),
                 made.quickS(),
                 made.periodS(),
                 0);
         CaseResult cell = CaseRun.of(strict, IntegratorKind.VERLET, null, 2, 1e9);
-        assertThat(cell.outcome()).isEqualTo(CaseOutcome.SILENT_FAILURE);
+        assertThat(cell.outcome()).isEqualTo(Outcome.SILENT_FAILURE);
         assertThat(cell.sentence()).contains("speed of a node").contains("expected at most 1.000");
-        StabilityStudy study =
-                new StabilityStudy(List.of("strict"), List.of(""), List.of(IntegratorKind.VERLET), List.of(cell));
+        StabilityStudy study = new StabilityStudy(Map.of("strict", ""), List.of(IntegratorKind.VERLET), List.of(cell));
         assertThat(study.passes()).isFalse();
         assertThat(new StabilityReport(study).markdown())
                 .contains("1 FAILED SILENTLY")

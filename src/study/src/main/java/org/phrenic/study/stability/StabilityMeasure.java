@@ -1,0 +1,46 @@
+package org.phrenic.study.stability;
+
+import java.util.Locale;
+
+/** What is measured in a stability case and may be bounded. */
+enum StabilityMeasure {
+    /** Largest kinetic energy at a sample over the largest of the reference solution. */
+    KINETIC_FACTOR("kinetic", "kinetic energy over that of the reference solution"),
+    /** Largest speed of a node at a sample, mm/s. */
+    SPEED_MM_S("mm/s", "speed of a node, mm/s"),
+    /** Largest distance of a node from its start, mm. */
+    REACH_MM("reach mm", "distance of a node from its start, mm"),
+    /** Rms distance of all nodes from the reference solution at the same time, over that solution's excursion. */
+    SHAPE("shape", "rms distance from the reference solution over its excursion"),
+    /** Largest | |AB| - L | / L of a rigid link. */
+    LINK_ERROR("links", "error of a link's length"),
+    /** Rms distance of all nodes from the start at the end of the case, mm. */
+    RETURN_MM("return mm", "rms distance from the start at the end, mm"),
+    /**
+     * Distance of a node at the end of a period from where it was at the end of the first period after a minute, mm.
+     */
+    REPEAT_MM("repeat mm", "distance of a node from where an earlier breath left it, mm"),
+    /** Distance of a node from its start after the breath was stopped and the body came to rest, mm. */
+    DRIFT_MM("drift mm", "drift of a node of the rest shape, mm");
+
+    private final String heading;
+    private final String description;
+
+    StabilityMeasure(String heading, String description) {
+        this.heading = heading;
+        this.description = description;
+    }
+
+    /** Name of the column in CSV and of the field in JSON. */
+    String key() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    String heading() {
+        return heading;
+    }
+
+    String description() {
+        return description;
+    }
+}
