@@ -16,14 +16,14 @@ import org.phrenic.ui.session.Session;
  */
 public final class EntrySelection {
     private final Session session;
-    private final RehearsalController door;
+    private final RehearsalController rehearsal;
     private final BackgroundWorker work;
     private Optional<double[]> entry = Optional.empty();
     private volatile Optional<PathAdvice> advice = Optional.empty();
 
-    EntrySelection(Session session, RehearsalController door, BackgroundWorker work) {
+    EntrySelection(Session session, RehearsalController rehearsal, BackgroundWorker work) {
         this.session = session;
-        this.door = door;
+        this.rehearsal = rehearsal;
         this.work = work;
     }
 
@@ -35,18 +35,18 @@ public final class EntrySelection {
 
     /** Means to go in at a place of the skin, given as it is at end-expiration. */
     public void select(double[] onSkinRest) {
-        if (door.stage() != RehearsalStage.READY) {
+        if (rehearsal.stage() != RehearsalStage.READY) {
             return;
         }
-        if (door.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent()) {
+        if (rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent()) {
             session.note("Take the needle out first.");
             return;
         }
         entry = Optional.of(onSkinRest);
-        door.needle().setEntry(onSkinRest);
-        TargetAccess about = door.study().orElseThrow();
-        RehearsalPlan plan = door.plan().orElseThrow();
-        RehearsalBody body = door.body().orElseThrow();
+        rehearsal.needle().setEntry(onSkinRest);
+        TargetAccess about = rehearsal.study().orElseThrow();
+        RehearsalPlan plan = rehearsal.plan().orElseThrow();
+        RehearsalBody body = rehearsal.body().orElseThrow();
         work.run(
                 () -> PathOverBreath.of(
                         body.planningScene(),
@@ -57,15 +57,15 @@ public final class EntrySelection {
                         plan.avoided()),
                 found -> {
                     advice = Optional.of(PathAdvice.of(found));
-                    door.fireState();
+                    rehearsal.fireState();
                 },
                 session::refuse);
     }
 
     /** The best entry of the map, over the breath or at its end. */
     public void selectBest(boolean atEndExpiration) {
-        if (door.stage() == RehearsalStage.READY) {
-            TargetAccess study = door.study().orElseThrow();
+        if (rehearsal.stage() == RehearsalStage.READY) {
+            TargetAccess study = rehearsal.study().orElseThrow();
             Optional<Integer> best = atEndExpiration
                     ? study.map().bestAt(0, Rehearsal.SUFFICIENT_MARGIN_MM)
                     : study.map().best(Rehearsal.SUFFICIENT_MARGIN_MM);

@@ -19,20 +19,20 @@ public final class NeedleController {
     private static final double DEFAULT_MM_PER_S = 50;
 
     private final Session session;
-    private final RehearsalController door;
+    private final RehearsalController rehearsal;
     private final SceneViewport view;
     private double commandedDepthMm;
     private double speedMmPerS = DEFAULT_MM_PER_S;
 
-    NeedleController(Session session, RehearsalController door, SceneViewport view) {
+    NeedleController(Session session, RehearsalController rehearsal, SceneViewport view) {
         this.session = session;
-        this.door = door;
+        this.rehearsal = rehearsal;
         this.view = view;
     }
 
     /** What is asked is done in simulated time, so that has to go on. */
     private void command(Consumer<LiveRehearsal> what) {
-        door.usableNeedle().ifPresent(needle -> {
+        rehearsal.usableNeedle().ifPresent(needle -> {
             what.accept(needle);
             if (!session.live().isPlaying()) {
                 session.live().play();
@@ -47,17 +47,20 @@ public final class NeedleController {
 
     /** Whether the needle can be moved: an entry is chosen. */
     boolean canMove() {
-        return door.usableNeedle().isPresent() && door.entrySelection().entry().isPresent();
+        return rehearsal.usableNeedle().isPresent()
+                && rehearsal.entrySelection().entry().isPresent();
     }
 
     /** Moves the needle's tip to a depth; one that is not in the body is set on the skin first. */
     public void moveTo(double depthMm) {
-        if (door.usableNeedle().isPresent() && door.entrySelection().entry().isEmpty()) {
+        if (rehearsal.usableNeedle().isPresent()
+                && rehearsal.entrySelection().entry().isEmpty()) {
             session.note("Choose an entry first (E), or take the best path (B).");
         } else if (canMove()) {
             commandedDepthMm =
-                    Math.max(0, Math.min(door.plan().orElseThrow().needle().lengthMm(), depthMm));
-            if (commandedDepthMm > 0 || door.state().filter(NeedleState::placed).isPresent()) {
+                    Math.max(0, Math.min(rehearsal.plan().orElseThrow().needle().lengthMm(), depthMm));
+            if (commandedDepthMm > 0
+                    || rehearsal.state().filter(NeedleState::placed).isPresent()) {
                 command(needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
             }
         }
@@ -65,7 +68,7 @@ public final class NeedleController {
 
     /** Moves it by so much from where it is or is going to. */
     public void moveBy(double mm) {
-        NeedleState now = door.state().orElse(null);
+        NeedleState now = rehearsal.state().orElse(null);
         double from = now == null || !now.placed() ? 0 : now.moving() ? commandedDepthMm : now.depthMm();
         moveTo(from + mm);
     }
@@ -80,7 +83,7 @@ public final class NeedleController {
 
     /** Moves it as deep as the target lies. */
     public void moveToTarget() {
-        door.state().ifPresent(now -> moveTo(now.aimedDepthMm()));
+        rehearsal.state().ifPresent(now -> moveTo(now.aimedDepthMm()));
     }
 
     public void setSpeedMmPerS(double speed) {
@@ -105,13 +108,14 @@ public final class NeedleController {
     /** Holds the breath when air has flowed out, or lets a held one go on. */
     public void toggleHold() {
         boolean holds = session.scenario().hold()
-                || door.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
+                || rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
         hold(holds ? Optional.empty() : Optional.of(BreathEvent.Kind.END_EXPIRATION));
     }
 
     /** Looks from the hub towards the tip. */
     public void lookAlong() {
-        door.state()
+        rehearsal
+                .state()
                 .filter(NeedleState::hasNeedle)
                 .ifPresent(now -> view.setCamera(view.camera()
                         .lookingAlong(Vectors.normalize(Vectors.subtract(now.tip(), now.hub())), now.target())));

@@ -12,33 +12,33 @@ import org.phrenic.ui.view.SceneViewport;
  * the wheel moves the needle once an entry is chosen; with Ctrl, or without an entry, it enlarges.
  */
 final class NeedleTool implements SceneViewport.MouseTool {
-    private final RehearsalController door;
+    private final RehearsalController rehearsal;
 
-    NeedleTool(RehearsalController door) {
-        this.door = door;
+    NeedleTool(RehearsalController rehearsal) {
+        this.rehearsal = rehearsal;
     }
 
     @Override
     public boolean isPicking() {
-        return door.pickMode().mode() != PickMode.Kind.NONE;
+        return rehearsal.pickMode().mode() != PickMode.Kind.NONE;
     }
 
     @Override
     public double pickOpacity(Surface surface) {
         StructureKind sought =
-                door.pickMode().mode() == PickMode.Kind.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
+                rehearsal.pickMode().mode() == PickMode.Kind.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
         return surface.kind() == sought ? 1 : 0;
     }
 
     @Override
     public void picked(Optional<PickResult> found) {
         if (isPicking()) {
-            door.pickMode().picked(found);
+            rehearsal.pickMode().picked(found);
         }
     }
 
     @Override
     public boolean wheelTurned(MouseWheelEvent e) {
-        return !e.isControlDown() && door.needle().wheelTurned(e);
+        return !e.isControlDown() && rehearsal.needle().wheelTurned(e);
     }
 }

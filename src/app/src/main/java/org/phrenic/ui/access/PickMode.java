@@ -16,25 +16,25 @@ public final class PickMode {
     }
 
     private final Session session;
-    private final RehearsalController door;
+    private final RehearsalController rehearsal;
     private final SceneViewport view;
     private Kind mode = Kind.NONE;
 
-    PickMode(Session session, RehearsalController door, SceneViewport view) {
+    PickMode(Session session, RehearsalController rehearsal, SceneViewport view) {
         this.session = session;
-        this.door = door;
+        this.rehearsal = rehearsal;
         this.view = view;
     }
 
     /** The next click chooses; nothing if it is pressed again. */
     public void toggle(Kind what) {
-        mode = what == mode || door.stage() != RehearsalStage.READY ? Kind.NONE : what;
-        if (mode == Kind.TARGET && door.exercise().isPresent()) {
+        mode = what == mode || rehearsal.stage() != RehearsalStage.READY ? Kind.NONE : what;
+        if (mode == Kind.TARGET && rehearsal.exercise().isPresent()) {
             mode = Kind.NONE;
             session.note("The exercise sets the target; choose Practice for one of your own.");
         }
         view.setCursor(Cursor.getPredefinedCursor(mode == Kind.NONE ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
-        door.fireState();
+        rehearsal.fireState();
     }
 
     public Kind mode() {
@@ -49,9 +49,9 @@ public final class PickMode {
             session.note(
                     what == Kind.ENTRY ? "Click on the skin for the entry." : "Click on the liver for the target.");
         } else if (what == Kind.ENTRY) {
-            door.entrySelection().select(pick.get().restPosition());
+            rehearsal.entrySelection().select(pick.get().restPosition());
         } else {
-            door.setTargetBehind(pick.get());
+            rehearsal.setTargetBehind(pick.get());
         }
     }
 }

@@ -34,7 +34,7 @@ final class RehearsalPreparation {
     }
 
     private final Session session;
-    private final AppearanceModel looks;
+    private final AppearanceModel appearance;
     private final BackgroundWorker work;
     private final ObservedRun run;
     private final BreathCapture look;
@@ -48,13 +48,13 @@ final class RehearsalPreparation {
 
     RehearsalPreparation(
             Session session,
-            AppearanceModel looks,
+            AppearanceModel appearance,
             BackgroundWorker work,
             ObservedRun run,
             TargetSelection targets,
             Listener told) {
         this.session = session;
-        this.looks = looks;
+        this.appearance = appearance;
         this.work = work;
         this.run = run;
         this.targets = targets;
@@ -76,7 +76,7 @@ final class RehearsalPreparation {
         body = Optional.empty();
         look.clear();
         clearTarget();
-        looks.overrideStyle(style -> style, Optional.empty());
+        appearance.overrideStyle(style -> style, Optional.empty());
         listener.onChange();
         work.run(
                 () -> RehearsalBody.of(now),
@@ -137,7 +137,7 @@ final class RehearsalPreparation {
                 () -> of.studyTarget(where.call(), breath, asked, scenario),
                 made -> {
                     targets.setStudied(made);
-                    looks.overrideStyle(made.colours()::applyTo, Optional.of(made.colours()));
+                    appearance.overrideStyle(made.colours()::applyTo, Optional.of(made.colours()));
                     listener.clearEntry();
                     listener.onReady();
                 },

@@ -1,27 +1,34 @@
 package org.phrenic.ui.chart;
 
-import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import org.phrenic.breathing.RespiratoryPhase;
-import org.phrenic.ui.widget.Theme;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.session.ScenarioValues;
+import org.phrenic.ui.widget.Controls;
 
 /**
- * Where in the breath it is: inspiration, expiration and pause as long as they last, and a mark that moves over them. A
- * held breath fills the bar.
+ * Inspiration, expiration and pause as bands of their durations, with a cursor at the present phase. A breath hold
+ * fills the bar, and so does every phase of a pattern of other phases.
  */
 public final class PhaseBar extends JComponent {
     private static final int HEIGHT = 30;
     private static final int ARC = 8;
+    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
+    private static final List<String> THREE_PHASE_PRESETS =
+            List.of("quiet", "quiet-supine", "deep", "sniff", "rapid-shallow");
 
     private double inspiration = 0.4;
     private double pause = 0.15;
@@ -30,7 +37,7 @@ public final class PhaseBar extends JComponent {
     private boolean threePhases = true;
 
     public PhaseBar() {
-        setToolTipText("Where in the breath it is");
+        setToolTipText("Present phase of the breath");
     }
 
     @Override
@@ -47,24 +54,24 @@ public final class PhaseBar extends JComponent {
         return accessibleContext;
     }
 
-    /**
-     * Shares of the breath.
-     *
-     * @param isPlain whether a breath is inspiration, expiration, pause in this order; if not, the bar shows what it
-     *     does alone
-     */
-    public void setPhaseFractions(double inspiratoryFraction, double pauseFraction, boolean isPlain) {
-        inspiration = inspiratoryFraction;
-        pause = pauseFraction;
-        threePhases = isPlain;
+    /** Takes the durations of the phases from a scenario. */
+    public void setPattern(Scenario scenario) {
+        inspiration = ScenarioValues.value(scenario, Parameter.INSPIRATORY_FRACTION);
+        pause = scenario.breathing().parameters().pauseFraction();
+        threePhases = scenario.trace().isEmpty() && THREE_PHASE_PRESETS.contains(scenario.preset());
         repaint();
     }
 
-    public void setPhase(double newPhase, RespiratoryPhase newLabel) {
-        phase = newPhase;
-        if (label != newLabel) {
-            label = newLabel;
-            getAccessibleContext().setAccessibleDescription(PhaseColours.displayName(newLabel));
+    /** Moves the cursor to the last sample of a history; null and an empty history change nothing. */
+    public void setPhase(RunHistory history, RunStatus status) {
+        if (history == null || history.size() == 0) {
+            return;
+        }
+        phase = history.values(history.size() - 1)[PHASE];
+        RespiratoryPhase current = PhaseColours.parseLabel(status.phaseLabel());
+        if (label != current) {
+            label = current;
+            getAccessibleContext().setAccessibleDescription(PhaseColours.displayName(current));
         }
         repaint();
     }
@@ -81,42 +88,29 @@ public final class PhaseBar extends JComponent {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Graphics2D g = Controls.smooth(graphics);
         g.setFont(getFont());
         int w = getWidth();
         g.clip(new RoundRectangle2D.Double(0, 0, w, getHeight(), ARC, ARC));
         if (!threePhases || label == RespiratoryPhase.HOLD) {
-            paintBand(g, 0, w, label, true);
+            paintBand(g, 0, w, label);
         } else {
             double in = inspiration * w;
             double out = (1 - pause) * w;
-            paintBand(g, 0, in, RespiratoryPhase.INSPIRATION, label == RespiratoryPhase.INSPIRATION);
-            paintBand(g, in, out, RespiratoryPhase.EXPIRATION, label == RespiratoryPhase.EXPIRATION);
-            paintBand(g, out, w, RespiratoryPhase.PAUSE, label == RespiratoryPhase.PAUSE);
+            paintBand(g, 0, in, RespiratoryPhase.INSPIRATION);
+            paintBand(g, in, out, RespiratoryPhase.EXPIRATION);
+            paintBand(g, out, w, RespiratoryPhase.PAUSE);
         }
         paintCursor(g, phase * w);
         g.dispose();
     }
 
-    private void paintBand(Graphics2D g, double from, double to, RespiratoryPhase what, boolean now) {
-        Color colour = PhaseColours.of(what);
-        g.setColor(now ? colour : new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 110));
-        g.fill(new Rectangle2D.Double(from, 0, to - from, getHeight()));
-        String name = PhaseColours.displayName(what);
-        FontMetrics metrics = g.getFontMetrics();
-        if (metrics.stringWidth(name) + 8 < to - from) {
-            g.setColor(now ? PhaseColours.textColour() : Theme.secondaryText());
-            g.drawString(
-                    name,
-                    (float) ((from + to - metrics.stringWidth(name)) / 2),
-                    (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2f);
-        }
+    private void paintBand(Graphics2D g, double from, double to, RespiratoryPhase what) {
+        PhaseColours.paintBand(g, new Rectangle2D.Double(from, 0, to - from, getHeight()), what, what == label);
     }
 
     private void paintCursor(Graphics2D g, double x) {
-        g.setColor(PhaseColours.textColour());
+        g.setColor(PhaseColours.TEXT);
         g.fill(new Rectangle2D.Double(x - 1, 0, 2, getHeight()));
         Path2D tip = new Path2D.Double();
         tip.moveTo(x - 5, 0);

@@ -1,44 +1,56 @@
 package org.phrenic.ui.chart;
 
 import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.EnumMap;
 import java.util.Locale;
+import java.util.Map;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
-/**
- * Colour and name of what a breath is doing: blue in, orange out, grey for a pause, violet for a hold; told apart by
- * those who see few colours, and by their words.
- */
+/** Colour and name of a respiratory phase. The colours can be told apart with colour vision deficiency. */
 public final class PhaseColours {
+    static final Color TEXT = Theme.colour(0x1E2428, 0xF2F4F5);
+
+    private static final Map<RespiratoryPhase, Color> COLOURS = new EnumMap<>(Map.of(
+            RespiratoryPhase.INSPIRATION, Theme.colour(0xA9D3F0, 0x2F6F9F),
+            RespiratoryPhase.EXPIRATION, Theme.colour(0xF8CFA4, 0x93592A),
+            RespiratoryPhase.PAUSE, Theme.colour(0xD9DEE2, 0x4A5157),
+            RespiratoryPhase.HOLD, Theme.colour(0xD3C4F1, 0x665096)));
+
     private PhaseColours() {}
 
-    public static Color of(RespiratoryPhase label) {
-        boolean dark = Theme.isDark();
-        return new Color(
-                switch (label) {
-                    case INSPIRATION -> dark ? 0x2F6F9F : 0xA9D3F0;
-                    case EXPIRATION -> dark ? 0x93592A : 0xF8CFA4;
-                    case PAUSE -> dark ? 0x4A5157 : 0xD9DEE2;
-                    case HOLD -> dark ? 0x665096 : 0xD3C4F1;
-                });
+    public static Color of(RespiratoryPhase phase) {
+        return COLOURS.get(phase);
     }
 
-    static Color textColour() {
-        return Theme.isDark() ? new Color(0xF2F4F5) : new Color(0x1E2428);
+    public static String displayName(RespiratoryPhase phase) {
+        return Controls.capitalise(phase.name().toLowerCase(Locale.ROOT));
     }
 
-    public static String displayName(RespiratoryPhase label) {
-        String name = label.name();
-        return name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
-    }
-
-    /** The label of a status; a pause if it has none. */
-    public static RespiratoryPhase parseLabel(String phaseLabel) {
-        for (RespiratoryPhase label : RespiratoryPhase.values()) {
-            if (label.name().equalsIgnoreCase(phaseLabel)) {
-                return label;
+    /** The phase of a status label; a pause if there is none of that name. */
+    public static RespiratoryPhase parseLabel(String label) {
+        for (RespiratoryPhase phase : RespiratoryPhase.values()) {
+            if (phase.name().equalsIgnoreCase(label)) {
+                return phase;
             }
         }
         return RespiratoryPhase.PAUSE;
+    }
+
+    /** Paints a band of a phase, with its name where there is room. */
+    static void paintBand(Graphics2D g, Rectangle2D band, RespiratoryPhase phase, boolean current) {
+        g.setColor(current ? of(phase) : Theme.withAlpha(of(phase), 110));
+        g.fill(band);
+        String name = displayName(phase);
+        FontMetrics metrics = g.getFontMetrics();
+        if (metrics.stringWidth(name) + 8 < band.getWidth()) {
+            g.setColor(current ? TEXT : Theme.SECONDARY_TEXT);
+            g.drawString(name, (float) (band.getCenterX() - metrics.stringWidth(name) / 2.0), (float)
+                    (band.getCenterY() + (metrics.getAscent() - metrics.getDescent()) / 2.0));
+        }
     }
 }

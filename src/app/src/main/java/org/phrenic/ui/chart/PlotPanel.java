@@ -110,7 +110,7 @@ final class PlotPanel extends ChartPanel {
         @Override
         public void paintOverlay(Graphics2D g, ChartPanel panel) {
             Color text = UIManager.getColor("Label.foreground");
-            line(g, markedTime, Theme.accent(), 2);
+            line(g, markedTime, Theme.ACCENT, 2);
             line(g, cursorTime, new Color(text.getRed(), text.getGreen(), text.getBlue(), 150), 1);
         }
 

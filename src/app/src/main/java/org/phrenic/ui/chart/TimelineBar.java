@@ -6,7 +6,6 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -26,6 +25,7 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
 /**
@@ -125,9 +125,7 @@ final class TimelineBar extends JComponent {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        Graphics2D g = Controls.smooth(graphics);
         g.setFont(getFont());
         RoundRectangle2D strip =
                 new RoundRectangle2D.Double(SIDE_MARGIN, 2, getWidth() - 2.0 * SIDE_MARGIN, BAND_HEIGHT, 6, 6);
@@ -146,18 +144,8 @@ final class TimelineBar extends JComponent {
 
     private void paintBand(Graphics2D g, PhaseBands.Band band) {
         double x = x(band.from());
-        double width = x(band.to()) - x;
-        g.setColor(PhaseColours.of(band.label()));
-        g.fill(new Rectangle2D.Double(x, 2, width + 0.5, BAND_HEIGHT));
-        FontMetrics metrics = g.getFontMetrics();
-        String name = PhaseColours.displayName(band.label());
-        if (metrics.stringWidth(name) + 8 < width) {
-            g.setColor(PhaseColours.textColour());
-            g.drawString(
-                    name,
-                    (float) (x + (width - metrics.stringWidth(name)) / 2),
-                    2 + (BAND_HEIGHT + metrics.getAscent() - metrics.getDescent()) / 2f);
-        }
+        Rectangle2D area = new Rectangle2D.Double(x, 2, x(band.to()) - x + 0.5, BAND_HEIGHT);
+        PhaseColours.paintBand(g, area, band.label(), true);
     }
 
     private void paintTicks(Graphics2D g) {
@@ -168,7 +156,7 @@ final class TimelineBar extends JComponent {
             }
         }
         FontMetrics metrics = g.getFontMetrics();
-        g.setColor(Theme.secondaryText());
+        g.setColor(Theme.SECONDARY_TEXT);
         for (long k = (long) Math.ceil(from / step); k * step <= to; k++) {
             double x = x(k * step);
             g.fill(new Rectangle2D.Double(x - 0.5, BAND_HEIGHT + 3, 1, 4));
@@ -181,13 +169,13 @@ final class TimelineBar extends JComponent {
 
     private void paintMark(Graphics2D g) {
         double x = x(Math.max(from, Math.min(to, markTime)));
-        g.setColor(PhaseColours.textColour());
+        g.setColor(PhaseColours.TEXT);
         g.fill(new Rectangle2D.Double(x - 1, 0, 2, BAND_HEIGHT + 4));
         Ellipse2D knob = new Ellipse2D.Double(x - 6, BAND_HEIGHT / 2.0 - 4, 12, 12);
-        g.setColor(Theme.accent());
+        g.setColor(Theme.ACCENT);
         g.fill(knob);
         Color ring = isFocusOwner() ? UIManager.getColor("Component.focusedBorderColor") : null;
-        g.setColor(ring == null ? PhaseColours.textColour() : ring);
+        g.setColor(ring == null ? PhaseColours.TEXT : ring);
         g.setStroke(new BasicStroke(isFocusOwner() ? 3 : 1.5f));
         g.draw(knob);
     }

@@ -16,8 +16,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingTraceReader;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
@@ -32,32 +32,29 @@ import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.ScrollablePanel;
-import org.phrenic.ui.widget.Theme;
 
 /**
  * How it breathes: presets by a press, hold where it is, rate, depth and balance, a recorded breath, and a bar that
  * shows where in the breath it is.
  */
 public final class BreathDock extends JPanel implements Session.Listener {
-    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
     private static final List<Parameter> PRESET_PARAMETERS =
             List.of(Parameter.RATE, Parameter.INSPIRATORY_FRACTION, Parameter.CHEST_SHARE);
-    /** Presets whose breaths are inspiration, expiration and pause alone. */
-    private static final List<String> THREE_PHASE_PRESETS =
-            List.of("quiet", "quiet-supine", "deep", "sniff", "rapid-shallow");
 
     private final transient Session session;
     private final PhaseBar bar = new PhaseBar();
-    private final JLabel breath = new JLabel(" ");
+    private final JLabel breath = Controls.secondaryLabel(" ");
     private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
     private final ButtonGroup presetGroup = new ButtonGroup();
     private final JToggleButton hold = new JToggleButton("Hold now");
     private final JLabel trace = new JLabel("Breath by preset");
-    private final JButton removeTrace = new JButton(Icons.CLOSE);
+    private final JButton removeTrace =
+            Controls.iconButton(Icons.CLOSE, "Leave the recorded breath", this::removeTrace);
     private final transient List<SliderRow> rows = new ArrayList<>();
 
     public BreathDock(Session session) {
@@ -80,7 +77,6 @@ public final class BreathDock extends JPanel implements Session.Listener {
 
     private JComponent phasePanel() {
         JPanel panel = new JPanel(new MigLayout("insets 8 8 2 8, fillx, wrap 1", "[grow,fill]"));
-        breath.setForeground(Theme.secondaryText());
         panel.add(bar);
         panel.add(breath);
         return panel;
@@ -89,14 +85,14 @@ public final class BreathDock extends JPanel implements Session.Listener {
     private JComponent presetButtons() {
         JPanel panel = new JPanel(new MigLayout("insets 2 8 6 8, fillx, wrap 2", "[grow,fill,sg][grow,fill,sg]"));
         for (String name : BreathingPreset.names()) {
-            JToggleButton button = highlightWhenSelected(new JToggleButton(ChoiceRow.displayName(name)));
+            JToggleButton button = Controls.highlightWhenSelected(new JToggleButton(ChoiceRow.displayName(name)));
             button.setToolTipText("Breathe by the preset '" + name + "'; changes while it breathes");
             button.addActionListener(e -> selectPreset(name));
             presetGroup.add(button);
             presets.put(name, button);
             panel.add(button);
         }
-        highlightWhenSelected(hold);
+        Controls.highlightWhenSelected(hold);
         hold.setToolTipText("Hold the breath where it is, or let it go on");
         hold.setMnemonic('H');
         hold.addActionListener(e -> session.change(
@@ -106,35 +102,20 @@ public final class BreathDock extends JPanel implements Session.Listener {
         return panel;
     }
 
-    /** A pressed button stands out as a selected row of a list does. */
-    public static JToggleButton highlightWhenSelected(JToggleButton button) {
-        button.putClientProperty(
-                "FlatLaf.style",
-                "selectedBackground: $List.selectionBackground; selectedForeground: $List.selectionForeground");
-        return button;
-    }
-
     private JComponent trace() {
         JPanel panel = new JPanel(new MigLayout("insets 6 8 4 6, fillx, hidemode 3", "[][grow,fill,0::][]"));
-        JButton open = new JButton("Trace from CSV...");
-        open.setToolTipText("Breathe as recorded: a CSV file with columns time_s,amplitude, or of a skin marker");
-        open.addActionListener(
-                e -> FileDialogs.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
+        JButton open = Controls.button(
+                "Trace from CSV...",
+                "Breathe as recorded: a CSV file with columns time_s,amplitude, or of a skin marker",
+                () -> FileDialogs.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
         removeTrace.setToolTipText("Leave the recorded breath for the preset's; starts the scene anew");
-        removeTrace.getAccessibleContext().setAccessibleName("Leave the recorded breath");
-        removeTrace.putClientProperty("JButton.buttonType", "toolBarButton");
-        removeTrace.addActionListener(
-                e -> session.open("End of the recorded breath", ScenarioValues.withoutTrace(session.scenario())));
         panel.add(open);
         panel.add(trace, "wmin 0");
         panel.add(removeTrace);
         return panel;
     }
 
-    /**
-     * Breathes by a preset. Rate, fraction and balance that were set by hand go to those of the preset: who presses
-     * Deep wants its deep breath.
-     */
+    /** Changes the breathing preset; rate, inspiratory fraction and chest share go to those of the preset. */
     public void selectPreset(String name) {
         Scenario scenario = session.scenario();
         if (scenario.preset().equals(name)
@@ -162,7 +143,11 @@ public final class BreathDock extends JPanel implements Session.Listener {
         }
     }
 
-    /** Breathes by a recording; one that is none is refused in one sentence. */
+    private void removeTrace() {
+        session.open("End of the recorded breath", ScenarioValues.withoutTrace(session.scenario()));
+    }
+
+    /** Breathes by a recorded trace; a file that is none is refused with a message. */
     void openTrace(Path file) {
         try {
             BreathingTraceReader.read(file);
@@ -194,16 +179,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
         trace.setText(file.map(f -> f.getFileName().toString()).orElse("Breath by preset"));
         trace.setToolTipText(file.map(Path::toString).orElse("No recorded breath"));
         removeTrace.setVisible(file.isPresent());
-        showPhaseFractions(bar, scenario);
-    }
-
-    /** Gives a bar the shares of the breath that a scenario has. */
-    public static void showPhaseFractions(PhaseBar bar, Scenario scenario) {
-        BreathingParameters p = scenario.breathing().parameters();
-        bar.setPhaseFractions(
-                ScenarioValues.value(scenario, Parameter.INSPIRATORY_FRACTION),
-                p.pauseFraction(),
-                scenario.trace().isEmpty() && THREE_PHASE_PRESETS.contains(scenario.preset()));
+        bar.setPattern(scenario);
     }
 
     @Override
@@ -212,11 +188,11 @@ public final class BreathDock extends JPanel implements Session.Listener {
         if (history == null || history.size() == 0) {
             return;
         }
-        double[] now = history.values(history.size() - 1);
-        bar.setPhase(now[PHASE], PhaseColours.parseLabel(status.phaseLabel()));
-        breath.setText("Breath " + (int) (now[BREATH] + 1) + ", "
-                + PhaseColours.displayName(PhaseColours.parseLabel(status.phaseLabel()))
-                        .toLowerCase(Locale.ROOT));
+        bar.setPhase(history, status);
+        int number = (int) (history.values(history.size() - 1)[BREATH] + 1);
+        RespiratoryPhase phase = PhaseColours.parseLabel(status.phaseLabel());
+        breath.setText(
+                "Breath " + number + ", " + PhaseColours.displayName(phase).toLowerCase(Locale.ROOT));
     }
 
     JToggleButton presetButton(String name) {
@@ -225,13 +201,5 @@ public final class BreathDock extends JPanel implements Session.Listener {
 
     JToggleButton holdButton() {
         return hold;
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (breath != null) {
-            breath.setForeground(Theme.secondaryText());
-        }
     }
 }

@@ -67,15 +67,15 @@ public final class DisplayDock extends ScrollablePanel {
     private final JSlider clipSlider = new JSlider(0, SLIDER_MAX, SLIDER_MAX / 2);
     private transient double[] box = new double[6];
 
-    public DisplayDock(Session session, AppearanceModel looks) {
-        this(session, looks, null);
+    public DisplayDock(Session session, AppearanceModel appearance) {
+        this(session, appearance, null);
     }
 
     /** @param chooser asks for the surface from which distances are measured; null for the usual dialogue */
-    DisplayDock(Session session, AppearanceModel looks, Supplier<Optional<Path>> chooser) {
+    DisplayDock(Session session, AppearanceModel appearance, Supplier<Optional<Path>> chooser) {
         super(new MigLayout("insets 6 8 8 8, gap 6 3, wrap 1, novisualpadding", "[grow, fill]", ""));
         this.session = session;
-        this.appearance = looks;
+        this.appearance = appearance;
         this.chooser = chooser == null
                 ? () -> FileDialogs.open(this, "Surface to measure from", MeshFiles.READABLE.toArray(new String[0]))
                 : chooser;
@@ -89,7 +89,7 @@ public final class DisplayDock extends ScrollablePanel {
         addOverlay(Overlay.Kind.HELICAL_AXES, "Helical axes", "Axes about which ribs and sternum turn");
         JCheckBox rest = new JCheckBox("Shape at rest");
         rest.setToolTipText("The shape at end-expiration as a wireframe over the coloured structure");
-        rest.addActionListener(e -> looks.changeStyle(style -> style.withRestWireframe(rest.isSelected())));
+        rest.addActionListener(e -> appearance.changeStyle(style -> style.withRestWireframe(rest.isSelected())));
         add(withAccessibleName(rest, "Shape at rest"));
         addHeading("Colours on");
         structure.setToolTipText("Structure that carries the colours and the shape at rest");
@@ -117,7 +117,7 @@ public final class DisplayDock extends ScrollablePanel {
         addHeading("Translucency");
         JComboBox<String> sorting = new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"});
         sorting.setToolTipText("Sorted is right for organs within organs, and takes longer");
-        sorting.addActionListener(e -> looks.changeStyle(style ->
+        sorting.addActionListener(e -> appearance.changeStyle(style ->
                 style.withTransparency(sorting.getSelectedIndex() == 0 ? Transparency.TWO_PASS : Transparency.PEELED)));
         add(withAccessibleName(sorting, "Quality of translucency"), "wmin 0");
         clipSlider.setEnabled(false);

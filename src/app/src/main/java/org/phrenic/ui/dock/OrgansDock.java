@@ -33,14 +33,14 @@ public final class OrgansDock extends ScrollablePanel {
 
     private record GroupRow(AppearanceModel.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
 
-    private final transient AppearanceModel looks;
+    private final transient AppearanceModel appearance;
     private final transient List<GroupRow> rows = new ArrayList<>();
     private transient List<AppearanceModel.Group> shownGroups = List.of();
     private boolean updating;
 
-    public OrgansDock(Session session, AppearanceModel looks) {
+    public OrgansDock(Session session, AppearanceModel appearance) {
         super(new MigLayout("insets 6 8 6 8, gap 0 2, wrap 1, fillx, novisualpadding", "[grow, fill]", ""));
-        this.looks = looks;
+        this.appearance = appearance;
         setName("organs");
         session.addListener(new Session.Listener() {
             @Override
@@ -48,15 +48,15 @@ public final class OrgansDock extends ScrollablePanel {
                 createRows();
             }
         });
-        looks.addListener(this::refresh);
+        appearance.addListener(this::refresh);
     }
 
     /** Rows for the groups that the scene has. */
     private void createRows() {
-        if (shownGroups.equals(looks.groups())) {
+        if (shownGroups.equals(appearance.groups())) {
             return;
         }
-        shownGroups = looks.groups();
+        shownGroups = appearance.groups();
         removeAll();
         rows.clear();
         for (AppearanceModel.Group group : shownGroups) {
@@ -64,7 +64,7 @@ public final class OrgansDock extends ScrollablePanel {
         }
         JButton reset = new JButton("As in an atlas");
         reset.setToolTipText("All organs as they were at first");
-        reset.addActionListener(e -> looks.reset());
+        reset.addActionListener(e -> appearance.reset());
         add(reset, "gaptop 6, growx 0, alignx left");
         refresh();
         revalidate();
@@ -109,7 +109,7 @@ public final class OrgansDock extends ScrollablePanel {
 
     private void change(AppearanceModel.Group group, java.util.function.UnaryOperator<Appearance> change) {
         if (!updating) {
-            looks.changeGroup(group, change);
+            appearance.changeGroup(group, change);
         }
     }
 
@@ -123,7 +123,8 @@ public final class OrgansDock extends ScrollablePanel {
     }
 
     private Color colour(AppearanceModel.Group group) {
-        return looks.appearance(group)
+        return appearance
+                .appearance(group)
                 .map(look -> new Color(look.rgb()[0], look.rgb()[1], look.rgb()[2]))
                 .orElse(Color.GRAY);
     }
@@ -132,7 +133,7 @@ public final class OrgansDock extends ScrollablePanel {
     private void refresh() {
         updating = true;
         for (GroupRow row : rows) {
-            looks.appearance(row.group()).ifPresent(look -> {
+            appearance.appearance(row.group()).ifPresent(look -> {
                 row.visible().setSelected(look.visible());
                 row.opacity().setValue(Math.round(look.opacity() * PERCENT));
                 row.wire().setSelected(look.wireframe());
@@ -157,7 +158,7 @@ public final class OrgansDock extends ScrollablePanel {
             g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
             g.setColor(colour(group));
             g.fillRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
-            g.setColor(Theme.borderColour());
+            g.setColor(Theme.BORDER);
             g.drawRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
             g.dispose();
         }

@@ -90,7 +90,7 @@ abstract class SettingRow extends JPanel {
         String sentence = answer.isEmpty() ? condition : answer;
         if (!sentence.isEmpty()) {
             boolean warning = !answer.isEmpty() || conditionKind == Hint.WARNING;
-            hint.setForeground(warning ? Theme.warningText() : Theme.secondaryText());
+            hint.setForeground(warning ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);
             hint.setText("<html>" + escaped(sentence) + "</html>");
         }
         if (hint.isVisible() == sentence.isEmpty()) {

@@ -74,7 +74,7 @@ public final class SettingsDock extends JPanel {
         body.add(first, "wmin 0");
         body.add(second, "wmin 0");
         body.add(swap, "wrap");
-        comparisonLabel.setForeground(Theme.secondaryText());
+        comparisonLabel.setForeground(Theme.SECONDARY_TEXT);
         body.add(comparisonLabel, "spanx 3, wmin 0");
         add(body, BorderLayout.CENTER);
         refresh();

@@ -84,4 +84,9 @@ public final class NumberFormats {
             return OptionalDouble.empty();
         }
     }
+
+    /** {@link String#format} with a decimal point whatever the locale. */
+    public static String text(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
 }

@@ -53,9 +53,9 @@ public final class SceneViewport extends JPanel {
     private transient Optional<String> graphicsInfo = Optional.empty();
     private long frameCount;
 
-    public SceneViewport(Session session, AppearanceModel looks) {
+    public SceneViewport(Session session, AppearanceModel appearance) {
         this.session = session;
-        this.appearance = looks;
+        this.appearance = appearance;
         setName("view");
         setFocusable(true);
         setOpaque(true);
@@ -64,7 +64,7 @@ public final class SceneViewport extends JPanel {
         setMinimumSize(new Dimension(200, 150));
         new CameraController(this);
         renderLoop = new RenderLoop(session.live(), new RenderListener());
-        looks.addListener(this::requestFrame);
+        appearance.addListener(this::requestFrame);
         session.addListener(new Session.Listener() {
             @Override
             public void onScene(LiveScene now) {
@@ -304,10 +304,10 @@ public final class SceneViewport extends JPanel {
     }
 
     private void paintPlaceholder(Graphics2D g) {
-        g.setColor(Theme.viewBackground());
+        g.setColor(Theme.VIEW_BACKGROUND);
         g.fillRect(0, 0, getWidth(), getHeight());
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setColor(Theme.secondaryText());
+        g.setColor(Theme.SECONDARY_TEXT);
         g.setFont(getFont() == null ? g.getFont() : getFont());
         int y = getHeight() / 2;
         for (String line : LineBreaker.wrap(placeholder, g.getFontMetrics(), Math.max(80, getWidth() - 80))) {

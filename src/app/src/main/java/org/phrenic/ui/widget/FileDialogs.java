@@ -10,14 +10,14 @@ import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import org.phrenic.ui.session.WindowPreferences;
 
-/** Asks for files to write or read; remembers the folder. */
+/** Dialogs that choose a file or folder and remember the folder it is in; empty if the dialog is cancelled. */
 public final class FileDialogs {
     private FileDialogs() {}
 
-    /** Asks where to write; the suffix of {@code proposed} is added where it is missing. Empty if it was called off. */
+    /** A file to write; gets the suffix of {@code proposed} where it has none. An existing file is confirmed. */
     public static Optional<Path> save(Component parent, String title, String proposed) {
         String suffix = proposed.substring(proposed.lastIndexOf('.') + 1);
-        JFileChooser chooser = fileChooser(title, suffix);
+        JFileChooser chooser = chooser(title, suffix);
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), proposed));
         if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
@@ -26,20 +26,34 @@ public final class FileDialogs {
         File file = chosen.getName().toLowerCase(Locale.ROOT).endsWith("." + suffix)
                 ? chosen
                 : new File(chosen.getParentFile(), chosen.getName() + "." + suffix);
-        rememberFolder(file);
-        boolean write = !file.exists()
-                || JOptionPane.showConfirmDialog(
-                                parent,
-                                "Replace " + file.getName() + ", which is there already?",
-                                title,
-                                JOptionPane.OK_CANCEL_OPTION)
-                        == JOptionPane.OK_OPTION;
-        return write ? Optional.of(file.toPath()) : Optional.empty();
+        return confirmed(parent, title, file, file, "Replace " + file.getName() + ", which is there already?");
     }
 
-    /** Asks which file to read; empty if it was called off. */
+    /** A file to read. */
     public static Optional<Path> open(Component parent, String title, String... suffixes) {
-        JFileChooser chooser = fileChooser(title, suffixes);
+        return chosen(parent, chooser(title, suffixes));
+    }
+
+    /** A file or a folder to read. */
+    public static Optional<Path> openFileOrFolder(Component parent, String title) {
+        JFileChooser chooser = chooser(title);
+        chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
+        return chosen(parent, chooser);
+    }
+
+    /** A folder to write a report into; a report that is in it is confirmed. */
+    public static Optional<Path> folder(Component parent, String title) {
+        JFileChooser chooser = chooser(title);
+        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        File folder = chooser.getSelectedFile();
+        String question = "Replace the report in " + folder.getName() + "?";
+        return confirmed(parent, title, folder, new File(folder, "report.json"), question);
+    }
+
+    private static Optional<Path> chosen(Component parent, JFileChooser chooser) {
         if (chooser.showOpenDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
@@ -47,38 +61,29 @@ public final class FileDialogs {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    /** Asks for a folder to write into, one that is there or a new one; empty if it was called off. */
-    public static Optional<Path> folder(Component parent, String title) {
-        JFileChooser chooser =
-                new JFileChooser(WindowPreferences.ofUser().folder().toFile());
-        chooser.setDialogTitle(title);
-        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
-        if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
-            return Optional.empty();
-        }
-        File chosen = chooser.getSelectedFile();
-        rememberFolder(chosen);
-        boolean write = !new File(chosen, "report.json").exists()
-                || JOptionPane.showConfirmDialog(
-                                parent,
-                                "Replace the report in " + chosen.getName() + "?",
-                                title,
-                                JOptionPane.OK_CANCEL_OPTION)
+    private static Optional<Path> confirmed(Component parent, String title, File file, File old, String question) {
+        rememberFolder(file);
+        boolean write = !old.exists()
+                || JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
                         == JOptionPane.OK_OPTION;
-        return write ? Optional.of(chosen.toPath()) : Optional.empty();
+        return write ? Optional.of(file.toPath()) : Optional.empty();
     }
 
-    private static JFileChooser fileChooser(String title, String... suffixes) {
+    private static JFileChooser chooser(String title, String... suffixes) {
         JFileChooser chooser =
                 new JFileChooser(WindowPreferences.ofUser().folder().toFile());
         chooser.setDialogTitle(title);
-        chooser.setFileFilter(
-                new FileNameExtensionFilter(String.join(", ", suffixes).toUpperCase(Locale.ROOT) + " files", suffixes));
+        if (suffixes.length > 0) {
+            String name = String.join(", ", suffixes).toUpperCase(Locale.ROOT) + " files";
+            chooser.setFileFilter(new FileNameExtensionFilter(name, suffixes));
+        }
         return chooser;
     }
 
     private static void rememberFolder(File file) {
-        WindowPreferences.ofUser()
-                .setFolder(file.getAbsoluteFile().getParentFile().toPath());
+        File folder = file.getAbsoluteFile().getParentFile();
+        if (folder != null) {
+            WindowPreferences.ofUser().setFolder(folder.toPath());
+        }
     }
 }

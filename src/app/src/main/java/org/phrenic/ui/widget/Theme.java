@@ -4,19 +4,67 @@ import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
+import java.awt.Insets;
 import java.util.Map;
+import java.util.function.IntSupplier;
 import javax.swing.UIManager;
 
-/** Light and dark: one accent, quiet surfaces, the same sizes in both. */
+/**
+ * Light and dark look and feel: one accent, the same sizes in both. The colours here follow the look and feel, so a
+ * component keeps the colour object when the look and feel changes.
+ */
 public final class Theme {
-    private static final String ACCENT_LIGHT = "#0f7285";
-    private static final String ACCENT_DARK = "#4bb3c6";
+    public static final Color ACCENT = colour(0x0f7285, 0x4bb3c6);
+    public static final Color TEXT = colour(0x1e2428, 0xe8ecee);
+
+    /** Text that matters less; a contrast of 4.5 to 1 and more on a panel. */
+    public static final Color SECONDARY_TEXT = colour(0x596067, 0xa9b0b5);
+
+    /** Line between regions. */
+    public static final Color BORDER = new ThemeColour(() -> {
+        Color border = UIManager.getColor("Component.borderColor");
+        return (border == null ? Color.GRAY : border).getRGB();
+    });
+
+    /** Behind the view until there is a picture; the renderer's own background. */
+    public static final Color VIEW_BACKGROUND = colour(0xe9edf0, 0x1d2226);
+
+    public static final Color NOTE_BACKGROUND = colour(0xe4f1f3, 0x24363b);
+    public static final Color NOTE_TEXT = colour(0x0c4450, 0xd5ecf0);
+    public static final Color WARNING_BACKGROUND = colour(0xfff3cf, 0x4a3a10);
+    public static final Color WARNING_TEXT = colour(0x5b4300, 0xffe3a0);
+    public static final Color ALARM_BACKGROUND = colour(0xfbe3e0, 0x5a2420);
+    public static final Color ALARM_TEXT = colour(0x7c1d12, 0xffd2cc);
 
     private Theme() {}
 
-    /** Sets the look of all that is made from now on; what is there follows with {@link ThemeUpdater}. */
+    private static final class ThemeColour extends Color {
+        private final transient IntSupplier argb;
+
+        ThemeColour(IntSupplier argb) {
+            super(0);
+            this.argb = argb;
+        }
+
+        @Override
+        public int getRGB() {
+            return argb.getAsInt();
+        }
+    }
+
+    /** A colour with one value, RGB, on a light and one on a dark background. */
+    public static Color colour(int light, int dark) {
+        return new ThemeColour(() -> 0xff000000 | (isDark() ? dark : light));
+    }
+
+    /** A colour of this moment with an opacity of 0 to 255. */
+    public static Color withAlpha(Color colour, int alpha) {
+        return new Color(colour.getRGB() & 0xffffff | alpha << 24, true);
+    }
+
+    /** Sets the look and feel of components made from here on; existing ones follow by {@link ThemeUpdater}. */
     public static void install(boolean dark) {
-        FlatLaf.setGlobalExtraDefaults(Map.of("@accentColor", dark ? ACCENT_DARK : ACCENT_LIGHT));
+        FlatLaf.setGlobalExtraDefaults(Map.of("@accentColor", dark ? "#4bb3c6" : "#0f7285"));
         if (dark) {
             FlatDarkLaf.setup();
         } else {
@@ -25,7 +73,7 @@ public final class Theme {
         UIManager.put("SplitPane.dividerSize", 5);
         UIManager.put("SplitPaneDivider.style", "plain");
         UIManager.put("TabbedPane.tabHeight", 28);
-        UIManager.put("TabbedPane.tabInsets", new java.awt.Insets(2, 10, 2, 10));
+        UIManager.put("TabbedPane.tabInsets", new Insets(2, 10, 2, 10));
         UIManager.put("ScrollBar.width", 11);
         UIManager.put("ScrollBar.thumbArc", 999);
         UIManager.put("Component.arc", 6);
@@ -35,49 +83,5 @@ public final class Theme {
 
     public static boolean isDark() {
         return FlatLaf.isLafDark();
-    }
-
-    public static Color accent() {
-        return Color.decode(isDark() ? ACCENT_DARK : ACCENT_LIGHT);
-    }
-
-    /** Text that matters less; still 4.5 to 1 on a panel. */
-    public static Color secondaryText() {
-        return isDark() ? new Color(0xa9b0b5) : new Color(0x596067);
-    }
-
-    /** Line between regions. */
-    public static Color borderColour() {
-        Color separator = UIManager.getColor("Component.borderColor");
-        return separator == null ? Color.GRAY : separator;
-    }
-
-    /** Behind the view until there is a picture; the renderer's own background. */
-    public static Color viewBackground() {
-        return isDark() ? new Color(0x1d2226) : new Color(0xe9edf0);
-    }
-
-    public static Color noteBackground() {
-        return isDark() ? new Color(0x24363b) : new Color(0xe4f1f3);
-    }
-
-    public static Color noteText() {
-        return isDark() ? new Color(0xd5ecf0) : new Color(0x0c4450);
-    }
-
-    public static Color warningBackground() {
-        return isDark() ? new Color(0x4a3a10) : new Color(0xfff3cf);
-    }
-
-    public static Color warningText() {
-        return isDark() ? new Color(0xffe3a0) : new Color(0x5b4300);
-    }
-
-    public static Color alarmBackground() {
-        return isDark() ? new Color(0x5a2420) : new Color(0xfbe3e0);
-    }
-
-    public static Color alarmText() {
-        return isDark() ? new Color(0xffd2cc) : new Color(0x7c1d12);
     }
 }

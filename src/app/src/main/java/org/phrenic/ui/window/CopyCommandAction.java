@@ -11,8 +11,8 @@ import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
 /**
- * Puts the line that runs again, without a window, what was run so far on the clipboard. The simulation answers between
- * two steps, which is waited for off the event thread.
+ * Copies the command line that repeats the run so far, without a window, to the clipboard. The simulation answers
+ * between two steps; the event dispatch thread does not wait for that.
  */
 public final class CopyCommandAction extends AbstractAction {
     private final transient Session session;
@@ -36,7 +36,7 @@ public final class CopyCommandAction extends AbstractAction {
         copy(line -> session.note("Copied: " + line));
     }
 
-    /** Copies, then tells {@code done} the line on the event thread. */
+    /** Copies the line, then passes it to {@code done} on the event dispatch thread. */
     void copy(Consumer<String> done) {
         BackgroundWorker.execute(
                 () -> session.live().command(),

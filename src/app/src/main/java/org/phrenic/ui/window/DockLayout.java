@@ -10,9 +10,9 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import org.phrenic.ui.session.WindowPreferences;
 
-/** The view in the middle, docks left, right and below; their sizes are remembered, and each can be put away. */
+/** The view in the middle and docks at the left, right and bottom, which can be hidden; keeps their sizes. */
 final class DockLayout extends JPanel {
-    /** Where a dock stands. */
+    /** Side of the window that a dock is at. */
     enum Place {
         LEFT(288),
         RIGHT(368),
@@ -54,7 +54,7 @@ final class DockLayout extends JPanel {
         add(bottom);
     }
 
-    /** Puts a component where a dock stands; null puts the place away. */
+    /** Sets the dock of a place; null hides the place. */
     void setDock(Place place, JComponent dock) {
         if (laidOut && dock(place) != null) {
             sizes.put(place, size(place));
@@ -62,10 +62,10 @@ final class DockLayout extends JPanel {
         if (dock != null) {
             dock.setMinimumSize(new Dimension(120, 90));
         }
-        switch (place) {
-            case LEFT -> left.setLeftComponent(dock);
-            case RIGHT -> right.setRightComponent(dock);
-            case BOTTOM -> bottom.setBottomComponent(dock);
+        if (place == Place.LEFT) {
+            left.setLeftComponent(dock);
+        } else {
+            splitPane(place).setRightComponent(dock);
         }
         splitPane(place).setDividerSize(dock == null ? 0 : DIVIDER_SIZE);
         if (laidOut) {
@@ -73,13 +73,9 @@ final class DockLayout extends JPanel {
         }
     }
 
-    /** The dock that stands there; null for none. */
+    /** The dock of a place; null for none. */
     Component dock(Place place) {
-        return switch (place) {
-            case LEFT -> left.getLeftComponent();
-            case RIGHT -> right.getRightComponent();
-            case BOTTOM -> bottom.getBottomComponent();
-        };
+        return place == Place.LEFT ? left.getLeftComponent() : splitPane(place).getRightComponent();
     }
 
     private JSplitPane splitPane(Place place) {
@@ -104,7 +100,6 @@ final class DockLayout extends JPanel {
         }
     }
 
-    /** Gives every dock its size; the view has the rest. */
     private void applySizes() {
         validate();
         if (dock(Place.BOTTOM) != null) {
@@ -121,7 +116,6 @@ final class DockLayout extends JPanel {
         revalidate();
     }
 
-    /** Remembers the sizes. */
     void saveSizes() {
         for (Place place : Place.values()) {
             int size = dock(place) != null && laidOut ? size(place) : sizes.get(place);

@@ -2,11 +2,10 @@ package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
-import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -32,7 +31,7 @@ import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.ScrollablePanel;
 
-/** The docks about the view, arranged for a clinician or for a researcher, each place shown or put away. */
+/** The docks around the view and their arrangement in each workspace. */
 public final class DockManager {
     private final DockLayout layout;
     private final WindowPreferences preferences;
@@ -57,7 +56,7 @@ public final class DockManager {
 
     DockManager(
             Session session,
-            AppearanceModel looks,
+            AppearanceModel appearance,
             SceneViewport view,
             DockLayout layout,
             WindowPreferences preferences) {
@@ -65,15 +64,15 @@ public final class DockManager {
         this.view = view;
         this.layout = layout;
         this.preferences = preferences;
-        organs = new OrgansDock(session, looks);
-        display = new DisplayDock(session, looks);
+        organs = new OrgansDock(session, appearance);
+        display = new DisplayDock(session, appearance);
         parameters = new ParameterDock(session);
         breath = new BreathDock(session);
         forces = new ForcesDock(session);
         settings = new SettingsDock(session);
         plots = new PlotDock(session);
         timeline = new TimelineDock(session);
-        rehearsalController = new RehearsalController(session, looks, view);
+        rehearsalController = new RehearsalController(session, appearance, view);
         docks.put(DockLayout.Place.LEFT, left);
         docks.put(DockLayout.Place.RIGHT, right);
         docks.put(DockLayout.Place.BOTTOM, bottom);
@@ -88,30 +87,27 @@ public final class DockManager {
         return tabs;
     }
 
-    /** Arranges all docks; places that were put away stay so. */
-    void arrange(Workspace arrangement) {
-        boolean research = arrangement == Workspace.RESEARCHER;
+    /** Arranges the docks of a workspace; hidden places stay hidden. */
+    void arrange(Workspace workspace) {
+        boolean research = workspace == Workspace.RESEARCHER;
         left.removeAll();
         right.removeAll();
         bottom.removeAll();
         if (research) {
             rehearsalController.deactivate();
-            left.addTab("Organs", null, ScrollablePanel.scrollPane(organs), "What is shown of the body, and how");
-            left.addTab(
-                    "Show",
-                    null,
-                    ScrollablePanel.scrollPane(display),
-                    "The model over the surfaces, colours, clip plane");
+            addOrgans();
+            JComponent show = ScrollablePanel.scrollPane(display);
+            left.addTab("Show", null, show, "The model over the surfaces, colours, clip plane");
             right.addTab("Parameters", null, parameters, "Every number that can be tuned");
-            right.addTab("Breath", null, breath, "How it breathes");
+            right.addTab("Breath", null, breath, "Breathing pattern");
             right.addTab("Forces", null, forces, "Forces on and off one by one");
-            right.addTab("Settings", null, settings, "Settings kept by name");
+            right.addTab("Settings", null, settings, "Settings stored by name");
             bottom.add(timeline, BorderLayout.SOUTH);
             bottom.add(plots, BorderLayout.CENTER);
         } else {
             createRehearsalDocks();
             left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
-            left.addTab("Organs", null, ScrollablePanel.scrollPane(organs), "What is shown of the body, and how");
+            addOrgans();
             right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, way in, needle");
             right.addTab("Report", null, attempts, "The report card and the attempts of this session");
             rehearsalController.open();
@@ -123,7 +119,11 @@ public final class DockManager {
         }
     }
 
-    /** The clinician's docks, when they are first wanted. */
+    private void addOrgans() {
+        left.addTab("Organs", null, ScrollablePanel.scrollPane(organs), "What is shown of the body, and how");
+    }
+
+    /** Makes the clinician's docks at their first use. */
     private void createRehearsalDocks() {
         if (rehearsal != null) {
             return;
@@ -144,7 +144,7 @@ public final class DockManager {
         });
     }
 
-    /** Shows a place, or puts it away; an empty one stays so. */
+    /** Shows or hides a place; one without docks stays hidden. */
     void toggle(DockLayout.Place place) {
         if (place == DockLayout.Place.BOTTOM && rehearsalController.isActive()) {
             return;
@@ -154,33 +154,21 @@ public final class DockManager {
         layout.setDock(place, shown ? docks.get(place) : null);
     }
 
-    /** All docks, wherever they stand. */
+    /** All docks, shown or not. */
     List<Component> components() {
-        return Stream.of(
-                        left,
-                        right,
-                        bottom,
-                        organs,
-                        display,
-                        parameters,
-                        breath,
-                        forces,
-                        settings,
-                        plots,
-                        timeline,
-                        rehearsal,
-                        attempts,
-                        sections)
-                .filter(Objects::nonNull)
-                .map(Component.class::cast)
-                .toList();
+        List<Component> all = new ArrayList<>(
+                List.of(left, right, bottom, organs, display, parameters, breath, forces, settings, plots, timeline));
+        if (rehearsal != null) {
+            all.addAll(List.of(rehearsal, attempts, sections));
+        }
+        return all;
     }
 
     public RehearsalController rehearsalController() {
         return rehearsalController;
     }
 
-    /** The attempts of the session; null before the clinician's door was first opened. */
+    /** The attempts of the session; null before the clinician's workspace is first shown. */
     public AttemptsDock attempts() {
         return attempts;
     }

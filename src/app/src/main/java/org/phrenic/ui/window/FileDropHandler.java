@@ -9,15 +9,12 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Takes a scenario, a thorax folder or a trace that is dropped on the window. */
+/** Opens a scenario, a thorax folder or a trace that is dropped on the window. */
 final class FileDropHandler extends TransferHandler {
     private final transient Consumer<Path> open;
     private final transient Consumer<String> refuse;
 
-    /**
-     * @param open told the file
-     * @param refuse told in one sentence what is wrong with what was dropped
-     */
+    /** @param refuse gets a message if no file can be opened */
     FileDropHandler(Consumer<Path> open, Consumer<String> refuse) {
         this.open = open;
         this.refuse = refuse;

@@ -1,7 +1,6 @@
 package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Frame;
@@ -20,7 +19,8 @@ import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import javax.swing.table.DefaultTableModel;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.ui.widget.WindowNotice;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.ui.widget.Controls;
 
 /** Help > Keys and Help > About. */
 final class HelpDialogs {
@@ -31,7 +31,7 @@ final class HelpDialogs {
 
     private static final String[][] LIBRARIES = {
         {"JOGL, GlueGen", "drawing with OpenGL", "BSD 2-clause"},
-        {"FlatLaf", "look of the window", "Apache-2.0"},
+        {"FlatLaf", "look and feel of the window", "Apache-2.0"},
         {"MigLayout", "layout of the window", "BSD 3-clause"},
         {"JFreeChart", "plots", "LGPL 2.1 or later"},
         {"EJML", "small dense algebra", "Apache-2.0"},
@@ -43,7 +43,7 @@ final class HelpDialogs {
 
     private HelpDialogs() {}
 
-    /** Escape closes it, as one expects. */
+    /** Lets the Escape key close a dialog. */
     static void closeOnEscape(JDialog dialog) {
         dialog.getRootPane()
                 .registerKeyboardAction(
@@ -52,13 +52,13 @@ final class HelpDialogs {
                         JComponent.WHEN_IN_FOCUSED_WINDOW);
     }
 
-    /** The table of keys, made from the commands themselves. */
-    static JDialog keys(Frame owner, List<MenuAction> commands) {
-        Object[][] rows = commands.stream()
-                .filter(command -> command.accelerator() != null)
-                .map(command -> new Object[] {command.acceleratorText(), command.name(), command.tip()})
-                .toArray(Object[][]::new);
-        Object[][] mouse = {
+    /** The table of keys, made from the actions. */
+    static JDialog keys(Frame owner, List<MenuAction> actions) {
+        String[][] rows = actions.stream()
+                .filter(action -> action.accelerator() != null)
+                .map(action -> new String[] {action.acceleratorText(), action.name(), action.tip()})
+                .toArray(String[][]::new);
+        String[][] mouse = {
             {"Left drag", "Turn", "About the patient's long axis and up or down"},
             {"Middle drag, Shift+left drag", "Move", "In the plane of the picture"},
             {"Wheel", "Enlarge", "Towards the cursor"},
@@ -66,46 +66,50 @@ final class HelpDialogs {
             {"Double click", "Turn about here", "The view turns about the place under the cursor"},
         };
         JPanel content = new JPanel(new MigLayout("insets 14, gap 8, wrap 1", "[grow, fill]", "[grow, fill][][fill]"));
-        content.add(new JScrollPane(table("Keys", rows)));
+        content.add(new JScrollPane(keyTable("Keys", rows)));
         content.add(new JLabel("In the view"));
-        JScrollPane below = new JScrollPane(table("Mouse", mouse));
+        JScrollPane below = new JScrollPane(keyTable("Mouse", mouse));
         below.setPreferredSize(new Dimension(640, 150));
         content.add(below);
         return dialog(owner, "Keys", content, new Dimension(720, 620));
     }
 
-    private static JTable table(String name, Object[][] rows) {
-        DefaultTableModel model = new DefaultTableModel(rows, new Object[] {name, "Does", "That is"}) {
+    private static JTable keyTable(String name, String[][] rows) {
+        JTable table = table(name, rows, name, "Does", "That is");
+        table.setRowHeight(table.getRowHeight() + 4);
+        int[] widths = {150, 160, 360};
+        for (int i = 0; i < widths.length; i++) {
+            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
+        }
+        return table;
+    }
+
+    private static JTable table(String name, String[][] rows, String... columns) {
+        JTable table = new JTable(new DefaultTableModel(rows, columns) {
             @Override
             public boolean isCellEditable(int row, int column) {
                 return false;
             }
-        };
-        JTable table = new JTable(model);
+        });
         table.getAccessibleContext().setAccessibleName(name);
-        table.setRowHeight(table.getRowHeight() + 4);
-        table.getColumnModel().getColumn(0).setPreferredWidth(150);
-        table.getColumnModel().getColumn(1).setPreferredWidth(160);
-        table.getColumnModel().getColumn(2).setPreferredWidth(360);
         return table;
     }
 
-    /** Version, citation, licences, and what the program is not for. */
+    /** Version, citation, licences and the disclaimer. */
     static JDialog about(Frame owner, Optional<String> graphics) {
-        String version = Optional.ofNullable(HelpDialogs.class.getPackage().getImplementationVersion())
-                .map(v -> " " + v)
-                .orElse("");
-        JLabel title = new JLabel("Phrenic" + version);
-        title.setFont(title.getFont().deriveFont(Font.BOLD, title.getFont().getSize2D() * 1.6f));
-        JLabel notice = new JLabel(WindowNotice.TEXT);
-        notice.setFont(notice.getFont().deriveFont(Font.BOLD));
+        String version = HelpDialogs.class.getPackage().getImplementationVersion();
+        JLabel title = bold("Phrenic" + (version == null ? "" : " " + version));
+        title.setFont(title.getFont().deriveFont(title.getFont().getSize2D() * 1.6f));
+        JTable libraries = table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence");
+        JScrollPane scroll = new JScrollPane(libraries);
+        scroll.setPreferredSize(new Dimension(560, libraries.getRowHeight() * (LIBRARIES.length + 1) + 12));
         JPanel content = new JPanel(new MigLayout("insets 18, gap 8, wrap 1", "[grow, fill]", ""));
         content.add(title);
         content.add(new JLabel("A simulator of breathing: diaphragm, ribs, sternum, lungs and liver."));
-        content.add(notice, "gapbottom 8");
+        content.add(bold(Disclaimer.TEXT), "gapbottom 8");
         content.add(wrappedText("It implements and extends " + CITATION), "wmin 0");
         content.add(wrappedText("Apache License 2.0. It uses:"), "wmin 0, gapbottom 0");
-        content.add(libraries(), "gapbottom 8");
+        content.add(scroll, "gapbottom 8");
         content.add(
                 wrappedText("Java " + Runtime.version()
                         + graphics.map(g -> "; " + g).orElse("")),
@@ -113,22 +117,14 @@ final class HelpDialogs {
         return dialog(owner, "About Phrenic", content, new Dimension(620, 560));
     }
 
-    private static Component libraries() {
-        DefaultTableModel model = new DefaultTableModel(LIBRARIES, new Object[] {"Library", "For", "Licence"}) {
-            @Override
-            public boolean isCellEditable(int row, int column) {
-                return false;
-            }
-        };
-        JTable table = new JTable(model);
-        table.getAccessibleContext().setAccessibleName("Libraries and their licences");
-        JScrollPane pane = new JScrollPane(table);
-        pane.setPreferredSize(new Dimension(560, table.getRowHeight() * (LIBRARIES.length + 1) + 12));
-        return pane;
+    private static JLabel bold(String text) {
+        JLabel label = new JLabel(text);
+        label.setFont(label.getFont().deriveFont(Font.BOLD));
+        return label;
     }
 
-    private static JTextArea wrappedText(String words) {
-        JTextArea area = new JTextArea(words);
+    private static JTextArea wrappedText(String text) {
+        JTextArea area = new JTextArea(text);
         area.setLineWrap(true);
         area.setWrapStyleWord(true);
         area.setEditable(false);
@@ -140,8 +136,7 @@ final class HelpDialogs {
 
     private static JDialog dialog(Frame owner, String title, JPanel content, Dimension size) {
         JDialog dialog = new JDialog(owner, title);
-        JButton close = new JButton("Close");
-        close.addActionListener(e -> dialog.dispose());
+        JButton close = Controls.button("Close", "Close this dialog", dialog::dispose);
         JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "push[]", ""));
         foot.add(close);
         dialog.getContentPane().add(content);

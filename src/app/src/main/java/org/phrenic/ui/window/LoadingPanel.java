@@ -6,9 +6,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
-/** How far a scene is loaded, and a way out; what ran before goes on behind it. */
+/** Progress of loading a scene, with a button that cancels it; the scene before runs on meanwhile. */
 final class LoadingPanel extends JPanel {
     private static final int STEPS = 1000;
 
@@ -18,30 +19,22 @@ final class LoadingPanel extends JPanel {
     LoadingPanel(Runnable cancel) {
         super(new MigLayout("insets 8 12 8 12, gap 10, novisualpadding", "[180!][140!][]", "[center]"));
         setName("loading");
-        JButton stop = new JButton("Cancel");
-        stop.setName("loading.cancel");
-        stop.setToolTipText("Keep what is there");
-        stop.addActionListener(e -> {
+        JButton stop = Controls.button("Cancel", "Keep the present scene", () -> {
             setVisible(false);
             cancel.run();
         });
+        stop.setName("loading.cancel");
         bar.getAccessibleContext().setAccessibleName("Progress of loading");
         add(what);
         add(bar, "growx");
         add(stop);
         setVisible(false);
-        setBorder(BorderFactory.createLineBorder(Theme.borderColour()));
+        setBorder(BorderFactory.createLineBorder(Theme.BORDER));
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBorder(BorderFactory.createLineBorder(Theme.borderColour()));
-    }
-
-    /** Shows it until all is done. */
+    /** Shows the progress, and hides the panel at a share of 1. */
     void show(String doing, double share) {
-        what.setText(doing.isEmpty() ? "Loading" : Character.toUpperCase(doing.charAt(0)) + doing.substring(1));
+        what.setText(doing.isEmpty() ? "Loading" : Controls.capitalise(doing));
         bar.setValue((int) Math.round(share * STEPS));
         setVisible(share < 1);
     }

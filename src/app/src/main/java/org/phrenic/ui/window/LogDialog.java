@@ -8,7 +8,9 @@ import java.awt.datatransfer.StringSelection;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
@@ -22,8 +24,9 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
+import org.phrenic.ui.widget.Controls;
 
-/** What was logged since the window opened, to read and to copy. */
+/** A dialog that lists the log records since the window opened. */
 final class LogDialog extends Handler {
     private static final int MAX_LINES = 2_000;
     private static final String LOGGER_NAME = "org.phrenic";
@@ -33,12 +36,11 @@ final class LogDialog extends Handler {
     private final DateTimeFormatter clock =
             DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
 
-    /** The program's logger; held here so that it keeps this handler. */
+    /** A strong reference: java.util.logging keeps loggers weakly. */
     private final Logger logger = Logger.getLogger(LOGGER_NAME);
 
     private JDialog dialog;
 
-    /** Starts to listen. */
     LogDialog() {
         setLevel(Level.INFO);
         logger.addHandler(this);
@@ -48,7 +50,7 @@ final class LogDialog extends Handler {
     public void publish(LogRecord record) {
         if (isLoggable(record)) {
             String line = clock.format(Instant.ofEpochMilli(record.getMillis())) + "  "
-                    + record.getLevel().getName().toLowerCase(java.util.Locale.ROOT) + "  "
+                    + record.getLevel().getName().toLowerCase(Locale.ROOT) + "  "
                     + formatter.formatMessage(record)
                     + (record.getThrown() == null ? "" : " (" + record.getThrown() + ")");
             SwingUtilities.invokeLater(() -> add(line));
@@ -62,7 +64,6 @@ final class LogDialog extends Handler {
         lines.addElement(line);
     }
 
-    /** Opens it beside a window. */
     void showDialog(Window owner) {
         if (dialog == null) {
             dialog = createDialog(owner);
@@ -74,9 +75,8 @@ final class LogDialog extends Handler {
     private JDialog createDialog(Window owner) {
         JList<String> list = new JList<>(lines);
         list.getAccessibleContext().setAccessibleName("Log");
-        JButton copy = new JButton("Copy");
-        copy.setToolTipText("Copy the chosen lines, or all of them");
-        copy.addActionListener(e -> copy(list.getSelectedValuesList()));
+        JButton copy = Controls.button(
+                "Copy", "Copy the selected lines, or all of them", () -> copy(list.getSelectedValuesList()));
         JPanel foot = new JPanel(new BorderLayout());
         foot.add(copy, BorderLayout.EAST);
         foot.setBorder(BorderFactory.createEmptyBorder(8, 0, 0, 0));
@@ -92,7 +92,7 @@ final class LogDialog extends Handler {
     }
 
     private void copy(List<String> chosen) {
-        List<String> which = chosen.isEmpty() ? java.util.Collections.list(lines.elements()) : chosen;
+        List<String> which = chosen.isEmpty() ? Collections.list(lines.elements()) : chosen;
         Toolkit.getDefaultToolkit()
                 .getSystemClipboard()
                 .setContents(new StringSelection(String.join("\n", which)), null);
@@ -100,10 +100,9 @@ final class LogDialog extends Handler {
 
     @Override
     public void flush() {
-        // Nothing is held back.
+        // Records are not buffered.
     }
 
-    /** Stops listening. */
     @Override
     public void close() {
         logger.removeHandler(this);

@@ -8,94 +8,84 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
-import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.EditHistory;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 
-/** The menus, made from the commands. */
+/** The menu bar, made from the actions. */
 final class MainMenuBar extends JMenuBar {
     MainMenuBar(
-            MenuActions commands,
+            MenuActions actions,
             WindowPreferences preferences,
-            Session session,
+            EditHistory edits,
             Consumer<Path> open,
-            Consumer<Workspace> arrange) {
-        JMenu file = menu("File", 'F', List.of(commands.open));
-        file.add(recentMenu(preferences, open));
+            Consumer<Workspace> showWorkspace) {
+        JMenu file = addMenu("File", 'F', List.of(actions.open));
+        file.add(new RecentMenu(preferences, open));
         file.addSeparator();
-        file.add(commands.save);
-        file.add(commands.picture);
-        file.add(commands.copy);
+        List.of(actions.save, actions.picture, actions.copy).forEach(file::add);
         file.addSeparator();
-        file.add(commands.quit);
-        JMenu edit = menu("Edit", 'E', List.of());
-        JMenuItem undo = edit.add(commands.undo);
-        JMenuItem redo = edit.add(commands.redo);
-        session.edits().addListener(() -> {
-            undo.setText(session.edits().undoPresentationName().orElse("Undo"));
-            redo.setText(session.edits().redoPresentationName().orElse("Redo"));
-            undo.setEnabled(session.edits().undoPresentationName().isPresent());
-            redo.setEnabled(session.edits().redoPresentationName().isPresent());
+        file.add(actions.quit);
+        JMenu edit = addMenu("Edit", 'E', List.of());
+        JMenuItem undo = edit.add(actions.undo);
+        JMenuItem redo = edit.add(actions.redo);
+        edits.addListener(() -> {
+            undo.setText(edits.undoPresentationName().orElse("Undo"));
+            redo.setText(edits.redoPresentationName().orElse("Redo"));
+            undo.setEnabled(edits.undoPresentationName().isPresent());
+            redo.setEnabled(edits.redoPresentationName().isPresent());
         });
-        menu(
+        addMenu(
                 "Breath",
                 'B',
-                List.of(commands.play, commands.step, commands.reset, commands.quiet, commands.deep, commands.hold));
-        menu("Needle", 'N', commands.needle);
-        JMenu view = menu("View", 'V', commands.views);
+                List.of(actions.play, actions.step, actions.reset, actions.quiet, actions.deep, actions.hold));
+        addMenu("Needle", 'N', actions.needle);
+        JMenu view = addMenu("View", 'V', actions.views);
         view.addSeparator();
-        commands.docks.forEach(view::add);
+        actions.docks.forEach(view::add);
         view.addSeparator();
-        view.add(commands.theme);
-        JMenu arrangement = new JMenu("Arrange for");
-        for (Workspace a : Workspace.values()) {
-            JMenuItem item = new JMenuItem(a.label());
-            item.addActionListener(e -> arrange.accept(a));
-            arrangement.add(item);
+        view.add(actions.theme);
+        JMenu workspaces = new JMenu("Arrange for");
+        for (Workspace workspace : Workspace.values()) {
+            workspaces.add(workspace.label()).addActionListener(e -> showWorkspace.accept(workspace));
         }
-        view.add(arrangement);
-        menu("Help", 'H', commands.help);
+        view.add(workspaces);
+        addMenu("Help", 'H', actions.help);
     }
 
-    private JMenu menu(String name, char mnemonic, List<MenuAction> commands) {
+    private JMenu addMenu(String name, char mnemonic, List<MenuAction> actions) {
         JMenu menu = new JMenu(name);
         menu.setMnemonic(mnemonic);
-        for (MenuAction command : commands) {
-            JMenuItem item = menu.add(command);
-            item.setIcon(null);
-        }
+        actions.forEach(action -> menu.add(action).setIcon(null));
         add(menu);
         return menu;
     }
 
-    private static JMenu recentMenu(WindowPreferences preferences, Consumer<Path> open) {
-        JMenu recent = new JMenu("Open recent");
-        recent.addMenuListener(new MenuListener() {
-            @Override
-            public void menuSelected(MenuEvent e) {
-                recent.removeAll();
-                for (Path path : preferences.recent()) {
-                    JMenuItem item = new JMenuItem(path.toString());
-                    item.addActionListener(chosen -> open.accept(path));
-                    recent.add(item);
-                }
-                if (recent.getItemCount() == 0) {
-                    JMenuItem none = new JMenuItem("Nothing opened yet");
-                    none.setEnabled(false);
-                    recent.add(none);
-                }
-            }
+    /** Files opened lately, listed anew whenever the menu opens. */
+    private static final class RecentMenu extends JMenu implements MenuListener {
+        private final transient WindowPreferences preferences;
+        private final transient Consumer<Path> open;
 
-            @Override
-            public void menuDeselected(MenuEvent e) {
-                // Filled again when it is next opened.
-            }
+        RecentMenu(WindowPreferences preferences, Consumer<Path> open) {
+            super("Open recent");
+            this.preferences = preferences;
+            this.open = open;
+            addMenuListener(this);
+        }
 
-            @Override
-            public void menuCanceled(MenuEvent e) {
-                // As above.
+        @Override
+        public void menuSelected(MenuEvent e) {
+            removeAll();
+            preferences.recent().forEach(path -> add(path.toString()).addActionListener(a -> open.accept(path)));
+            if (getItemCount() == 0) {
+                add("Nothing opened yet").setEnabled(false);
             }
-        });
-        return recent;
+        }
+
+        @Override
+        public void menuDeselected(MenuEvent e) {}
+
+        @Override
+        public void menuCanceled(MenuEvent e) {}
     }
 }

@@ -11,104 +11,86 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
-import org.phrenic.scene.camera.AnatomicalView;
-import org.phrenic.ui.dock.BreathDock;
 import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.Workspace;
-import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.Theme;
 
-/** The buttons at the top: run, breathe, look. */
+/** The tool bar: run, breathing, view, workspace. */
 final class MainToolBar extends JToolBar {
-    private static final AnatomicalView[] VIEWS = {
-        AnatomicalView.ANTERIOR,
-        AnatomicalView.POSTERIOR,
-        AnatomicalView.LEFT,
-        AnatomicalView.RIGHT,
-        AnatomicalView.SUPERIOR,
-        AnatomicalView.INFERIOR
-    };
-    private static final String[] VIEW_NAMES = {
-        "From the front", "From behind", "From the left", "From the right", "From above", "From below"
-    };
+    /** Views offered first among {@link MenuActions#views}. */
+    private static final int VIEWS = 6;
 
     private final JButton play;
     private final JToggleButton hold;
     private final JToggleButton quiet;
     private final JToggleButton deep;
-    private final JComboBox<PlaybackSpeed> speed = new JComboBox<>(PlaybackSpeed.values());
-
     private final Map<Workspace, JToggleButton> workspaceButtons = new EnumMap<>(Workspace.class);
 
-    /** @param enter told for whom the window is to be arranged */
-    MainToolBar(MenuActions commands, Session session, SceneViewport view, Consumer<Workspace> enter) {
+    MainToolBar(MenuActions actions, Session session, Consumer<Workspace> showWorkspace) {
         setFloatable(false);
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
-                BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.borderColour()),
+                BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.BORDER),
                 BorderFactory.createEmptyBorder(3, 8, 3, 8)));
-        play = iconButton(new JButton(), commands.play);
-        iconButton(new JButton(), commands.step);
-        iconButton(new JButton(), commands.reset);
+        play = addIconButton(actions.play);
+        addIconButton(actions.step);
+        addIconButton(actions.reset);
         addGap();
+        JComboBox<PlaybackSpeed> speed = new JComboBox<>(PlaybackSpeed.values());
         speed.setSelectedItem(PlaybackSpeed.REAL);
-        speed.setToolTipText("How fast simulated time may go against real time");
-        speed.getAccessibleContext().setAccessibleName("Speed");
         speed.addActionListener(e -> session.setSpeed(((PlaybackSpeed) speed.getSelectedItem()).factor()));
-        addFixedSize(speed);
+        addBox(speed, "Speed", "Simulated time over real time");
         addGroupSeparator();
-        quiet = textButton(commands.quiet);
-        deep = textButton(commands.deep);
-        hold = textButton(commands.hold);
+        quiet = addTextButton(actions.quiet);
+        deep = addTextButton(actions.deep);
+        hold = addTextButton(actions.hold);
         addGroupSeparator();
-        JComboBox<String> views = new JComboBox<>(VIEW_NAMES);
-        views.setToolTipText("From where to look");
-        views.getAccessibleContext().setAccessibleName("View");
-        views.addActionListener(e -> view.setCamera(view.camera().withView(VIEWS[views.getSelectedIndex()])));
-        addFixedSize(views);
+        JComboBox<String> views = new JComboBox<>(
+                actions.views.stream().limit(VIEWS).map(MenuAction::name).toArray(String[]::new));
+        views.addActionListener(e -> actions.views.get(views.getSelectedIndex()).actionPerformed(e));
+        addBox(views, "View", "From where to look");
         addGap();
-        iconButton(new JButton(), commands.picture);
+        addIconButton(actions.picture);
         add(Box.createHorizontalGlue());
-        for (Workspace arrangement : Workspace.values()) {
-            JToggleButton door = new JToggleButton(arrangement.label());
-            BreathDock.highlightWhenSelected(door);
-            door.setName("toolbar." + arrangement.label());
-            door.setToolTipText("Arrange the window for this: " + arrangement.label());
-            door.getAccessibleContext().setAccessibleName("Arrange for: " + arrangement.label());
-            door.addActionListener(e -> enter.accept(arrangement));
-            workspaceButtons.put(arrangement, door);
-            add(door);
+        for (Workspace workspace : Workspace.values()) {
+            String label = workspace.label();
+            JToggleButton button = Controls.highlightWhenSelected(new JToggleButton(label));
+            Controls.describe(button, "Arrange for: " + label, "Arrange the window for this: " + label);
+            button.setName("toolbar." + label);
+            button.addActionListener(e -> showWorkspace.accept(workspace));
+            workspaceButtons.put(workspace, button);
+            add(button);
         }
         addGroupSeparator();
-        iconButton(new JButton(), commands.theme);
+        addIconButton(actions.theme);
     }
 
-    private <B extends AbstractButton> B iconButton(B button, MenuAction command) {
-        button.setAction(command);
+    private JButton addIconButton(MenuAction action) {
+        JButton button = new JButton(action);
         button.setHideActionText(true);
-        configure(button, command);
-        return button;
+        return addButton(button, action);
     }
 
-    private JToggleButton textButton(MenuAction command) {
-        JToggleButton button = new JToggleButton(command);
+    private JToggleButton addTextButton(MenuAction action) {
+        JToggleButton button = new JToggleButton(action);
         button.setIcon(null);
-        configure(button, command);
-        return button;
+        return addButton(button, action);
     }
 
-    private void configure(AbstractButton button, MenuAction command) {
-        String key = command.acceleratorText();
-        button.setToolTipText(command.tip() + (key.isEmpty() ? "" : " (" + key + ")"));
-        button.getAccessibleContext().setAccessibleName(command.name());
-        button.setName("toolbar." + command.name());
+    private <B extends AbstractButton> B addButton(B button, MenuAction action) {
+        String key = action.acceleratorText();
+        Controls.describe(button, action.name(), action.tip() + (key.isEmpty() ? "" : " (" + key + ")"));
+        button.setName("toolbar." + action.name());
         button.setFocusable(true);
         add(button);
+        return button;
     }
 
-    private void addFixedSize(JComboBox<?> box) {
+    private void addBox(JComboBox<?> box, String name, String tip) {
+        Controls.describe(box, name, tip);
         box.setMaximumSize(box.getPreferredSize());
         add(box);
     }
@@ -121,28 +103,19 @@ final class MainToolBar extends JToolBar {
         addSeparator(new Dimension(17, 22));
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBorder(BorderFactory.createCompoundBorder(
-                BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.borderColour()),
-                BorderFactory.createEmptyBorder(3, 8, 3, 8)));
+    /** Marks the button of the workspace that is shown. */
+    void setWorkspace(Workspace shown) {
+        workspaceButtons.forEach((workspace, button) -> button.setSelected(workspace == shown));
     }
 
-    /** Shows for whom the window is arranged. */
-    void showWorkspace(Workspace arrangement) {
-        workspaceButtons.forEach((one, button) -> button.setSelected(one == arrangement));
-    }
-
-    /** Shows how things are, whoever changed them. */
+    /** Shows the state of the session. */
     void refresh(Session session) {
         boolean playing = session.live().isPlaying();
         play.setIcon(playing ? Icons.PAUSE : Icons.PLAY);
         play.getAccessibleContext().setAccessibleName(playing ? "Pause" : "Play");
-        boolean held = session.scenario().hold();
         boolean preset = session.scenario().trace().isEmpty();
         quiet.setSelected(preset && session.scenario().preset().equals("quiet"));
         deep.setSelected(preset && session.scenario().preset().equals("deep"));
-        hold.setSelected(held);
+        hold.setSelected(session.scenario().hold());
     }
 }

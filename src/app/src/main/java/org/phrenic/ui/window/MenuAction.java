@@ -1,6 +1,5 @@
 package org.phrenic.ui.window;
 
-import java.awt.AWTEvent;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
@@ -13,42 +12,38 @@ import javax.swing.Icon;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
-/**
- * Something that can be done from a menu, with a key and perhaps from the toolbar: one object for all of them, and a
- * row of the table of keys.
- */
+/** An action with a menu item, perhaps an accelerator key and a button of the tool bar. */
 final class MenuAction extends AbstractAction {
+    private static final int COMMAND_KEYS =
+            InputEvent.CTRL_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_DOWN_MASK;
+
     private final transient Runnable operation;
 
     /**
      * @param name in menus
      * @param tip in one sentence
-     * @param key that does it, as {@link KeyStroke#getKeyStroke(String)} takes it; {@code menu} stands for Ctrl or the
-     *     platform's own; null for none
+     * @param key accelerator as {@link KeyStroke#getKeyStroke(String)} takes it, where {@code menu} stands for Ctrl or
+     *     the platform's own modifier; null for none
      */
-    MenuAction(String name, String tip, String key, Runnable what) {
+    MenuAction(String name, String tip, String key, Runnable operation) {
         super(name);
-        this.operation = what;
+        this.operation = operation;
         putValue(SHORT_DESCRIPTION, tip);
         if (key != null) {
             putValue(ACCELERATOR_KEY, parseKeyStroke(key));
         }
     }
 
-    /** With a sign for the toolbar. */
+    /** With an icon for the tool bar. */
     MenuAction withIcon(Icon icon) {
         putValue(Action.LARGE_ICON_KEY, icon);
         return this;
     }
 
     private static KeyStroke parseKeyStroke(String key) {
-        boolean menu = key.contains("menu ");
         KeyStroke plain = KeyStroke.getKeyStroke(key.replace("menu ", ""));
-        return menu
-                ? KeyStroke.getKeyStroke(
-                        plain.getKeyCode(),
-                        plain.getModifiers() | Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx())
-                : plain;
+        int menu = key.contains("menu ") ? Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() : 0;
+        return KeyStroke.getKeyStroke(plain.getKeyCode(), plain.getModifiers() | menu);
     }
 
     String name() {
@@ -63,15 +58,14 @@ final class MenuAction extends AbstractAction {
         return (KeyStroke) getValue(ACCELERATOR_KEY);
     }
 
-    /** The key for people: "Ctrl+Shift+Z"; empty for none. */
+    /** {@code Ctrl+Shift+Z}; empty for none. */
     String acceleratorText() {
         KeyStroke key = accelerator();
         if (key == null) {
             return "";
         }
         String modifiers = InputEvent.getModifiersExText(key.getModifiers());
-        String name = KeyEvent.getKeyText(key.getKeyCode());
-        return modifiers.isEmpty() ? name : modifiers + "+" + name;
+        return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());
     }
 
     @Override
@@ -81,13 +75,10 @@ final class MenuAction extends AbstractAction {
         }
     }
 
-    /** A letter typed into a text field is text, though the menu has it as a key too. */
+    /** Whether the event is a character typed into a text field, though the character is an accelerator too. */
     private static boolean isTextInput() {
-        AWTEvent event = EventQueue.getCurrentEvent();
-        return event instanceof KeyEvent key
-                && (key.getModifiersEx()
-                                & (InputEvent.CTRL_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_DOWN_MASK))
-                        == 0
+        return EventQueue.getCurrentEvent() instanceof KeyEvent key
+                && (key.getModifiersEx() & COMMAND_KEYS) == 0
                 && key.getKeyCode() >= KeyEvent.VK_SPACE
                 && (key.getKeyCode() < KeyEvent.VK_F1 || key.getKeyCode() > KeyEvent.VK_F12)
                 && KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() instanceof JTextComponent field

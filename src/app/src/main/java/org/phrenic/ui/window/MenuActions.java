@@ -1,55 +1,29 @@
 package org.phrenic.ui.window;
 
+import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.PickResult;
+import org.phrenic.ui.access.NeedleController;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Icons;
 
-/**
- * Everything that can be done from the menus: the one table from which menus, toolbar, keys and the table of keys are
- * made.
- */
+/** All actions of the window: menus, tool bar, accelerators and the table of keys are made from them. */
 final class MenuActions {
     private static final double NEEDLE_STEP_MM = 2;
     private static final double NEEDLE_LONG_STEP_MM = 10;
-
-    /** What commands need of the window. */
-    interface Handler {
-        void open();
-
-        void save();
-
-        void savePicture();
-
-        void copyCommand();
-
-        void toggleDock(DockLayout.Place place);
-
-        void toggleTheme();
-
-        void plotPickedPoint();
-
-        void showKeys();
-
-        void showLog();
-
-        void showAbout();
-
-        void quit();
-
-        void selectPreset(String preset);
-
-        void toggleHold();
-
-        void restart();
-
-        RehearsalController door();
-    }
 
     final MenuAction play;
     final MenuAction step;
@@ -68,132 +42,181 @@ final class MenuActions {
     final List<MenuAction> views = new ArrayList<>();
     final List<MenuAction> needle = new ArrayList<>();
     final List<MenuAction> docks = new ArrayList<>();
-    final List<MenuAction> help = new ArrayList<>();
+    final List<MenuAction> help;
 
-    MenuActions(Session session, SceneViewport view, Handler desk) {
-        open = new MenuAction("Open...", "Open a scenario, a thorax folder or a trace", "menu O", desk::open);
-        save = new MenuAction("Save scenario...", "Save what is set now as a scenario", "menu S", desk::save);
-        picture = new MenuAction("Save picture...", "Save the view as a PNG file", "F12", desk::savePicture)
+    private final PhrenicWindow window;
+
+    MenuActions(PhrenicWindow window) {
+        this.window = window;
+        Session session = window.session();
+        WindowFiles files = window.files();
+        open = action("Open...", "Open a scenario, a thorax folder or a trace", "menu O", files::chooseAndOpen);
+        save = action("Save scenario...", "Save the present values as a scenario", "menu S", files::saveScenario);
+        picture = action("Save picture...", "Save the view as a PNG file", "F12", files::savePicture)
                 .withIcon(Icons.CAMERA);
-        copy = new MenuAction(
+        copy = action(
                 "Copy as command",
                 "Copy the command line that repeats this run without a window",
                 "menu C",
-                desk::copyCommand);
-        quit = new MenuAction("Quit", "Close the window", "menu Q", desk::quit);
-        undo = new MenuAction("Undo", "Take back the last change", "menu Z", () -> session.edits()
-                .undo());
-        redo = new MenuAction("Redo", "Do again what was taken back", "menu shift Z", () -> session.edits()
-                .redo());
-        play = new MenuAction("Play or pause", "Let it breathe, or stop", "SPACE", session::togglePlay)
+                () -> new CopyCommandAction(session).actionPerformed(null));
+        quit = action("Quit", "Close the window", "menu Q", window::close);
+        undo = action("Undo", "Undo the last change", "menu Z", session.edits()::undo);
+        redo = action("Redo", "Redo the change undone last", "menu shift Z", session.edits()::redo);
+        play = action("Play or pause", "Start or pause breathing", "SPACE", session::togglePlay)
                 .withIcon(Icons.PAUSE);
-        step = new MenuAction("One step", "Stop and go on by one time step", "S", () -> {
-                    session.live().pause();
-                    session.returnToLive();
-                    session.live().stepOnce();
-                })
+        step = action("One step", "Pause and go on by one time step", "S", this::stepOnce)
                 .withIcon(Icons.STEP);
-        reset = new MenuAction("Back to the start", "Begin anew with what is set now", "R", () -> {
-                    session.returnToLive();
-                    desk.restart();
-                })
+        reset = action("Back to the start", "Restart with the present values", "R", this::restart)
                 .withIcon(Icons.RESET);
-        quiet = new MenuAction("Quiet", "Breathe quietly", "Q", () -> desk.selectPreset("quiet"));
-        deep = new MenuAction("Deep", "Breathe deeply", "D", () -> desk.selectPreset("deep"));
-        hold = new MenuAction("Hold", "Hold the breath where it is, or let it go on", "H", desk::toggleHold);
-        theme = new MenuAction("Light or dark", "Change between a light and a dark window", "menu L", desk::toggleTheme)
+        quiet = action("Quiet", "Breathe quietly", "Q", () -> selectPreset("quiet"));
+        deep = action("Deep", "Breathe deeply", "D", () -> selectPreset("deep"));
+        hold = action("Hold", "Hold the breath where it is, or let it go on", "H", this::toggleHold);
+        theme = action("Light or dark", "Change between a light and a dark window", "menu L", window::toggleTheme)
                 .withIcon(Icons.THEME);
-        addView(view, AnatomicalView.ANTERIOR, "From the front", "1");
-        addView(view, AnatomicalView.POSTERIOR, "From behind", "shift 1");
-        addView(view, AnatomicalView.LEFT, "From the left", "3");
-        addView(view, AnatomicalView.RIGHT, "From the right", "shift 3");
-        addView(view, AnatomicalView.SUPERIOR, "From above", "7");
-        addView(view, AnatomicalView.INFERIOR, "From below", "shift 7");
-        views.add(new MenuAction(
+        addViews(window.view());
+        addNeedleActions();
+        addDock(DockLayout.Place.LEFT, "Organs", "menu 1");
+        addDock(DockLayout.Place.RIGHT, "Controls", "menu 2");
+        addDock(DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
+        help = List.of(
+                action("Keys", "All keys, and what the mouse does", "F1", this::showKeys),
+                action("Log", "Messages since the window opened", "menu shift L", this::showLog),
+                action("About Phrenic", "Version, citation, licences", null, this::showAbout));
+    }
+
+    private static MenuAction action(String name, String tip, String key, Runnable operation) {
+        return new MenuAction(name, tip, key, operation);
+    }
+
+    private void addViews(SceneViewport view) {
+        addView(AnatomicalView.ANTERIOR, "From the front", "1");
+        addView(AnatomicalView.POSTERIOR, "From behind", "shift 1");
+        addView(AnatomicalView.LEFT, "From the left", "3");
+        addView(AnatomicalView.RIGHT, "From the right", "shift 3");
+        addView(AnatomicalView.SUPERIOR, "From above", "7");
+        addView(AnatomicalView.INFERIOR, "From below", "shift 7");
+        views.add(action(
                 "Parallel or perspective",
                 "Parallel projection has a ruler; perspective has depth",
                 "5",
                 () -> view.setCamera(view.camera().withProjection(!view.camera().orthographic()))));
-        views.add(new MenuAction("Whole thorax", "The view as it was at first", "0", view::resetCamera));
-        views.add(
-                new MenuAction("Plot this point", "Plot how the point last clicked moves", "P", desk::plotPickedPoint));
-        needle(desk);
-        addDock(desk, DockLayout.Place.LEFT, "Organs", "menu 1");
-        addDock(desk, DockLayout.Place.RIGHT, "Controls", "menu 2");
-        addDock(desk, DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
-        help.add(new MenuAction("Keys", "All keys, and what the mouse does", "F1", desk::showKeys));
-        help.add(new MenuAction("Log", "What was said since the window opened", "menu shift L", desk::showLog));
-        help.add(new MenuAction("About Phrenic", "Version, citation, licences", null, desk::showAbout));
+        views.add(action("Whole thorax", "The initial view", "0", view::resetCamera));
+        views.add(action("Plot this point", "Plot how the point last clicked moves", "P", this::plotPickedPoint));
     }
 
-    private void addView(SceneViewport view, AnatomicalView from, String name, String key) {
-        views.add(new MenuAction(
+    private void addView(AnatomicalView from, String name, String key) {
+        SceneViewport view = window.view();
+        views.add(action(
                 name,
                 "The " + from.label() + " view",
                 key,
                 () -> view.setCamera(view.camera().withView(from))));
     }
 
-    private void needle(Handler desk) {
-        needle("Set target", "Then click on the liver", "T", () -> desk.door()
-                .pickMode()
-                .toggle(PickMode.Kind.TARGET));
-        needle("Set entry", "Then click on the skin", "E", () -> desk.door()
-                .pickMode()
-                .toggle(PickMode.Kind.ENTRY));
-        needle("Best path", "The best entry of the access map", "B", () -> desk.door()
-                .entrySelection()
+    private void addNeedleActions() {
+        addAccess(
+                "Set target", "Then click on the liver", "T", r -> r.pickMode().toggle(PickMode.Kind.TARGET));
+        addAccess("Set entry", "Then click on the skin", "E", r -> r.pickMode().toggle(PickMode.Kind.ENTRY));
+        addAccess("Best path", "The best entry of the access map", "B", r -> r.entrySelection()
                 .selectBest(false));
-        needle("Insert", "2 mm deeper; with Shift 10 mm", "I", () -> desk.door()
-                .needle()
-                .moveBy(NEEDLE_STEP_MM));
-        needle("Insert far", "10 mm deeper", "shift I", () -> desk.door()
-                .needle()
-                .moveBy(NEEDLE_LONG_STEP_MM));
-        needle("Withdraw", "2 mm back; with Shift 10 mm", "W", () -> desk.door()
-                .needle()
-                .moveBy(-NEEDLE_STEP_MM));
-        needle("Withdraw far", "10 mm back", "shift W", () -> desk.door()
-                .needle()
-                .moveBy(-NEEDLE_LONG_STEP_MM));
-        needle("Go to target", "As deep as the target lies", "G", () -> desk.door()
-                .needle()
-                .moveToTarget());
-        needle("Aim again", "Point the needle at where the target is now", "A", () -> desk.door()
-                .needle()
-                .aimAtTarget());
-        needle("Take sample", "Where the tip is", "X", () -> desk.door()
-                .needle()
-                .takeSample());
-        needle("Take out", "Withdraw the needle all the way", "O", () -> desk.door()
-                .needle()
-                .moveTo(0));
-        needle("Look along the needle", "The view from the hub towards the tip", "N", () -> desk.door()
-                .needle()
-                .lookAlong());
+        addNeedle("Insert", "2 mm deeper; with Shift 10 mm", "I", n -> n.moveBy(NEEDLE_STEP_MM));
+        addNeedle("Insert far", "10 mm deeper", "shift I", n -> n.moveBy(NEEDLE_LONG_STEP_MM));
+        addNeedle("Withdraw", "2 mm back; with Shift 10 mm", "W", n -> n.moveBy(-NEEDLE_STEP_MM));
+        addNeedle("Withdraw far", "10 mm back", "shift W", n -> n.moveBy(-NEEDLE_LONG_STEP_MM));
+        addNeedle("Go to target", "As deep as the target lies", "G", NeedleController::moveToTarget);
+        addNeedle(
+                "Aim again", "Point the needle at the present place of the target", "A", NeedleController::aimAtTarget);
+        addNeedle("Take sample", "Where the tip is", "X", NeedleController::takeSample);
+        addNeedle("Take out", "Withdraw the needle all the way", "O", n -> n.moveTo(0));
+        addNeedle("Look along the needle", "The view from the hub towards the tip", "N", NeedleController::lookAlong);
     }
 
-    private void needle(String name, String tip, String key, Runnable what) {
-        needle.add(new MenuAction(name, tip, key, what));
+    private void addNeedle(String name, String tip, String key, Consumer<NeedleController> operation) {
+        addAccess(name, tip, key, rehearsal -> operation.accept(rehearsal.needle()));
     }
 
-    private void addDock(Handler desk, DockLayout.Place place, String name, String key) {
-        docks.add(new MenuAction(
-                name,
-                "Show or put away: " + name.toLowerCase(java.util.Locale.ROOT),
-                key,
-                () -> desk.toggleDock(place)));
+    private void addAccess(String name, String tip, String key, Consumer<RehearsalController> operation) {
+        needle.add(action(name, tip, key, () -> operation.accept(rehearsal())));
+    }
+
+    private void addDock(DockLayout.Place place, String name, String key) {
+        String tip = "Show or hide: " + name.toLowerCase(Locale.ROOT);
+        docks.add(action(name, tip, key, () -> window.docks().toggle(place)));
+    }
+
+    private RehearsalController rehearsal() {
+        return window.docks().rehearsalController();
+    }
+
+    private void showKeys() {
+        HelpDialogs.keys(window.frame(), all()).setVisible(true);
+    }
+
+    private void showLog() {
+        window.log().showDialog(window.frame());
+    }
+
+    private void showAbout() {
+        HelpDialogs.about(window.frame(), window.view().graphicsInfo()).setVisible(true);
+    }
+
+    private void selectPreset(String preset) {
+        window.docks().breath().selectPreset(preset);
+    }
+
+    private void stepOnce() {
+        window.session().live().pause();
+        window.session().returnToLive();
+        window.session().live().stepOnce();
+    }
+
+    private void restart() {
+        window.session().returnToLive();
+        if (rehearsal().isActive()) {
+            rehearsal().retry();
+        } else {
+            window.session().live().reset();
+        }
+    }
+
+    private void toggleHold() {
+        Session session = window.session();
+        boolean on = !session.scenario().hold();
+        if (rehearsal().isActive()) {
+            rehearsal().needle().toggleHold();
+        } else {
+            session.change(
+                    on ? "Hold of the breath" : "End of the hold",
+                    new Assignment("window", "hold", String.valueOf(on)));
+        }
+    }
+
+    private void plotPickedPoint() {
+        Optional<PickResult> pick = window.view().picked();
+        pick.ifPresent(p -> window.docks().plots().trackPoint(p.index(), p.vertex()));
+        window.session()
+                .note(pick.map(p -> "Plotting a point of " + p.displayName() + ".")
+                        .orElse("Click on a structure first, then plot that point."));
+    }
+
+    /** Lets the digits of the numeric keypad do what the digits of the keyboard do. */
+    void bindNumericKeypad(JRootPane root) {
+        for (MenuAction action : views) {
+            KeyStroke key = action.accelerator();
+            if (key != null && key.getKeyCode() >= KeyEvent.VK_0 && key.getKeyCode() <= KeyEvent.VK_9) {
+                int keypad = KeyEvent.VK_NUMPAD0 + key.getKeyCode() - KeyEvent.VK_0;
+                root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+                        .put(KeyStroke.getKeyStroke(keypad, key.getModifiers()), action.name());
+                root.getActionMap().put(action.name(), action);
+            }
+        }
     }
 
     /** All of them, in the order of the menus. */
     List<MenuAction> all() {
-        return Stream.of(
-                        List.of(open, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold),
-                        needle,
-                        views,
-                        docks,
-                        List.of(theme),
-                        help)
+        List<MenuAction> first =
+                List.of(open, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold);
+        return Stream.of(first, needle, views, docks, List.of(theme), help)
                 .flatMap(List::stream)
                 .toList();
     }

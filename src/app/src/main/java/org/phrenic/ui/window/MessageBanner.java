@@ -1,7 +1,6 @@
 package org.phrenic.ui.window;
 
-import java.awt.event.ActionEvent;
-import java.util.Locale;
+import java.awt.Color;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -10,13 +9,11 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.Theme;
 
-/**
- * One sentence over the view, perhaps with a button that helps. What stopped the simulation stays until it is answered;
- * the rest goes by itself.
- */
+/** A message over the view, perhaps with a button. It hides by itself, except for one of a divergence. */
 public final class MessageBanner extends JPanel {
     private static final int NOTE_DURATION_MS = 6_000;
     private static final int REFUSED_DURATION_MS = 15_000;
@@ -25,7 +22,7 @@ public final class MessageBanner extends JPanel {
 
     private final JLabel text = new JLabel();
     private final JButton actionButton = new JButton("Help");
-    private final JButton close = new JButton(Icons.CLOSE);
+    private final JButton close = Controls.iconButton(Icons.CLOSE, "Close this message", () -> setVisible(false));
     private final Timer hideTimer = new Timer(NOTE_DURATION_MS, e -> setVisible(false));
     private Session.Message.Kind kind = Session.Message.Kind.NOTE;
     private transient Runnable action = () -> {};
@@ -37,11 +34,10 @@ public final class MessageBanner extends JPanel {
         text.getAccessibleContext().setAccessibleName("Message");
         actionButton.setName("banner.help");
         actionButton.setToolTipText("Does what the message offers");
-        actionButton.addActionListener(this::onAction);
-        close.setToolTipText("Close this message");
-        close.getAccessibleContext().setAccessibleName("Close this message");
-        close.putClientProperty("JButton.buttonType", "toolBarButton");
-        close.addActionListener(e -> setVisible(false));
+        actionButton.addActionListener(e -> {
+            setVisible(false);
+            action.run();
+        });
         hideTimer.setRepeats(false);
         add(text, "wmin 0");
         add(actionButton, "hidemode 3");
@@ -54,21 +50,16 @@ public final class MessageBanner extends JPanel {
         show(message, Optional.empty(), () -> {});
     }
 
-    /** Shows a message, with a button of this text that does {@code whenPressed}. */
+    /** Shows a message with a button of this text that does {@code whenPressed}. */
     void show(Session.Message message, Optional<String> button, Runnable whenPressed) {
-        boolean keep =
-                isVisible() && kind == Session.Message.Kind.DIVERGED && message.kind() == Session.Message.Kind.NOTE;
-        if (keep) {
+        if (isVisible() && kind == Session.Message.Kind.DIVERGED && message.kind() == Session.Message.Kind.NOTE) {
             return;
         }
         kind = message.kind();
         action = whenPressed;
-        String sentence = message.text().isEmpty()
-                ? ""
-                : message.text().substring(0, 1).toUpperCase(Locale.ROOT)
-                        + message.text().substring(1);
         int width = button.isPresent() ? TEXT_WIDTH_WITH_BUTTON : TEXT_WIDTH;
-        text.setText("<html><body width='" + width + "'>" + escaped(sentence) + "</body></html>");
+        String sentence = Controls.escapeHtml(Controls.capitalise(message.text()));
+        text.setText("<html><body width='" + width + "'>" + sentence + "</body></html>");
         text.getAccessibleContext().setAccessibleDescription(message.text());
         button.ifPresent(actionButton::setText);
         actionButton.setVisible(button.isPresent());
@@ -83,42 +74,26 @@ public final class MessageBanner extends JPanel {
         repaint();
     }
 
-    /** The sentence that is shown; empty if none is. */
+    /** The message that is shown; empty if none is. */
     public String message() {
         return isVisible() ? text.getAccessibleContext().getAccessibleDescription() : "";
     }
 
-    private void onAction(ActionEvent e) {
-        setVisible(false);
-        action.run();
-    }
-
-    private static String escaped(String sentence) {
-        return sentence.replace("&", "&amp;").replace("<", "&lt;");
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (text != null) {
-            applyColours();
-        }
-    }
-
     private void applyColours() {
+        Color ink =
+                switch (kind) {
+                    case NOTE -> Theme.NOTE_TEXT;
+                    case REFUSED -> Theme.WARNING_TEXT;
+                    case DIVERGED -> Theme.ALARM_TEXT;
+                };
         setBackground(
                 switch (kind) {
-                    case NOTE -> Theme.noteBackground();
-                    case REFUSED -> Theme.warningBackground();
-                    case DIVERGED -> Theme.alarmBackground();
+                    case NOTE -> Theme.NOTE_BACKGROUND;
+                    case REFUSED -> Theme.WARNING_BACKGROUND;
+                    case DIVERGED -> Theme.ALARM_BACKGROUND;
                 });
-        text.setForeground(
-                switch (kind) {
-                    case NOTE -> Theme.noteText();
-                    case REFUSED -> Theme.warningText();
-                    case DIVERGED -> Theme.alarmText();
-                });
-        close.setForeground(text.getForeground());
-        setBorder(BorderFactory.createMatteBorder(0, 3, 0, 0, text.getForeground()));
+        text.setForeground(ink);
+        close.setForeground(ink);
+        setBorder(BorderFactory.createMatteBorder(0, 3, 0, 0, ink));
     }
 }

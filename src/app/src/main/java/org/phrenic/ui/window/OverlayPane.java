@@ -5,8 +5,8 @@ import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
 
 /**
- * The view with the welcome card above it, and over it what comes and goes: a banner at the top, how far loading is at
- * the bottom.
+ * The welcome panel above the view, and over the view the message banner at the top and the loading panel at the
+ * bottom.
  */
 final class OverlayPane extends JLayeredPane {
     private static final int MARGIN = 14;

@@ -29,7 +29,7 @@ import org.phrenic.ui.widget.AppIcon;
 import org.phrenic.ui.widget.Theme;
 import org.phrenic.ui.widget.ThemeUpdater;
 
-/** The window: the breathing thorax in the middle, docks about it. Made and used on the event dispatch thread. */
+/** The window: the 3D view, menus, tool bar, docks and status bar. Made and used on the event dispatch thread. */
 public final class PhrenicWindow {
     private static final int MAX_WIDTH = 1440;
     private static final int MAX_HEIGHT = 900;
@@ -53,7 +53,7 @@ public final class PhrenicWindow {
     private final MainToolBar toolBar;
     private final CountDownLatch closed = new CountDownLatch(1);
 
-    /** Whether a window can be opened here. A display that is named but does not answer counts as none. */
+    /** Whether a window can be opened here: false if there is no display, or it does not answer. */
     public static boolean isPossible() {
         if (GraphicsEnvironment.isHeadless()) {
             return false;
@@ -66,16 +66,16 @@ public final class PhrenicWindow {
     }
 
     /**
-     * Opens the window and returns when it was closed.
+     * Opens the window and returns when it is closed.
      *
-     * @param file scenario, thorax folder or trace to open; empty for a quiet breath of the virtual adult male
-     * @throws org.phrenic.format.BadInputException with one sentence, if the file is none of these
+     * @param file scenario, thorax folder or trace to open; empty for quiet breathing of the virtual adult male
+     * @throws org.phrenic.file.BadInputException with one sentence, if the file is none of these
      */
     public static void open(Optional<Path> file) throws InterruptedException {
         Scenario first = file.map(path -> FileOpener.readScenario(path, Scenario.defaults()))
                 .orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
-        // The body is built while the window is.
+        // The body is built in parallel with the window.
         Session session = new Session(first);
         try {
             SwingUtilities.invokeAndWait(() -> {
@@ -103,8 +103,8 @@ public final class PhrenicWindow {
         loading = new LoadingPanel(() -> session.live().cancelLoading());
         welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
         files = new WindowFiles(frame, session, view, preferences, this::openExercise);
-        commands = new MenuActions(session, view, new WindowActions(this));
-        toolBar = new MainToolBar(commands, session, view, this::showWorkspace);
+        commands = new MenuActions(this);
+        toolBar = new MainToolBar(commands, session, this::showWorkspace);
         layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, welcome));
         docks = new DockManager(session, appearance, view, layout, preferences);
         view.setPickListener(statusBar::showPicked);
@@ -122,19 +122,19 @@ public final class PhrenicWindow {
                 close();
             }
         });
-        frame.setJMenuBar(new MainMenuBar(commands, preferences, session, files::open, this::showWorkspace));
+        frame.setJMenuBar(new MainMenuBar(commands, preferences, session.edits(), files::open, this::showWorkspace));
         frame.getContentPane().add(toolBar, BorderLayout.NORTH);
         frame.getContentPane().add(layout, BorderLayout.CENTER);
         frame.getContentPane().add(statusBar, BorderLayout.SOUTH);
-        frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, text -> session.refuse(text)));
-        NumericKeypad.bind(frame.getRootPane(), commands.views);
+        frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, session::refuse));
+        commands.bindNumericKeypad(frame.getRootPane());
         frame.setIconImages(AppIcon.images());
         frame.setMinimumSize(new Dimension(760, 520));
         restoreBounds();
         toolBar.refresh(session);
     }
 
-    /** Where it was, if that is still on a screen. */
+    /** Restores the bounds of the last time if they are on a screen. */
     private void restoreBounds() {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         int w = Math.min(MAX_WIDTH, (int) (SCREEN_SHARE * screen.width));
@@ -155,23 +155,23 @@ public final class PhrenicWindow {
         view.requestFocusInWindow();
     }
 
-    /** Goes through one of the doors. */
-    public void showWorkspace(Workspace arrangement) {
+    /** Arranges the window for a task, and closes the welcome panel. */
+    public void showWorkspace(Workspace workspace) {
         dismissWelcome();
-        preferences.setWorkspace(arrangement);
-        applyWorkspace(arrangement);
+        preferences.setWorkspace(workspace);
+        applyWorkspace(workspace);
     }
 
-    /** Opens a plan behind the clinician's door. */
+    /** Opens a rehearsal plan in the clinician's workspace. */
     void openExercise(RehearsalPlan plan) {
         showWorkspace(Workspace.CLINICIAN);
         docks.rehearsalController().open(plan);
     }
 
-    private void applyWorkspace(Workspace arrangement) {
-        docks.arrange(arrangement);
-        toolBar.showWorkspace(arrangement);
-        statusBar.setNumericsVisible(arrangement == Workspace.RESEARCHER);
+    private void applyWorkspace(Workspace workspace) {
+        docks.arrange(workspace);
+        toolBar.setWorkspace(workspace);
+        statusBar.setNumericsVisible(workspace == Workspace.RESEARCHER);
         layout.revalidate();
         layout.repaint();
     }
@@ -187,7 +187,7 @@ public final class PhrenicWindow {
                 style -> style.withBackground(Theme.isDark() ? SceneBackground.DARK : SceneBackground.LIGHT));
     }
 
-    /** Changes between light and dark. */
+    /** Switches between the light and the dark look and feel. */
     void toggleTheme() {
         boolean dark = !Theme.isDark();
         preferences.setDark(dark);
@@ -197,7 +197,7 @@ public final class PhrenicWindow {
         toolBar.refresh(session);
     }
 
-    /** Remembers what is to be remembered, and ends everything. */
+    /** Saves the preferences, disposes of the window and ends all threads. */
     public void close() {
         boolean maximised = (frame.getExtendedState() & JFrame.MAXIMIZED_BOTH) == JFrame.MAXIMIZED_BOTH;
         preferences.setFlag("maximised", maximised);
@@ -212,9 +212,8 @@ public final class PhrenicWindow {
         log.close();
         docks.rehearsalController().shutdown();
         view.close();
-        // The simulation ends its step first; nobody needs to wait for that.
-        Thread end = new Thread(session::close, "phrenic-end");
-        end.start();
+        // Closing waits for the end of a step.
+        new Thread(session::close, "phrenic-end").start();
         closed.countDown();
     }
 
@@ -250,8 +249,9 @@ public final class PhrenicWindow {
         return banner;
     }
 
-    /** Shows what the session says. */
     private final class SessionListener implements Session.Listener {
+        private static final System.Logger LOG = System.getLogger(PhrenicWindow.class.getName());
+
         private String limitSentence = "";
 
         @Override
@@ -268,8 +268,7 @@ public final class PhrenicWindow {
             statusBar.show(scene);
             loading.setVisible(false);
             frame.setTitle(scene.scenario().name() + " - Phrenic");
-            scene.notes().forEach(note -> System.getLogger(PhrenicWindow.class.getName())
-                    .log(System.Logger.Level.INFO, note));
+            scene.notes().forEach(note -> LOG.log(System.Logger.Level.INFO, note));
         }
 
         @Override
@@ -296,7 +295,7 @@ public final class PhrenicWindow {
 
         @Override
         public void onMessage(Session.Message message) {
-            System.getLogger(PhrenicWindow.class.getName()).log(System.Logger.Level.INFO, message.text());
+            LOG.log(System.Logger.Level.INFO, message.text());
             if (message.kind() == Session.Message.Kind.DIVERGED) {
                 toolBar.refresh(session);
                 banner.show(message, Optional.of("Back to the last good state"), () -> {

@@ -2,6 +2,7 @@ package org.phrenic.ui.window;
 
 import java.awt.Font;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.swing.BorderFactory;
@@ -10,19 +11,17 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
-/**
- * The line at the foot of the window: what was pointed at, and how far and how fast the simulation is. Always there;
- * numbers keep their places.
- */
+/** The status bar: the structure clicked last, and time, step and speed of the simulation in fields of fixed width. */
 final class StatusBar extends JPanel {
     private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
     private final JLabel pickedLabel = new JLabel(" ");
 
     StatusBar() {
         super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
-        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.borderColour()));
+        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.BORDER));
         pickedLabel.setName("pointed");
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
         add(pickedLabel, "growx, wmin 0");
@@ -30,41 +29,24 @@ final class StatusBar extends JPanel {
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
         addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
-        addField("steps", "Steps computed a second", "00 000 steps/s");
+        addField("steps", "Steps computed per second", "00 000 steps/s");
         addField("realtime", "Simulated time over real time", "00.00x real time");
-        addField("frames", "Pictures drawn a second", "000 frames/s");
+        addField("frames", "Frames drawn per second", "000 frames/s");
         addField("nodes", "Nodes that springs move", "000 000 nodes");
-        for (String physics : new String[] {"dt", "steps", "step", "nodes"}) {
-            fields.get(physics).putClientProperty("physics", true);
-        }
     }
 
     private void addField(String name, String tip, String widest) {
-        JLabel label = new JLabel(" ");
+        JLabel label = Controls.describe(Controls.secondaryLabel(" "), tip, tip);
         label.setName("status." + name);
-        label.setToolTipText(tip);
-        label.getAccessibleContext().setAccessibleName(tip);
-        label.setForeground(Theme.secondaryText());
         label.setHorizontalAlignment(JLabel.RIGHT);
         label.setMinimumSize(new JLabel(widest).getPreferredSize());
         fields.put(name, label);
         add(label);
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.borderColour()));
-        if (fields != null) {
-            fields.values().forEach(label -> label.setForeground(Theme.secondaryText()));
-        }
-    }
-
-    /** Shows the figures of the physics, or leaves them out. */
+    /** Shows or hides the fields on time steps and nodes. */
     void setNumericsVisible(boolean shown) {
-        fields.values().stream()
-                .filter(label -> label.getClientProperty("physics") != null)
-                .forEach(label -> label.setVisible(shown));
+        List.of("dt", "steps", "step", "nodes").forEach(name -> fields.get(name).setVisible(shown));
     }
 
     void show(RunStatus s) {
@@ -79,7 +61,7 @@ final class StatusBar extends JPanel {
         set("realtime", String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()));
         JLabel dt = fields.get("dt");
         dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
-        dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.secondaryText() : Theme.warningText());
+        dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
     }
 
     void show(LiveScene scene) {
@@ -90,7 +72,7 @@ final class StatusBar extends JPanel {
         set("frames", String.format(Locale.ROOT, "%.0f frames/s", perSecond));
     }
 
-    /** What was pointed at. */
+    /** Names the structure under the cursor at the last click. */
     void showPicked(String text) {
         pickedLabel.setText(text.isEmpty() ? " " : text);
         pickedLabel.setFont(pickedLabel.getFont().deriveFont(text.isEmpty() ? Font.PLAIN : Font.BOLD));

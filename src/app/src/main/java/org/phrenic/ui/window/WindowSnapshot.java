@@ -5,6 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import org.phrenic.scenario.Scenario;
@@ -23,8 +24,8 @@ import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Theme;
 
 /**
- * The window painted without a screen: its view, docks and status line over a live simulation, laid out and painted by
- * the code that does so on a screen. Menu and tool bar, which ask for a screen, are left out.
+ * Paints the window without a display: view, docks and status bar over a live simulation, laid out and painted by the
+ * components of the window. Menu and tool bar need a display and are left out.
  */
 public final class WindowSnapshot {
     private static final int WIDTH = 1280;
@@ -40,12 +41,12 @@ public final class WindowSnapshot {
     private WindowSnapshot(Session session) {
         this.session = session;
         WindowPreferences preferences = new WindowPreferences(new InMemoryPreferences());
-        AppearanceModel looks = new AppearanceModel();
-        looks.changeStyle(style -> style.withBackground(SceneBackground.LIGHT));
-        view = new SceneViewport(session, looks);
+        AppearanceModel appearance = new AppearanceModel();
+        appearance.changeStyle(style -> style.withBackground(SceneBackground.LIGHT));
+        view = new SceneViewport(session, appearance);
         StatusBar status = new StatusBar();
         DockLayout layout = new DockLayout(preferences, view);
-        new DockManager(session, looks, view, layout, preferences).arrange(Workspace.RESEARCHER);
+        new DockManager(session, appearance, view, layout, preferences).arrange(Workspace.RESEARCHER);
         content.add(layout, BorderLayout.CENTER);
         content.add(status, BorderLayout.SOUTH);
         content.setSize(WIDTH, HEIGHT);
@@ -62,13 +63,13 @@ public final class WindowSnapshot {
                 tickCount++;
             }
         });
-        // Without a window nobody else does.
+        // A window would do this when it opens.
         content.addNotify();
         content.validate();
     }
 
     /**
-     * Breathes and paints.
+     * Runs a scenario and paints the window.
      *
      * @param timeS simulated time of the picture, s
      * @throws NoGraphicsException if nothing here draws the view, or the window's parts cannot be painted, with one
@@ -119,8 +120,8 @@ public final class WindowSnapshot {
     }
 
     /**
-     * Holds the parts. While they are being laid out it is not showing, or text fields would ask where on the screen
-     * they are; then it is, or plots would save themselves the work.
+     * Is not showing during layout, since text fields ask for their place on the screen if it is, and is showing
+     * afterwards, since plots that do not show are not drawn.
      */
     private static final class OffscreenPanel extends JPanel {
         private boolean shown;
@@ -135,15 +136,11 @@ public final class WindowSnapshot {
         }
     }
 
-    private interface Condition {
-        boolean holds();
-    }
-
-    private static void await(Condition condition) throws NoGraphicsException {
+    private static void await(BooleanSupplier condition) throws NoGraphicsException {
         long end = System.currentTimeMillis() + TIMEOUT_MS;
         boolean[] holds = new boolean[1];
         while (true) {
-            onEventThread(() -> holds[0] = condition.holds());
+            onEventThread(() -> holds[0] = condition.getAsBoolean());
             if (holds[0]) {
                 return;
             }

@@ -2,14 +2,17 @@ package org.phrenic.ui.access.panel;
 
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.RoundRectangle2D;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.phrenic.scene.style.ColourMap;
+import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Theme;
 
-/** What the colours of the skin mean. */
+/** Legend of the access map on the skin. */
 public final class AccessMapLegend extends JPanel {
     private static final String[] NAMES = {"free", "in part", "never"};
     private static final double[] FREE_FRACTIONS = {1, 0.6, 0};
@@ -23,10 +26,11 @@ public final class AccessMapLegend extends JPanel {
         getAccessibleContext()
                 .setAccessibleName("Colours of the skin: green free, amber part of the breath, plain never");
         setToolTipText(
-                "From where on the skin the target can be reached: green over the whole breath, amber in part of it; shares of the skin that the needle reaches from");
+                "Where on the skin the path to the target is free: green over the whole breath, amber in part of it;"
+                        + " percentages of the skin within reach of the needle");
     }
 
-    /** Says how much of the skin in reach is free and free in part, per cent; less than 0 for not known. */
+    /** Percentages of the skin within reach whose path is free, always and in part; negative for unknown. */
     public void setPercentages(long free, long part) {
         percentTexts[0] = free < 0 ? "" : " " + free + " %";
         percentTexts[1] = part < 0 ? "" : " " + part + " %";
@@ -40,27 +44,23 @@ public final class AccessMapLegend extends JPanel {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setFont(new javax.swing.JLabel().getFont());
+        Graphics2D g = Controls.smooth(graphics);
+        g.setFont(new JLabel().getFont());
         int x = 0;
-        int baseline = (getHeight()
-                        + g.getFontMetrics().getAscent()
-                        - g.getFontMetrics().getDescent())
-                / 2;
+        FontMetrics metrics = g.getFontMetrics();
+        int baseline = (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2;
         String skin = "Skin:";
-        g.setColor(AdviceColours.secondaryText());
+        g.setColor(Theme.SECONDARY_TEXT);
         g.drawString(skin, x, baseline);
-        x += g.getFontMetrics().stringWidth(skin) + GAP;
+        x += metrics.stringWidth(skin) + GAP;
         for (int i = 0; i < NAMES.length; i++) {
             g.setColor(new Color(ColourMap.ACCESS.rgb(FREE_FRACTIONS[i])));
             g.fill(new RoundRectangle2D.Double(x, (getHeight() - SIDE) / 2.0, SIDE, SIDE, 4, 4));
             x += SIDE + 4;
-            g.setColor(AdviceColours.secondaryText());
+            g.setColor(Theme.SECONDARY_TEXT);
             String text = NAMES[i] + percentTexts[i];
             g.drawString(text, x, baseline);
-            x += g.getFontMetrics().stringWidth(text) + 2 * GAP;
+            x += metrics.stringWidth(text) + 2 * GAP;
         }
         g.dispose();
     }

@@ -5,7 +5,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.plan.PathAdvice;
 
-/** A few words in green, amber or red, with what they rest on. */
+/** A headline in green, amber or red, and the reasons for it. */
 public final class AdvicePanel extends JPanel {
     private static final int BAR_WIDTH = 5;
 
@@ -20,48 +20,34 @@ public final class AdvicePanel extends JPanel {
         applyColours();
     }
 
-    /** Says something. */
-    public void setAdvice(PathAdvice.Level how, String first, String rest) {
+    void setAdvice(PathAdvice.Level shown, String first, String rest) {
         headline.setTextIfChanged(first);
         body.setTextIfChanged(rest);
         body.setVisible(!rest.isEmpty());
-        if (how != level) {
-            level = how;
+        if (shown != level) {
+            level = shown;
             applyColours();
         }
         getAccessibleContext().setAccessibleName("Path");
         getAccessibleContext().setAccessibleDescription(first + (rest.isEmpty() ? "" : ". " + rest));
     }
 
-    /** What it says: headline and the rest. */
-    public String text() {
+    /** Headline and reasons, a line each. */
+    String text() {
         return headline.getText() + "\n" + body.getText();
-    }
-
-    /** How it is marked. */
-    public PathAdvice.Level level() {
-        return level;
     }
 
     private void applyColours() {
         setBackground(AdviceColours.background(level));
-        headline.setTextColour(AdviceColours.text(level));
-        body.setTextColour(AdviceColours.text(level));
+        headline.setForeground(AdviceColours.text(level));
+        body.setForeground(AdviceColours.text(level));
         repaint();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (headline != null) {
-            applyColours();
-        }
     }
 
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
-        g.setColor(AdviceColours.pathColour(level));
+        g.setColor(AdviceColours.path(level));
         g.fillRect(0, 0, BAR_WIDTH, getHeight());
     }
 }

@@ -3,59 +3,41 @@ package org.phrenic.ui.access.panel;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import org.phrenic.access.plan.BreathEvent;
-import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
-import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
-import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.chart.PhaseBar;
-import org.phrenic.ui.chart.PhaseColours;
-import org.phrenic.ui.dock.BreathDock;
 import org.phrenic.ui.session.Session;
 
-/** Where in the breath the body is, and how it is asked to breathe: quietly, deeply, not at all. */
-final class BreathPanel extends JPanel implements Session.Listener, RehearsalListener {
-    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
-
+/** The phase of the breath, and buttons for quiet breathing, deep breathing and breath holds. */
+final class BreathPanel extends AccessPanel {
     private final transient Session session;
-    private final transient RehearsalController door;
     private final transient Consumer<String> presetSelector;
     private final PhaseBar bar = new PhaseBar();
-    private final JToggleButton quiet = new JToggleButton("Quiet");
-    private final JToggleButton deep = new JToggleButton("Deep");
-    private final JToggleButton holdAtExpiration = new JToggleButton("Hold at exp.");
-    private final JToggleButton holdAtInspiration = new JToggleButton("Hold at insp.");
+    private final JToggleButton quiet =
+            toggle("Quiet", "Breathe quietly", "Quiet breathing (Q)", () -> selectPreset("quiet"));
+    private final JToggleButton deep =
+            toggle("Deep", "Breathe deeply", "Deep breathing (D)", () -> selectPreset("deep"));
+    private final JToggleButton holdAtExpiration = toggle(
+            "Hold at exp.",
+            "Hold at expiration",
+            "Hold the breath at end-expiration; press again to breathe on (H)",
+            () -> hold(BreathEvent.Kind.END_EXPIRATION));
+    private final JToggleButton holdAtInspiration = toggle(
+            "Hold at insp.",
+            "Hold at inspiration",
+            "Hold the breath at end-inspiration; press again to breathe on",
+            () -> hold(BreathEvent.Kind.END_INSPIRATION));
 
-    /** @param breathing told by which preset to breathe */
-    BreathPanel(Session session, RehearsalController door, Consumer<String> breathing) {
-        super(PanelRows.columnLayout());
+    /** @param presetSelector changes the breathing preset */
+    BreathPanel(Session session, RehearsalController rehearsal, Consumer<String> presetSelector) {
+        super(rehearsal);
         this.session = session;
-        this.door = door;
-        this.presetSelector = breathing;
-        add(bar);
-        PanelRows.describe(quiet, "Breathe quietly", "Quiet breathing (Q)");
-        PanelRows.describe(deep, "Breathe deeply", "Deep breathing (D)");
-        PanelRows.describe(
-                holdAtExpiration,
-                "Hold at expiration",
-                "Hold the breath when air has flowed out; press again to breathe on (H)");
-        PanelRows.describe(
-                holdAtInspiration,
-                "Hold at inspiration",
-                "Hold the breath when it is drawn in; press again to breathe on");
-        quiet.addActionListener(e -> selectPreset("quiet"));
-        deep.addActionListener(e -> selectPreset("deep"));
-        holdAtExpiration.addActionListener(e -> hold(holdAtExpiration, BreathEvent.Kind.END_EXPIRATION));
-        holdAtInspiration.addActionListener(e -> hold(holdAtInspiration, BreathEvent.Kind.END_INSPIRATION));
-        add(PanelRows.row(quiet, deep, holdAtExpiration, holdAtInspiration), "wmin 0");
+        this.presetSelector = presetSelector;
+        addAll(bar, row(quiet, deep, holdAtExpiration, holdAtInspiration));
         onChange();
-        onState();
-        session.addListener(this);
-        door.addListener(this);
+        follow(session);
     }
 
     private void selectPreset(String preset) {
@@ -63,18 +45,16 @@ final class BreathPanel extends JPanel implements Session.Listener, RehearsalLis
         onChange();
     }
 
-    private void hold(JToggleButton button, BreathEvent.Kind end) {
-        for (JToggleButton other : List.of(holdAtExpiration, holdAtInspiration)) {
-            other.setSelected(other == button && button.isSelected());
-        }
-        door.needle().hold(button.isSelected() ? Optional.of(end) : Optional.empty());
+    private void hold(BreathEvent.Kind end) {
+        boolean atExpiration = end == BreathEvent.Kind.END_EXPIRATION;
+        boolean on = (atExpiration ? holdAtExpiration : holdAtInspiration).isSelected();
+        (atExpiration ? holdAtInspiration : holdAtExpiration).setSelected(false);
+        rehearsal.needle().hold(on ? Optional.of(end) : Optional.empty());
     }
 
     @Override
     public void onState() {
-        boolean ready = door.stage() == RehearsalStage.READY;
-        holdAtExpiration.setEnabled(ready);
-        holdAtInspiration.setEnabled(ready);
+        setEnabled(isReady(), holdAtExpiration, holdAtInspiration);
     }
 
     @Override
@@ -82,19 +62,18 @@ final class BreathPanel extends JPanel implements Session.Listener, RehearsalLis
         String preset = session.scenario().preset();
         quiet.setSelected(preset.equals("quiet"));
         deep.setSelected(preset.equals("deep"));
-        if (!session.scenario().hold()
-                && door.state().map(s -> s.pendingHold().isEmpty()).orElse(true)) {
-            holdAtInspiration.setSelected(false);
-            holdAtExpiration.setSelected(false);
+        boolean waits =
+                rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
+        if (!session.scenario().hold() && !waits) {
+            List.of(holdAtInspiration, holdAtExpiration).forEach(button -> button.setSelected(false));
         }
-        BreathDock.showPhaseFractions(bar, session.scenario());
+        bar.setPattern(session.scenario());
     }
 
     @Override
     public void onTick(RunStatus status) {
-        RunHistory history = session.live().history();
-        if (isShowing() && history != null && history.size() > 0) {
-            bar.setPhase(history.values(history.size() - 1)[PHASE], PhaseColours.parseLabel(status.phaseLabel()));
+        if (isShowing()) {
+            bar.setPhase(session.live().history(), status);
         }
     }
 }

@@ -5,40 +5,33 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JPanel;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 
-/** What is rehearsed: free practice, or an exercise with a goal. */
-final class ExercisePanel extends JPanel implements RehearsalListener {
-    private static final String PRACTICE =
-            "Press T and click on the liver for a target, E and click on the skin for an entry, or take the best path. Scroll to insert.";
+/** Chooses free practice or an exercise with goals. */
+final class ExercisePanel extends AccessPanel {
+    private static final String PRACTICE = "Press T and click on the liver for a target, E and click on the skin for an"
+            + " entry, or take the best path. Scroll to insert.";
 
-    private final transient RehearsalController door;
-    private final JComboBox<String> exercise = new JComboBox<>();
+    private final JComboBox<String> exercise = Controls.describe(
+            new JComboBox<>(), "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
     private final WrappingLabel description = WrappingLabel.secondary("About the exercise");
-    private final JButton restartButton = new JButton("Begin again");
-    private final JButton demoButton = new JButton("Show me");
+    private final JButton restart;
+    private final JButton demo;
     private final transient List<RehearsalPlan> exercises = new ArrayList<>(RehearsalPlan.exercises());
     private boolean updating;
 
-    ExercisePanel(RehearsalController door) {
-        super(PanelRows.columnLayout());
-        this.door = door;
+    ExercisePanel(Session session, RehearsalController rehearsal) {
+        super(rehearsal);
+        restart = button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
+        demo = button("Show me", "Plays the exercise as an example", rehearsal::playExample);
         exercise.addItem("Practice: a target of your own");
         exercises.forEach(this::addExercise);
-        PanelRows.describe(exercise, "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
         exercise.addActionListener(e -> onSelection());
-        add(exercise, "wmin 0");
-        add(description, "wmin 0");
-        PanelRows.describe(restartButton, "Begin again", "The same target again, from the start (R)");
-        PanelRows.describe(demoButton, "Show me", "Plays the exercise as an example");
-        restartButton.addActionListener(e -> door.retry());
-        demoButton.addActionListener(e -> door.playExample());
-        add(PanelRows.row(restartButton, demoButton), "wmin 0");
-        onState();
-        door.addListener(this);
+        addAll(exercise, description, row(restart, demo));
+        follow(session);
     }
 
     private void addExercise(RehearsalPlan plan) {
@@ -46,29 +39,27 @@ final class ExercisePanel extends JPanel implements RehearsalListener {
     }
 
     private void onSelection() {
-        if (!updating) {
-            int chosen = exercise.getSelectedIndex();
-            if (chosen == 0) {
-                door.startPractice();
-            } else {
-                door.open(exercises.get(chosen - 1));
-            }
+        int chosen = exercise.getSelectedIndex();
+        if (!updating && chosen == 0) {
+            rehearsal.startPractice();
+        } else if (!updating) {
+            rehearsal.open(exercises.get(chosen - 1));
         }
     }
 
     @Override
     public void onState() {
         updating = true;
-        Optional<RehearsalPlan> chosen = door.exercise();
+        Optional<RehearsalPlan> chosen = rehearsal.exercise();
         exercise.setSelectedIndex(1 + chosen.map(this::indexOf).orElse(-1));
-        description.setTextIfChanged(chosen.map(this::describe).orElse(PRACTICE));
-        restartButton.setEnabled(door.study().isPresent() && door.stage().canStartAttempt());
-        demoButton.setEnabled(restartButton.isEnabled()
+        description.setTextIfChanged(chosen.map(this::text).orElse(PRACTICE));
+        restart.setEnabled(rehearsal.study().isPresent() && rehearsal.stage().canStartAttempt());
+        demo.setEnabled(restart.isEnabled()
                 && chosen.filter(plan -> !plan.steps().isEmpty()).isPresent());
         updating = false;
     }
 
-    /** Which of the exercises it is; one of another file is listed from now on. */
+    /** Index in the list of exercises; a plan from another file is added to it. */
     private int indexOf(RehearsalPlan plan) {
         for (int i = 0; i < exercises.size(); i++) {
             if (exercises.get(i).title().equals(plan.title())
@@ -81,9 +72,9 @@ final class ExercisePanel extends JPanel implements RehearsalListener {
         return exercises.size() - 1;
     }
 
-    /** What it is, until an entry is chosen, and what counts as done. */
-    private String describe(RehearsalPlan plan) {
-        String description = door.entrySelection().advice().isPresent() ? "" : plan.description() + " ";
+    /** Description until an entry is chosen, and goals. */
+    private String text(RehearsalPlan plan) {
+        String description = rehearsal.entrySelection().advice().isPresent() ? "" : plan.description() + " ";
         return description + "Done when: " + String.join("; ", plan.goals().describe()) + ".";
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.ui.access.panel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.attempt.AttemptEvent;
@@ -11,8 +12,9 @@ import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.ui.session.NumberFormats;
 
-/** What came of an attempt: hit or missed, by how much, what was asked and reached, and what else counts. */
+/** The result of an attempt: hit or missed, the targeting error, goals and measures. */
 public final class ReportCard extends JPanel {
     private final AdvicePanel verdict = new AdvicePanel();
     private final WrappingLabel goals = WrappingLabel.normal("What counts as done");
@@ -22,15 +24,13 @@ public final class ReportCard extends JPanel {
     public ReportCard() {
         super(new MigLayout("insets 0, gap 0 8, fillx, hidemode 3, wrap 1", "[grow, fill]"));
         setName("report card");
-        add(verdict, "wmin 0");
-        add(goals, "wmin 0");
-        add(measures, "wmin 0");
-        add(notice, "wmin 0");
+        for (JComponent part : new JComponent[] {verdict, goals, measures, notice}) {
+            add(part, "wmin 0");
+        }
         notice.setTextIfChanged(AttemptRecord.NOT_VALIDATED);
         setVisible(false);
     }
 
-    /** Shows an attempt. */
     public void show(Rehearsal rehearsal) {
         AttemptRecord record = rehearsal.record();
         boolean asks = !rehearsal.plan().goals().evaluate(record).isEmpty();
@@ -47,7 +47,6 @@ public final class ReportCard extends JPanel {
         repaint();
     }
 
-    /** What it says, line by line. */
     public String text() {
         return verdict.text() + "\n" + goals.getText() + "\n" + measures.getText();
     }
@@ -64,8 +63,7 @@ public final class ReportCard extends JPanel {
             return "The needle came out without one.";
         }
         TargetingError last = record.samples().get(record.samples().size() - 1);
-        return String.format(
-                Locale.ROOT,
+        return NumberFormats.text(
                 "The tip was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
                 last.distanceMm(),
                 Math.abs(last.axialMm()),
@@ -111,17 +109,12 @@ public final class ReportCard extends JPanel {
 
     private static void addEvent(AttemptRecord r, AttemptEvent.Kind kind, String name, List<String> lines) {
         r.first(kind)
-                .ifPresent(e -> lines.add(String.format(
-                        Locale.ROOT,
+                .ifPresent(e -> lines.add(NumberFormats.text(
                         "%s at %.1f s, breath %d, %s, %.0f mm deep",
-                        name,
-                        e.timeS(),
-                        e.breath(),
-                        e.label().name().toLowerCase(Locale.ROOT),
-                        e.depthMm())));
+                        name, e.timeS(), e.breath(), e.label().name().toLowerCase(Locale.ROOT), e.depthMm())));
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.1f", value);
+        return NumberFormats.text(value == Math.rint(value) ? "%.0f" : "%.1f", value);
     }
 }

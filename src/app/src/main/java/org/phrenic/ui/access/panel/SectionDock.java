@@ -1,6 +1,5 @@
 package org.phrenic.ui.access.panel;
 
-import java.util.Optional;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.plan.NeedleState;
@@ -9,25 +8,25 @@ import org.phrenic.scene.BodySection;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalListener;
 
-/** The section along the needle and what lies at its tip, one above the other. */
+/** The section along the needle above the section across it at the tip. */
 public final class SectionDock extends JPanel implements RehearsalListener {
     private static final double ALONG_HALF_MM = 105;
     private static final double ACROSS_HALF_MM = 36;
     private static final String NO_ENTRY_HINT = "Choose an entry (E)\nor take the best path (B)";
 
-    private final transient RehearsalController door;
+    private final transient RehearsalController rehearsal;
     private final SectionView along = new SectionView("Along the needle", ALONG_HALF_MM, false);
     private final SectionView across = new SectionView("At the tip", ACROSS_HALF_MM, true);
 
-    public SectionDock(RehearsalController door) {
+    public SectionDock(RehearsalController rehearsal) {
         super(new MigLayout("insets 0, gap 0 2, wrap 1", "[grow, fill, 0::]", "[grow, fill, 0::][grow, fill, 0::]"));
-        this.door = door;
+        this.rehearsal = rehearsal;
         setName("sections");
-        add(along, "hmin 80");
-        add(across, "hmin 80");
-        along.addMouseWheelListener(e -> door.needle().wheelTurned(e));
-        across.addMouseWheelListener(e -> door.needle().wheelTurned(e));
-        door.addListener(this);
+        for (SectionView view : new SectionView[] {along, across}) {
+            add(view, "hmin 80");
+            view.addMouseWheelListener(e -> rehearsal.needle().wheelTurned(e));
+        }
+        rehearsal.addListener(this);
         onState();
     }
 
@@ -41,18 +40,18 @@ public final class SectionDock extends JPanel implements RehearsalListener {
 
     @Override
     public void onState() {
-        if (door.state().filter(NeedleState::hasNeedle).isEmpty()) {
+        if (rehearsal.state().filter(NeedleState::hasNeedle).isEmpty()) {
             along.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT);
             across.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT);
         }
     }
 
     @Override
-    public void onSections(BodySection one, BodySection other) {
-        Optional<NeedleState> state = door.state().filter(NeedleState::hasNeedle);
-        state.ifPresent(now -> {
-            along.show(one, door.entrySelection().levelNow(now), now.placed(), "");
-            across.show(other, door.entrySelection().levelNow(now), now.placed(), "");
+    public void onSections(BodySection alongNeedle, BodySection acrossNeedle) {
+        rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(state -> {
+            PathAdvice.Level level = rehearsal.entrySelection().levelNow(state);
+            along.show(alongNeedle, level, state.placed(), "");
+            across.show(acrossNeedle, level, state.placed(), "");
         });
     }
 }

@@ -3,6 +3,8 @@ package org.phrenic.ui.access.panel;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -11,16 +13,21 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.stream.Collectors;
 import javax.swing.JPanel;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.BodySection;
+import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Theme;
 
-/** A section through the body, painted: what the plane cuts, the needle, the way ahead and the target. */
+/** Paints a section through the body: the structures that are cut, the needle, the planned path and the target. */
 public final class SectionView extends JPanel {
     private static final int MARGIN = 8;
     private static final double CROSS_ARM_MM = 6;
-    private static final int TARGET = 0xf2c500;
+    private static final Color TARGET = new Color(0xf2c500);
+    private static final Color NEEDLE = Theme.colour(0x1f4e79, 0x9cc9f2);
+    private static final Color BACKGROUND = Theme.colour(0xf2f5f7, 0x1d2226);
 
     private final String title;
     private final double halfWidthMm;
@@ -31,9 +38,8 @@ public final class SectionView extends JPanel {
     private String hint = "";
 
     /**
-     * @param title what is shown
      * @param halfMm from the middle to the nearer edge, mm
-     * @param across whether the plane stands across the needle, so that needle and way are points
+     * @param across whether the plane is across the needle, so that needle and path are points
      */
     public SectionView(String title, double halfMm, boolean across) {
         this.title = title;
@@ -48,7 +54,7 @@ public final class SectionView extends JPanel {
         setOpaque(true);
     }
 
-    /** Shows a section; null for none, and why. */
+    /** Shows a section, or a hint if it is null. */
     public void show(BodySection now, PathAdvice.Level marked, boolean needleIsPlaced, String why) {
         section = now;
         level = marked;
@@ -57,7 +63,7 @@ public final class SectionView extends JPanel {
         repaint();
     }
 
-    /** What is shown; null for nothing. */
+    /** The section shown; null for none. */
     public BodySection section() {
         return section;
     }
@@ -74,11 +80,9 @@ public final class SectionView extends JPanel {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        Graphics2D g = Controls.smooth(graphics);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setColor(AdviceColours.viewBackground());
+        g.setColor(BACKGROUND);
         g.fillRect(0, 0, getWidth(), getHeight());
         if (section != null) {
             paint(g, section);
@@ -113,25 +117,25 @@ public final class SectionView extends JPanel {
     private static Color fillColour(StructureKind kind, Color colour) {
         int alpha =
                 switch (kind) {
-                    case SKIN -> AdviceColours.isDark() ? 46 : 60;
+                    case SKIN -> Theme.isDark() ? 46 : 60;
                     case LUNG -> 130;
                     default -> 225;
                 };
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+        return Theme.withAlpha(colour, alpha);
     }
 
     private static Color outlineColour(Color colour) {
-        return AdviceColours.isDark() ? colour.brighter() : colour.darker();
+        return Theme.isDark() ? colour.brighter() : colour.darker();
     }
 
     private static void paintTarget(Graphics2D g, BodySection s, AffineTransform toPixels, double scale) {
         double[] at = new double[2];
         toPixels.transform(s.target(), 0, at, 0, 1);
         double cut = s.targetSectionRadiusMm() * scale;
-        g.setColor(new Color(TARGET));
+        g.setColor(TARGET);
         g.fill(new Ellipse2D.Double(at[0] - cut, at[1] - cut, 2 * cut, 2 * cut));
         double whole = s.targetRadiusMm() * scale;
-        g.setColor(AdviceColours.textColour());
+        g.setColor(Theme.TEXT);
         g.setStroke(new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0));
         g.draw(new Ellipse2D.Double(at[0] - whole, at[1] - whole, 2 * whole, 2 * whole));
     }
@@ -141,7 +145,7 @@ public final class SectionView extends JPanel {
         toPixels.transform(s.entry(), 0, p, 0, 1);
         toPixels.transform(s.tip(), 0, p, 2, 1);
         toPixels.transform(s.end(), 0, p, 4, 1);
-        g.setColor(AdviceColours.pathColour(level));
+        g.setColor(AdviceColours.path(level));
         g.setStroke(new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {6, 4}, 0));
         g.draw(new Line2D.Double(p[0], p[1], p[4], p[5]));
         if (placed) {
@@ -149,7 +153,7 @@ public final class SectionView extends JPanel {
             double length = Math.hypot(p[4] - p[0], p[5] - p[1]);
             double hx = p[0] - beyond * (p[4] - p[0]) / length;
             double hy = p[1] - beyond * (p[5] - p[1]) / length;
-            g.setColor(AdviceColours.isDark() ? new Color(0x9cc9f2) : new Color(0x1f4e79));
+            g.setColor(NEEDLE);
             g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
             g.draw(new Line2D.Double(hx, hy, p[2], p[3]));
         }
@@ -165,23 +169,20 @@ public final class SectionView extends JPanel {
         cross.moveTo(at[0], at[1] - reach);
         cross.lineTo(at[0], at[1] + reach);
         g.setStroke(new BasicStroke(4f));
-        g.setColor(AdviceColours.viewBackground());
+        g.setColor(BACKGROUND);
         g.draw(cross);
         g.setStroke(new BasicStroke(2f));
-        g.setColor(
-                placed
-                        ? (AdviceColours.isDark() ? new Color(0x9cc9f2) : new Color(0x1f4e79))
-                        : AdviceColours.pathColour(level));
+        g.setColor(placed ? NEEDLE : AdviceColours.path(level));
         g.draw(cross);
     }
 
     private void paintLabels(Graphics2D g) {
         g.setFont(getFont());
-        g.setColor(AdviceColours.textColour());
+        g.setColor(Theme.TEXT);
         int height = g.getFontMetrics().getAscent();
         paintText(g, title, MARGIN, MARGIN + height);
         if (section == null) {
-            g.setColor(AdviceColours.secondaryText());
+            g.setColor(Theme.SECONDARY_TEXT);
             int y = MARGIN + 3 * height;
             for (String line : hint.lines().toList()) {
                 paintText(g, line, MARGIN, y);
@@ -189,23 +190,23 @@ public final class SectionView extends JPanel {
             }
             return;
         }
-        g.setFont(getFont().deriveFont(java.awt.Font.BOLD));
+        g.setFont(getFont().deriveFont(Font.BOLD));
+        FontMetrics metrics = g.getFontMetrics();
         int middle = (getHeight() + height) / 2;
-        paintText(g, section.right(), getWidth() - MARGIN - g.getFontMetrics().stringWidth(section.right()), middle);
-        String left = opposite(section.right());
-        paintText(g, left, MARGIN, middle);
+        String right = section.right();
         String up = section.up();
-        paintText(g, up, (getWidth() - g.getFontMetrics().stringWidth(up)) / 2, MARGIN + 2 * height + 2);
         String down = opposite(up);
-        paintText(g, down, (getWidth() - g.getFontMetrics().stringWidth(down)) / 2, getHeight() - MARGIN);
+        paintText(g, right, getWidth() - MARGIN - metrics.stringWidth(right), middle);
+        paintText(g, opposite(right), MARGIN, middle);
+        paintText(g, up, (getWidth() - metrics.stringWidth(up)) / 2, MARGIN + 2 * height + 2);
+        paintText(g, down, (getWidth() - metrics.stringWidth(down)) / 2, getHeight() - MARGIN);
         paintScaleBar(g);
     }
 
-    /** Text that can be read on whatever lies behind it. */
+    /** Text with a halo of the background. */
     private static void paintText(Graphics2D g, String words, int x, int y) {
         Color ink = g.getColor();
-        Color behind = AdviceColours.viewBackground();
-        g.setColor(new Color(behind.getRed(), behind.getGreen(), behind.getBlue(), 170));
+        g.setColor(Theme.withAlpha(BACKGROUND, 170));
         Shape outline =
                 g.getFont().createGlyphVector(g.getFontRenderContext(), words).getOutline(x, y);
         g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
@@ -221,7 +222,7 @@ public final class SectionView extends JPanel {
         int y = getHeight() - MARGIN - 2;
         int x = getWidth() - MARGIN - w;
         g.setFont(getFont());
-        g.setColor(AdviceColours.textColour());
+        g.setColor(Theme.TEXT);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(new Line2D.Double(x, y, x + w, y));
         String text = (int) mm + " mm";
@@ -229,17 +230,10 @@ public final class SectionView extends JPanel {
     }
 
     private static String opposite(String letters) {
-        StringBuilder other = new StringBuilder();
-        letters.chars()
-                .forEach(c -> other.append(
-                        switch (c) {
-                            case 'L' -> 'R';
-                            case 'R' -> 'L';
-                            case 'A' -> 'P';
-                            case 'P' -> 'A';
-                            case 'S' -> 'I';
-                            default -> 'S';
-                        }));
-        return other.toString();
+        String from = "LRAPSI";
+        String to = "RLPAIS";
+        return letters.chars()
+                .mapToObj(c -> String.valueOf(to.charAt(from.indexOf(c))))
+                .collect(Collectors.joining());
     }
 }

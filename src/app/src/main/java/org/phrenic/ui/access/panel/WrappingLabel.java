@@ -5,15 +5,14 @@ import java.awt.Font;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
+import org.phrenic.ui.widget.Theme;
 
-/** A few sentences that wrap: a label for reading. */
+/** A label whose text wraps. */
 public final class WrappingLabel extends JTextArea {
-    private final boolean secondary;
-    private final boolean emphasised;
+    private final boolean bold;
 
-    private WrappingLabel(String name, boolean quiet, boolean bold) {
-        this.secondary = quiet;
-        this.emphasised = bold;
+    private WrappingLabel(String name, Color colour, boolean bold) {
+        this.bold = bold;
         setName(name);
         getAccessibleContext().setAccessibleName(name);
         setLineWrap(true);
@@ -21,41 +20,32 @@ public final class WrappingLabel extends JTextArea {
         setEditable(false);
         setFocusable(false);
         setOpaque(false);
+        setForeground(colour);
         applyTheme();
     }
 
-    /** In the colour of text. */
-    public static WrappingLabel normal(String name) {
-        return new WrappingLabel(name, false, false);
+    static WrappingLabel normal(String name) {
+        return new WrappingLabel(name, Theme.TEXT, false);
     }
 
-    /** What matters less. */
-    public static WrappingLabel secondary(String name) {
-        return new WrappingLabel(name, true, false);
+    static WrappingLabel secondary(String name) {
+        return new WrappingLabel(name, Theme.SECONDARY_TEXT, false);
     }
 
-    /** What matters most. */
-    public static WrappingLabel emphasised(String name) {
-        return new WrappingLabel(name, false, true);
+    static WrappingLabel emphasised(String name) {
+        return new WrappingLabel(name, Theme.TEXT, true);
     }
 
-    /** Says something else; nothing happens if it is the same. */
-    public void setTextIfChanged(String text) {
+    void setTextIfChanged(String text) {
         if (!text.equals(getText())) {
             setText(text);
         }
     }
 
-    /** In another colour, until the look changes. */
-    void setTextColour(Color ink) {
-        setForeground(ink);
-    }
-
     private void applyTheme() {
         setBorder(BorderFactory.createEmptyBorder());
         Font font = new JLabel().getFont();
-        setFont(emphasised ? font.deriveFont(Font.BOLD) : font);
-        setForeground(secondary ? AdviceColours.secondaryText() : AdviceColours.textColour());
+        setFont(bold ? font.deriveFont(Font.BOLD) : font);
     }
 
     @Override

@@ -1,0 +1,85 @@
+package org.phrenic.ui.widget;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import javax.swing.AbstractButton;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JToggleButton;
+
+/** Makes controls of one style; each has a tooltip and an accessible name. */
+public final class Controls {
+    private Controls() {}
+
+    /** Names a control for screen readers and tests, and gives it a tooltip. */
+    public static <C extends JComponent> C describe(C control, String name, String tip) {
+        control.setName(name);
+        control.getAccessibleContext().setAccessibleName(name);
+        control.setToolTipText(tip);
+        return control;
+    }
+
+    /** A button with a text. */
+    public static JButton button(String text, String tip, Runnable action) {
+        return withAction(describe(new JButton(text), text.replace("...", ""), tip), action);
+    }
+
+    /** A flat button with an icon, as in a tool bar. */
+    public static JButton iconButton(Icon icon, String name, Runnable action) {
+        return withAction(flat(describe(new JButton(icon), name, name)), action);
+    }
+
+    /** Makes a button flat, as in a tool bar. */
+    public static <B extends AbstractButton> B flat(B button) {
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        return button;
+    }
+
+    private static <B extends AbstractButton> B withAction(B button, Runnable action) {
+        button.addActionListener(e -> action.run());
+        return button;
+    }
+
+    /** Gives a pressed button the colours of a selected row of a list. */
+    public static JToggleButton highlightWhenSelected(JToggleButton button) {
+        button.putClientProperty(
+                "FlatLaf.style",
+                "selectedBackground: $List.selectionBackground; selectedForeground: $List.selectionForeground");
+        return button;
+    }
+
+    /** A heading over a part of a dock. */
+    public static JLabel heading(String text) {
+        JLabel label = new JLabel(text);
+        label.putClientProperty("FlatLaf.styleClass", "h4");
+        return label;
+    }
+
+    /** Text in the colour that matters less. */
+    public static JLabel secondaryLabel(String text) {
+        JLabel label = new JLabel(text);
+        label.setForeground(Theme.SECONDARY_TEXT);
+        return label;
+    }
+
+    /** A copy of a graphics context with smooth lines and letters; to be disposed of. */
+    public static Graphics2D smooth(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        return g;
+    }
+
+    /** Text with a capital at its beginning. */
+    public static String capitalise(String text) {
+        return text.isEmpty() ? text : Character.toUpperCase(text.charAt(0)) + text.substring(1);
+    }
+
+    /** Text as HTML shows it. */
+    public static String escapeHtml(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;");
+    }
+}
