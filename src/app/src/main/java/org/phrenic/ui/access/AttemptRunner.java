@@ -10,52 +10,35 @@ import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.scene.BodySection;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
 /**
- * An attempt in the run, by hand or played, from its start to its report. On the event dispatch thread, but for
+ * An attempt in the run, by hand or played, from its start to its report. Used on the event dispatch thread, except
  * {@link #state}.
  */
 final class AttemptRunner implements AutoCloseable {
-    /** Told on the event dispatch thread. */
-    interface Listener {
-        /** What was asked cannot be done, in one sentence. */
-        void onRefused(String sentence);
-
-        /** Other sections: along the needle, and across it. */
-        void onSections(BodySection along, BodySection across);
-
-        /** All that was to be done is done. */
-        void onEnded(boolean played);
-
-        /** The report is there. */
-        void onReport(Rehearsal rehearsal);
-    }
-
     private final Session session;
     private final ObservedRun run;
     private final BackgroundWorker work;
-    private final Listener listener;
+    private final RehearsalController controller;
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
     private volatile LiveRehearsal rehearsal;
 
-    /** @param work beside which the report is put together */
-    AttemptRunner(Session session, ObservedRun run, BackgroundWorker work, Listener told) {
+    AttemptRunner(Session session, ObservedRun run, BackgroundWorker work, RehearsalController controller) {
         this.session = session;
         this.run = run;
         this.work = work;
-        this.listener = told;
+        this.controller = controller;
     }
 
     /**
-     * Begins from the start of the run.
+     * Starts from the start of the run.
      *
-     * @param plan needle, what it should avoid, what counts as done
-     * @param played whether its steps are played; else it is by hand
-     * @param entry where the needle is meant to go in, if that is chosen already
+     * @param plan needle, no-go structures and goals
+     * @param played whether the steps of the plan are played
+     * @param entry entry of the needle, if one is chosen
      */
     void start(RehearsalBody body, TargetAccess about, RehearsalPlan plan, boolean played, Optional<double[]> entry) {
         BooleanSupplier current = work.notDiscardedSince();
@@ -69,7 +52,7 @@ final class AttemptRunner implements AutoCloseable {
                 new LiveRehearsal.Listener() {
                     @Override
                     public void refused(String sentence) {
-                        SwingUtilities.invokeLater(() -> listener.onRefused(sentence));
+                        SwingUtilities.invokeLater(() -> session.refuse(sentence));
                     }
 
                     @Override
@@ -77,7 +60,7 @@ final class AttemptRunner implements AutoCloseable {
                         SwingUtilities.invokeLater(() -> {
                             if (current.getAsBoolean()) {
                                 publishReport(body, about, played ? plan : attempt.toPlan(plan), attempt);
-                                listener.onEnded(played);
+                                controller.onAttemptEnded(played);
                             }
                         });
                     }
@@ -85,7 +68,7 @@ final class AttemptRunner implements AutoCloseable {
         SectionUpdater feed = new SectionUpdater(
                 sectionThread, body.scene().surfaces(), body.scene().newFrame().get(), (along, across) -> {
                     if (current.getAsBoolean()) {
-                        listener.onSections(along, across);
+                        controller.fire(listener -> listener.onSections(along, across));
                     }
                 });
         entry.ifPresent(watching::enterAt);
@@ -96,7 +79,7 @@ final class AttemptRunner implements AutoCloseable {
         });
     }
 
-    /** An attempt that has ended counts, whatever was begun meanwhile. */
+    /** Composes the report in the background; it is never discarded. */
     private void publishReport(RehearsalBody body, TargetAccess about, RehearsalPlan done, LiveAttempt attempt) {
         work.runAlways(
                 () -> new Rehearsal(
@@ -107,11 +90,10 @@ final class AttemptRunner implements AutoCloseable {
                         attempt.record(),
                         attempt.snapshots(),
                         attempt.stateHash()),
-                listener::onReport,
-                listener::onRefused);
+                controller::onReport,
+                session::refuse);
     }
 
-    /** Nobody is at it any more. */
     void detach() {
         rehearsal = null;
     }
@@ -121,7 +103,7 @@ final class AttemptRunner implements AutoCloseable {
         return Optional.ofNullable(rehearsal);
     }
 
-    /** How it stands; empty before the first look. On any thread. */
+    /** State of the needle; empty before the first frame. On any thread. */
     Optional<NeedleState> state() {
         LiveRehearsal now = rehearsal;
         return now == null ? Optional.empty() : Optional.ofNullable(now.state());

@@ -12,11 +12,11 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.session.Session;
 
-/** One breath of the run as it breathes now, looked at as fast as the machine goes. On the event dispatch thread. */
+/** Records one breath of the run, as fast as it can be simulated. Used on the event dispatch thread. */
 final class BreathCapture {
     private final Session session;
     private final ObservedRun run;
-    private Map<String, Object> breathing = Map.of();
+    private Scenario recorded = Scenario.defaults();
     private List<BreathMoment> cycle = List.of();
 
     BreathCapture(Session session, ObservedRun run) {
@@ -24,64 +24,54 @@ final class BreathCapture {
         this.run = run;
     }
 
-    /** Another body: nothing of it was looked at. */
     void clear() {
         cycle = List.of();
     }
 
     /**
-     * Looks from the start of the run.
+     * Records from the start of the run.
      *
-     * @param ofScene a frame of the run's scene
-     * @param phases moments of the breath
-     * @param current whether anyone still waits for it
-     * @param share told how much of the breath was seen
-     * @param seen told when all of it was
+     * @param frame of the run's scene
+     * @param moments to record
+     * @param wanted whether the record is still of use
+     * @param progress gets the fraction of the breath that is recorded
+     * @param done runs when the breath is recorded
      */
-    void start(Frame ofScene, int phases, BooleanSupplier current, Consumer<Double> share, Runnable seen) {
+    void start(Frame frame, int moments, BooleanSupplier wanted, Consumer<Double> progress, Runnable done) {
+        recorded = session.scenario();
         CycleRecorder recorder = new CycleRecorder(
                 session.live(),
-                ofScene,
-                phases,
-                done -> onEventThread(current, () -> share.accept(done)),
-                whole -> onEventThread(current, () -> {
+                frame,
+                moments,
+                fraction -> onEventThread(wanted, () -> progress.accept(fraction)),
+                whole -> onEventThread(wanted, () -> {
                     cycle = whole;
-                    seen.run();
+                    done.run();
                 }));
         run.restartFast(recorder, recorder);
     }
 
-    private static void onEventThread(BooleanSupplier current, Runnable what) {
+    private static void onEventThread(BooleanSupplier wanted, Runnable what) {
         SwingUtilities.invokeLater(() -> {
-            if (current.getAsBoolean()) {
+            if (wanted.getAsBoolean()) {
                 what.run();
             }
         });
     }
 
-    /** What was seen, from end-expiration on; empty before all of it was. */
+    /** The recorded breath, from end-expiration on; empty before it is complete. */
     List<BreathMoment> cycle() {
         return cycle;
     }
 
-    /** The breathing of now is the one that is looked at. */
-    void markCurrentBreathing() {
-        breathing = withoutHold(session.scenario());
-    }
-
-    /** Whether that is how it breathes now, held or not. */
-    boolean matchesCurrent() {
-        return matches(session.scenario());
-    }
-
-    /** Whether that is how this scenario breathes. */
+    /** Whether a scenario breathes as the recorded breath. */
     boolean matches(Scenario scenario) {
-        return breathing.equals(withoutHold(scenario));
+        return breatheAlike(recorded, scenario);
     }
 
-    /** Whether a scenario is what breathes now, held or not. */
-    boolean isCurrentBreathing(Scenario scenario) {
-        return withoutHold(session.scenario()).equals(withoutHold(scenario));
+    /** Whether two scenarios are the same but for a breath hold. */
+    static boolean breatheAlike(Scenario one, Scenario other) {
+        return withoutHold(one).equals(withoutHold(other));
     }
 
     private static Map<String, Object> withoutHold(Scenario scenario) {

@@ -10,10 +10,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
-/**
- * Where the needle is meant to go in, and what is to be said of that way over the breath and at this moment. On the
- * event dispatch thread, but for {@link #levelNow}.
- */
+/** The entry of the needle, and advice on its path. Used on the event dispatch thread, except {@link #levelNow}. */
 public final class EntrySelection {
     private final Session session;
     private final RehearsalController rehearsal;
@@ -27,13 +24,12 @@ public final class EntrySelection {
         this.work = work;
     }
 
-    /** No way is chosen. */
     void clear() {
         entry = Optional.empty();
         advice = Optional.empty();
     }
 
-    /** Means to go in at a place of the skin, given as it is at end-expiration. */
+    /** Selects a place of the skin, given at end-expiration. */
     public void select(double[] onSkinRest) {
         if (rehearsal.stage() != RehearsalStage.READY) {
             return;
@@ -46,7 +42,7 @@ public final class EntrySelection {
         rehearsal.needle().setEntry(onSkinRest);
         TargetAccess about = rehearsal.study().orElseThrow();
         RehearsalPlan plan = rehearsal.plan().orElseThrow();
-        RehearsalBody body = rehearsal.body().orElseThrow();
+        RehearsalBody body = rehearsal.body.orElseThrow();
         work.run(
                 () -> PathOverBreath.of(
                         body.planningScene(),
@@ -62,7 +58,7 @@ public final class EntrySelection {
                 session::refuse);
     }
 
-    /** The best entry of the map, over the breath or at its end. */
+    /** Selects the best entry of the map: over the breath, or at end-expiration. */
     public void selectBest(boolean atEndExpiration) {
         if (rehearsal.stage() == RehearsalStage.READY) {
             TargetAccess study = rehearsal.study().orElseThrow();
@@ -81,12 +77,12 @@ public final class EntrySelection {
         return entry;
     }
 
-    /** What is to be said of it; empty until it is worked out. */
+    /** Advice on the path over the breath; empty until it is computed. */
     public Optional<PathAdvice> advice() {
         return advice;
     }
 
-    /** How the way is marked at this moment; on any thread. */
+    /** How the path is marked at present; on any thread. */
     public PathAdvice.Level levelNow(NeedleState state) {
         if (!state.reasons().isEmpty()) {
             return PathAdvice.Level.BARRED;

@@ -5,7 +5,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.ui.session.Session;
 
-/** The run behind the clinician's door: begun anew, breathing, with someone watching. On the event dispatch thread. */
+/** Restarts the run with a listener for its steps. Used on the event dispatch thread. */
 final class ObservedRun {
     private final Session session;
 
@@ -13,13 +13,13 @@ final class ObservedRun {
         this.session = session;
     }
 
-    /** From the start, as fast as it goes. */
+    /** Restarts at the greatest speed. */
     void restartFast(StepListener.Trigger when, StepListener watch) {
         session.live().setSpeed(Double.POSITIVE_INFINITY);
         restart(when, watch);
     }
 
-    /** From the start, as fast as the user chose. */
+    /** Restarts at the speed that the user has set. */
     void restartAtUserSpeed(StepListener.Trigger when, StepListener watch) {
         restart(when, watch);
         restoreUserSpeed();
@@ -33,12 +33,10 @@ final class ObservedRun {
         session.live().play();
     }
 
-    /** It goes on as fast as the user chose. */
     void restoreUserSpeed() {
         session.live().setSpeed(session.speed());
     }
 
-    /** Nobody watches any more. */
     void stopObserving() {
         session.live().stopListening();
     }

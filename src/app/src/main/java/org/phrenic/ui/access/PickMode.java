@@ -1,14 +1,21 @@
 package org.phrenic.ui.access;
 
 import java.awt.Cursor;
+import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.camera.PickResult;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
 
-/** What the next click in the view chooses. On the event dispatch thread. */
-public final class PickMode {
-    /** What may be chosen. */
+/**
+ * The mouse in the view during a rehearsal: a click chooses entry or target when that is asked for, and the wheel moves
+ * the needle once an entry is chosen. With Ctrl, or without an entry, the wheel zooms. Used on the event dispatch
+ * thread.
+ */
+public final class PickMode implements SceneViewport.MouseTool {
+    /** What a click chooses. */
     public enum Kind {
         NONE,
         ENTRY,
@@ -26,7 +33,7 @@ public final class PickMode {
         this.view = view;
     }
 
-    /** The next click chooses; nothing if it is pressed again. */
+    /** Sets what the next click chooses; the same again cancels it. */
     public void toggle(Kind what) {
         mode = what == mode || rehearsal.stage() != RehearsalStage.READY ? Kind.NONE : what;
         if (mode == Kind.TARGET && rehearsal.exercise().isPresent()) {
@@ -41,9 +48,23 @@ public final class PickMode {
         return mode;
     }
 
-    /** What was clicked on while something was being chosen. */
-    void picked(Optional<PickResult> pick) {
+    @Override
+    public boolean isPicking() {
+        return mode != Kind.NONE;
+    }
+
+    @Override
+    public double pickOpacity(Surface surface) {
+        StructureKind sought = mode == Kind.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
+        return surface.kind() == sought ? 1 : 0;
+    }
+
+    @Override
+    public void picked(Optional<PickResult> pick) {
         Kind what = mode;
+        if (what == Kind.NONE) {
+            return;
+        }
         toggle(Kind.NONE);
         if (pick.isEmpty()) {
             session.note(
@@ -53,5 +74,10 @@ public final class PickMode {
         } else {
             rehearsal.setTargetBehind(pick.get());
         }
+    }
+
+    @Override
+    public boolean wheelTurned(MouseWheelEvent e) {
+        return !e.isControlDown() && rehearsal.needle().wheelTurned(e);
     }
 }

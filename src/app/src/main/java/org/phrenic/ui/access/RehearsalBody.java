@@ -17,41 +17,31 @@ import org.phrenic.simulation.observe.Frame;
 /**
  * A body on which liver access can be rehearsed.
  *
- * @param scene of the run
- * @param frame one of it
- * @param planningScene the body as maps and paths are read off it, beside the window
- * @param simulatedScene the body as the needle meets it, on the simulation's thread
+ * @param frame of the scene
+ * @param planningScene the body for maps and paths, in the background
+ * @param simulatedScene the body for the needle, on the simulation's thread
  */
 record RehearsalBody(LiveScene scene, Frame frame, MovingAnatomy planningScene, MovingAnatomy simulatedScene) {
-    /** Builds what is needed; takes a while. */
+    /** Builds the search structures; takes a while. */
     static RehearsalBody of(LiveScene scene) {
         Frame frame = scene.newFrame().get();
-        MovingAnatomy mapped = new MovingAnatomy(scene.surfaces());
-        MovingAnatomy lived = new MovingAnatomy(scene.surfaces());
-        mapped.update(frame);
-        return new RehearsalBody(scene, frame, mapped, lived);
+        MovingAnatomy planning = new MovingAnatomy(scene.surfaces());
+        MovingAnatomy simulated = new MovingAnatomy(scene.surfaces());
+        planning.update(frame);
+        return new RehearsalBody(scene, frame, planning, simulated);
     }
 
-    /**
-     * A target and from where it can be reached.
-     *
-     * @param plan what is rehearsed
-     * @param study the target and its map
-     * @param colours of the skin
-     */
+    /** A target, its access map and the colours of the map on the skin. */
     record StudiedTarget(RehearsalPlan plan, TargetAccess study, AccessMapField colours) {}
 
-    /**
-     * Works out from where a target can be reached; takes a while, and leaves a processor to the window. Without an
-     * exercise it is practice.
-     */
+    /** Computes the access map of a target; takes a while, and leaves a processor to the window. */
     StudiedTarget studyTarget(
             TargetLesion target, List<BreathMoment> breath, Optional<RehearsalPlan> exercise, Scenario scenario) {
         RehearsalPlan meant = exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.standard()));
         try (Workers workers = Workers.of(Math.max(1, Runtime.getRuntime().availableProcessors() - 1))) {
-            TargetAccess made =
+            TargetAccess study =
                     TargetAccess.of(planningScene, breath, target, meant.needle(), meant.avoided(), workers);
-            return new StudiedTarget(meant, made, new AccessMapField(scene.surfaces(), made.map()));
+            return new StudiedTarget(meant, study, new AccessMapField(scene.surfaces(), study.map()));
         }
     }
 }

@@ -3,7 +3,7 @@ package org.phrenic.ui.access;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.scene.BodySection;
 
-/** What the parts of the clinician's door want to know. */
+/** Events of a rehearsal. */
 public interface RehearsalListener {
     /** Stage, target, entry or advice changed. */
     default void onState() {}

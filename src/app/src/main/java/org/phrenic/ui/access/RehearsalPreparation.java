@@ -6,203 +6,188 @@ import java.util.concurrent.Callable;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
 
 /**
- * From a body to a needle that may be used: a breath is looked at, then the access map of the target worked out, beside
- * the window. On the event dispatch thread.
+ * The stages before an attempt: the body is loaded, one breath is recorded, the target is placed and its access map
+ * computed in the background. Used on the event dispatch thread.
  */
 final class RehearsalPreparation {
-    /** Told on the event dispatch thread. */
-    interface Listener {
-        /** The run is not to be watched by anyone from before, nor is what was begun for it wanted. */
-        void detachRun();
-
-        /** The target at hand, and the way to it, count no more. */
-        void clearEntry();
-
-        /** Something is no longer what it was. */
-        void onChange();
-
-        /** An attempt may begin. */
-        void onReady();
-    }
+    private static final double DEPTH_BELOW_SURFACE_MM = 35;
+    private static final double DEFAULT_DIAMETER_MM = 20;
+    private static final long SEED = 1;
 
     private final Session session;
     private final AppearanceModel appearance;
-    private final BackgroundWorker work;
+    private final BackgroundWorker worker;
     private final ObservedRun run;
-    private final BreathCapture look;
-    private final TargetSelection targets;
-    private final Listener listener;
-
-    private RehearsalStage stage = RehearsalStage.CLOSED;
-    private String unavailableReason = "";
-    private double recordedFraction;
-    private Optional<RehearsalBody> body = Optional.empty();
+    private final RehearsalController rehearsal;
+    private final BreathCapture capture;
+    private double diameterMm = DEFAULT_DIAMETER_MM;
 
     RehearsalPreparation(
             Session session,
             AppearanceModel appearance,
-            BackgroundWorker work,
+            BackgroundWorker worker,
             ObservedRun run,
-            TargetSelection targets,
-            Listener told) {
+            RehearsalController rehearsal) {
         this.session = session;
         this.appearance = appearance;
-        this.work = work;
+        this.worker = worker;
         this.run = run;
-        this.targets = targets;
-        this.listener = told;
-        look = new BreathCapture(session, run);
+        this.rehearsal = rehearsal;
+        capture = new BreathCapture(session, run);
     }
 
-    /** A body is being built. */
-    void onBodyLoading() {
-        stage = RehearsalStage.LOADING;
-        listener.detachRun();
-        listener.onChange();
+    /** A body is being loaded. */
+    void awaitBody() {
+        enter(RehearsalStage.LOADING);
+        rehearsal.fireState();
     }
 
-    /** A body is there. */
-    void setBody(LiveScene now) {
-        stage = RehearsalStage.LOADING;
-        listener.detachRun();
-        body = Optional.empty();
-        look.clear();
+    private void enter(RehearsalStage stage) {
+        rehearsal.detachRun();
+        rehearsal.stage = stage;
+    }
+
+    /** A body is loaded. */
+    void setBody(LiveScene scene) {
+        enter(RehearsalStage.LOADING);
+        rehearsal.body = Optional.empty();
+        capture.clear();
         clearTarget();
         appearance.overrideStyle(style -> style, Optional.empty());
-        listener.onChange();
-        work.run(
-                () -> RehearsalBody.of(now),
-                built -> {
-                    body = Optional.of(built);
-                    look();
+        rehearsal.fireState();
+        worker.run(
+                () -> RehearsalBody.of(scene),
+                body -> {
+                    rehearsal.body = Optional.of(body);
+                    recordBreath();
                 },
                 this::onFailure);
     }
 
     private void clearTarget() {
-        targets.clear();
-        listener.clearEntry();
+        rehearsal.study = Optional.empty();
+        rehearsal.entrySelection().clear();
     }
 
-    /** Another breathing than was looked at is looked at anew. */
+    /** Records the breath again if the breathing is not the recorded one. */
     void recordBreathIfChanged() {
-        if ((stage.canStartAttempt() || stage == RehearsalStage.MAPPING) && !look.matchesCurrent()) {
-            look();
+        boolean recorded = rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
+        if (recorded && !capture.matches(session.scenario())) {
+            recordBreath();
         }
     }
 
-    /** Has the run's first breath looked at. */
-    private void look() {
-        listener.detachRun();
-        stage = RehearsalStage.RECORDING_BREATH;
-        recordedFraction = 0;
-        look.markCurrentBreathing();
-        // Another breathing than the exercise's: its target stays, to practise on.
-        targets.setExercise(targets.exercise().filter(asked -> look.matches(asked.scenario())));
-        look.start(
-                body.orElseThrow().frame(),
-                targets.exercise().map(RehearsalPlan::moments).orElse(BreathCycle.PHASES),
-                work.notDiscardedSince(),
-                done -> {
-                    recordedFraction = done;
-                    listener.onChange();
+    private void recordBreath() {
+        enter(RehearsalStage.RECORDING_BREATH);
+        rehearsal.recordedFraction = 0;
+        // With other breathing than the exercise's the target stays, for practice.
+        rehearsal.exercise = rehearsal.exercise.filter(
+                exercise -> BreathCapture.breatheAlike(exercise.scenario(), session.scenario()));
+        capture.start(
+                rehearsal.body.orElseThrow().frame(),
+                rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES),
+                worker.notDiscardedSince(),
+                fraction -> {
+                    rehearsal.recordedFraction = fraction;
+                    rehearsal.fireState();
                 },
                 this::computeMap);
-        listener.onChange();
+        rehearsal.fireState();
     }
 
+    /** Computes the map of the exercise's target, of the present one, or of one at random. */
     private void computeMap() {
-        computeMap(targets.current(body.orElseThrow()));
+        RehearsalBody body = rehearsal.body.orElseThrow();
+        Optional<RehearsalPlan> exercise = rehearsal.exercise;
+        Optional<TargetLesion> present = rehearsal.study.map(TargetAccess::target);
+        double size = diameterMm;
+        computeMap(() -> exercise.isPresent()
+                ? exercise.get().target(body.planningScene())
+                : present.orElseGet(() -> TargetLesion.random(body.planningScene(), SEED, size)));
     }
 
-    /** Works out from where a target can be reached. */
-    void computeMap(Callable<TargetLesion> where) {
-        listener.detachRun();
-        stage = RehearsalStage.MAPPING;
+    private void computeMap(Callable<TargetLesion> target) {
+        enter(RehearsalStage.MAPPING);
         run.restoreUserSpeed();
-        listener.onChange();
-        RehearsalBody of = body.orElseThrow();
+        rehearsal.fireState();
+        RehearsalBody body = rehearsal.body.orElseThrow();
         Scenario scenario = session.scenario().with("hold=false");
-        List<BreathMoment> breath = look.cycle();
-        Optional<RehearsalPlan> asked = targets.exercise();
-        work.run(
-                () -> of.studyTarget(where.call(), breath, asked, scenario),
-                made -> {
-                    targets.setStudied(made);
-                    appearance.overrideStyle(made.colours()::applyTo, Optional.of(made.colours()));
-                    listener.clearEntry();
-                    listener.onReady();
+        List<BreathMoment> breath = capture.cycle();
+        Optional<RehearsalPlan> exercise = rehearsal.exercise;
+        worker.run(
+                () -> body.studyTarget(target.call(), breath, exercise, scenario),
+                studied -> {
+                    rehearsal.plan = Optional.of(studied.plan());
+                    rehearsal.study = Optional.of(studied.study());
+                    appearance.overrideStyle(studied.colours()::applyTo, Optional.of(studied.colours()));
+                    rehearsal.entrySelection().clear();
+                    rehearsal.startAttempt(false);
                 },
                 this::onFailure);
     }
 
     private void onFailure(String sentence) {
-        if (stage == RehearsalStage.MAPPING && targets.exercise().isPresent()) {
-            targets.setExercise(Optional.empty());
-            targets.clear();
+        boolean mapping = rehearsal.stage == RehearsalStage.MAPPING;
+        if (mapping && rehearsal.exercise.isPresent()) {
+            rehearsal.exercise = Optional.empty();
+            rehearsal.study = Optional.empty();
             computeMap();
-        } else if (stage == RehearsalStage.LOADING
-                || (stage == RehearsalStage.MAPPING && targets.study().isEmpty())) {
-            stage = RehearsalStage.UNAVAILABLE;
-            unavailableReason = sentence;
-        } else if (stage == RehearsalStage.MAPPING) {
-            listener.onReady();
+        } else if (rehearsal.stage == RehearsalStage.LOADING || (mapping && rehearsal.study.isEmpty())) {
+            rehearsal.stage = RehearsalStage.UNAVAILABLE;
+            rehearsal.unavailableReason = sentence;
+        } else if (mapping) {
+            rehearsal.startAttempt(false);
         }
         session.refuse(sentence);
-        listener.onChange();
+        rehearsal.fireState();
     }
 
-    /** Practises on the body as it is. */
     void startPractice() {
-        if (targets.exercise().isPresent()) {
-            targets.setExercise(Optional.empty());
+        if (rehearsal.exercise.isPresent()) {
+            rehearsal.exercise = Optional.empty();
             clearTarget();
-            if (stage != RehearsalStage.LOADING && !look.cycle().isEmpty()) {
+            if (rehearsal.stage != RehearsalStage.LOADING && !capture.cycle().isEmpty()) {
                 computeMap();
             }
         }
     }
 
-    /** Opens an exercise: its body breathes as it says, and its target is there. */
-    void open(RehearsalPlan other) {
-        targets.setExercise(Optional.of(other));
+    void open(RehearsalPlan exercise) {
+        rehearsal.exercise = Optional.of(exercise);
         clearTarget();
-        if (body.isPresent() && stage != RehearsalStage.LOADING && look.isCurrentBreathing(other.scenario())) {
-            look();
+        boolean loaded = rehearsal.body.isPresent() && rehearsal.stage != RehearsalStage.LOADING;
+        if (loaded && BreathCapture.breatheAlike(session.scenario(), exercise.scenario())) {
+            recordBreath();
         } else {
-            onBodyLoading();
-            session.open("Exercise " + other.title(), other.scenario());
+            awaitBody();
+            session.open("Exercise " + exercise.title(), exercise.scenario());
         }
     }
 
-    RehearsalStage stage() {
-        return stage;
+    void setTargetBehind(PickResult pick) {
+        RehearsalBody body = rehearsal.body.orElseThrow();
+        double size = diameterMm;
+        computeMap(() -> TargetLesion.behindSurface(
+                body.planningScene(), pick.restPosition(), pick.rayDirection(), DEPTH_BELOW_SURFACE_MM, size));
     }
 
-    /** An attempt begins, or nobody is here any more. */
-    void setStage(RehearsalStage now) {
-        stage = now;
-    }
-
-    /** Why nothing can be rehearsed on this body. */
-    String unavailableReason() {
-        return unavailableReason;
-    }
-
-    /** How much of the breath was looked at. */
-    double recordedFraction() {
-        return recordedFraction;
-    }
-
-    Optional<RehearsalBody> body() {
-        return body;
+    void setTargetMm(double mm) {
+        diameterMm = mm;
+        boolean ready = rehearsal.stage == RehearsalStage.READY && rehearsal.exercise.isEmpty();
+        if (ready && rehearsal.study.isPresent()) {
+            RehearsalBody body = rehearsal.body.orElseThrow();
+            double[] at = rehearsal.study.get().target().restMm();
+            computeMap(() -> TargetLesion.at(body.planningScene(), at, mm));
+        }
     }
 }

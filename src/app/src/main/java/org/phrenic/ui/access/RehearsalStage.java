@@ -1,20 +1,20 @@
 package org.phrenic.ui.access;
 
-/** How far the clinician's door is. */
+/** Stages of a rehearsal. */
 public enum RehearsalStage {
-    /** Another arrangement is used. */
+    /** Another workspace is shown. */
     CLOSED,
     /** A body is being built. */
     LOADING,
-    /** A breath is being looked at. */
+    /** A breath is being recorded. */
     RECORDING_BREATH,
-    /** The access map is being worked out. */
+    /** The access map is being computed. */
     MAPPING,
     /** The needle may be used. */
     READY,
     /** A plan is being played. */
     PLAYING,
-    /** This body has no liver access to rehearse. */
+    /** Liver access cannot be rehearsed on this body. */
     UNAVAILABLE;
 
     /** Whether an attempt may begin. */

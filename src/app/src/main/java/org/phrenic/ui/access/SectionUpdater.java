@@ -11,9 +11,7 @@ import org.phrenic.scene.BodySection;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * Cuts the body along and across the needle, seven times a second at most, on a thread that is not the simulation's.
- */
+/** Computes the sections along and across the needle on a thread of its own, at most seven times per second. */
 final class SectionUpdater {
     private static final long MIN_INTERVAL_NS = 150_000_000;
 
@@ -25,10 +23,8 @@ final class SectionUpdater {
     private long lastUpdateNs;
 
     /**
-     * @param thread that cuts
-     * @param surfaces of the frames
-     * @param frame one of them, to work with
-     * @param shown told both sections on the event dispatch thread: along, across
+     * @param frame of these surfaces; overwritten
+     * @param shown gets the sections along and across on the event dispatch thread
      */
     SectionUpdater(Executor thread, List<Surface> surfaces, Frame frame, BiConsumer<BodySection, BodySection> shown) {
         this.executor = thread;
@@ -37,7 +33,7 @@ final class SectionUpdater {
         this.listener = shown;
     }
 
-    /** Takes a frame if it is time for one; on the simulation's thread. */
+    /** Takes a frame if the last update is long enough ago; on the simulation's thread. */
     void offer(Frame now, NeedleState state) {
         if (state == null
                 || !state.hasNeedle()
@@ -50,7 +46,7 @@ final class SectionUpdater {
         try {
             executor.execute(() -> computeSections(state));
         } catch (RejectedExecutionException closing) {
-            // The window is being closed: nobody looks any more.
+            // The window is being closed.
             busy.set(false);
         }
     }

@@ -110,7 +110,7 @@ public final class DockManager {
             addOrgans();
             right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, way in, needle");
             right.addTab("Report", null, attempts, "The report card and the attempts of this session");
-            rehearsalController.open();
+            rehearsalController.activate();
         }
         for (DockLayout.Place place : DockLayout.Place.values()) {
             boolean shown = preferences.flag("shown." + place, true);
