@@ -1,17 +1,10 @@
 package org.phrenic.ui.chart;
 
-import com.formdev.flatlaf.FlatLaf;
-import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import javax.swing.Icon;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
@@ -19,8 +12,9 @@ import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Swatch;
 
-/** Which curves are drawn, in which colour and line, and what their values are: legend, choice and readout in one. */
+/** Legend of the curves, where they are selected and their values are shown. */
 final class CurveLegend extends ScrollablePanel {
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 10;
@@ -51,7 +45,7 @@ final class CurveLegend extends ScrollablePanel {
         String tip = curve.column() + ": " + curve.meaning() + NumberFormats.unitSuffix(curve.unit());
         box.setToolTipText(tip);
         box.addActionListener(e -> onSelection.run());
-        JLabel swatch = new JLabel(new Swatch(curve));
+        JLabel swatch = new JLabel(swatch(curve));
         swatch.setToolTipText(tip);
         JLabel value = new JLabel("", SwingConstants.RIGHT);
         rows.put(curve, new CurveRow(box, value));
@@ -63,13 +57,10 @@ final class CurveLegend extends ScrollablePanel {
 
     /** The curves whose boxes are ticked. */
     List<PlotCurve> selectedCurves() {
-        List<PlotCurve> shown = new ArrayList<>();
-        rows.forEach((curve, row) -> {
-            if (row.box.isSelected()) {
-                shown.add(curve);
-            }
-        });
-        return shown;
+        return rows.entrySet().stream()
+                .filter(row -> row.getValue().box.isSelected())
+                .map(Map.Entry::getKey)
+                .toList();
     }
 
     /** Shows the values of a sample; none for -1. */
@@ -92,26 +83,11 @@ final class CurveLegend extends ScrollablePanel {
         return new Dimension(size.width + UIManager.getInt("ScrollBar.width"), size.height);
     }
 
-    private record Swatch(PlotCurve curve) implements Icon {
-        @Override
-        public void paintIcon(Component c, Graphics graphics, int x, int y) {
-            Graphics2D g = (Graphics2D) graphics.create();
-            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            g.setColor(curve.colour(FlatLaf.isLafDark()));
+    private static Swatch swatch(PlotCurve curve) {
+        return new Swatch(SWATCH_WIDTH, SWATCH_HEIGHT, g -> {
+            g.setColor(curve.colour());
             g.setStroke(PlotChart.stroke(curve));
-            int middle = y + SWATCH_HEIGHT / 2;
-            g.drawLine(x + 2, middle, x + SWATCH_WIDTH - 2, middle);
-            g.dispose();
-        }
-
-        @Override
-        public int getIconWidth() {
-            return SWATCH_WIDTH;
-        }
-
-        @Override
-        public int getIconHeight() {
-            return SWATCH_HEIGHT;
-        }
+            g.drawLine(2, SWATCH_HEIGHT / 2, SWATCH_WIDTH - 2, SWATCH_HEIGHT / 2);
+        });
     }
 }

@@ -1,6 +1,5 @@
 package org.phrenic.ui.chart;
 
-import com.formdev.flatlaf.FlatLaf;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -9,10 +8,13 @@ import java.awt.Stroke;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Collectors;
 import javax.swing.UIManager;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -25,12 +27,13 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.Range;
+import org.jfree.data.general.DatasetUtils;
+import org.jfree.data.xy.DefaultXYDataset;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.ui.widget.Theme;
 
-/**
- * The chart: curves of one unit share a plot and its axis, plots stand above one another over one axis of time. Colours
- * are those of the look and feel.
- */
+/** The chart: curves of one unit share a plot, and the plots share the time axis. Colours follow the look and feel. */
 final class PlotChart {
     private static final float LINE_WIDTH = 1.6f;
     private static final float[] DASH_PATTERN = {6, 4};
@@ -41,10 +44,21 @@ final class PlotChart {
     private static final int DISPLACEMENT_WEIGHT = 3;
     private static final int DEFAULT_WEIGHT = 2;
 
+    /** Points of a curve; more than a screen has columns. */
+    private static final int MAX_POINTS = 2400;
+
+    private record Subplot(XYPlot plot, DefaultXYDataset data, List<PlotCurve> curves) {
+        String unit() {
+            return curves.get(0).unit();
+        }
+    }
+
     private final NumberAxis time = new NumberAxis("Time (s)");
     private final CombinedDomainXYPlot plots = new CombinedDomainXYPlot(time);
     private final JFreeChart chart = new JFreeChart(null, null, plots, false);
-    private final List<PlotDataset> datasets = new ArrayList<>();
+    private final List<Subplot> subplots = new ArrayList<>();
+    private final double[] x = new double[MAX_POINTS];
+    private final double[] y = new double[MAX_POINTS];
 
     PlotChart() {
         plots.setGap(PLOT_GAP);
@@ -69,82 +83,72 @@ final class PlotChart {
     /** Shows these curves and no others. */
     void setCurves(List<PlotCurve> curves) {
         new ArrayList<>(plots.getSubplots()).forEach(plots::remove);
-        datasets.clear();
-        Map<String, List<PlotCurve>> byUnit = new LinkedHashMap<>();
-        curves.forEach(
-                c -> byUnit.computeIfAbsent(c.unit(), unit -> new ArrayList<>()).add(c));
+        subplots.clear();
+        Map<String, List<PlotCurve>> byUnit = curves.stream()
+                .collect(Collectors.groupingBy(PlotCurve::unit, LinkedHashMap::new, Collectors.toList()));
         byUnit.forEach((unit, group) -> {
-            PlotDataset own = new PlotDataset(group);
-            NumberAxis axis = new NumberAxis(axisLabel(unit));
+            NumberAxis axis = new NumberAxis(unit.equals("1") ? "Turn" : unit);
             axis.setAutoRange(false);
             axis.setStandardTickUnits(new NumberTickUnitSource());
             axis.setAutoTickUnitSelection(true);
             axis.setNumberFormatOverride(new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT)));
-            XYPlot plot = new XYPlot(own, null, axis, new XYLineAndShapeRenderer(true, false));
+            DefaultXYDataset data = new DefaultXYDataset();
+            XYPlot plot = new XYPlot(data, null, axis, new XYLineAndShapeRenderer(true, false));
             plots.add(plot, unit.equals("mm") ? DISPLACEMENT_WEIGHT : DEFAULT_WEIGHT);
-            datasets.add(own);
+            subplots.add(new Subplot(plot, data, group));
         });
         applyTheme();
     }
 
-    private static String axisLabel(String unit) {
-        return switch (unit) {
-            case "mm" -> "mm";
-            case "ml" -> "ml";
-            case "%" -> "%";
-            default -> "Turn";
-        };
-    }
-
-    /** Draws what the ring has between two times. */
+    /** Draws the samples of the ring between two times. */
     void update(SampleRingBuffer ring, double from, double to) {
         chart.setNotify(false);
         time.setRange(from, Math.max(to, from + 1e-3));
-        for (int i = 0; i < datasets.size(); i++) {
-            datasets.get(i).update(ring, from, to);
-            fitRange((NumberAxis) plots.getSubplots().get(i).getRangeAxis(), datasets.get(i));
+        List<PhaseBands.Band> bands = PhaseBands.of(ring, from, to);
+        for (Subplot subplot : subplots) {
+            for (PlotCurve curve : subplot.curves) {
+                int count = ring.curve(curve.index(), from, to, x, y);
+                double[][] points = {Arrays.copyOf(x, count), Arrays.copyOf(y, count)};
+                subplot.data.addSeries(curve.label(), points);
+            }
+            fitRange(subplot);
+            markPhases(subplot.plot, bands);
         }
-        markPhases(PhaseBands.of(ring, from, to));
         chart.setNotify(true);
     }
 
-    /** Bands behind the curves of what the breath did, in the colours of the timeline; pauses stay plain. */
-    private void markPhases(List<PhaseBands.Band> bands) {
-        for (Object subplot : plots.getSubplots()) {
-            XYPlot plot = (XYPlot) subplot;
-            plot.clearDomainMarkers();
-            for (PhaseBands.Band band : bands) {
-                if (band.label() != RespiratoryPhase.PAUSE) {
-                    Marker marker = new IntervalMarker(band.from(), band.to(), PhaseColours.of(band.label()));
-                    marker.setAlpha(BAND_ALPHA);
-                    plot.addDomainMarker(marker, Layer.BACKGROUND);
-                }
+    /** Marks the phases behind the curves in the colours of the timeline; pauses stay plain. */
+    private static void markPhases(XYPlot plot, List<PhaseBands.Band> bands) {
+        plot.clearDomainMarkers();
+        for (PhaseBands.Band band : bands) {
+            if (band.label() != RespiratoryPhase.PAUSE) {
+                Marker marker = new IntervalMarker(band.from(), band.to(), PhaseColours.of(band.label()));
+                marker.setAlpha(BAND_ALPHA);
+                plot.addDomainMarker(marker, Layer.BACKGROUND);
             }
         }
     }
 
-    /**
-     * A range of round numbers around the values; it grows at once and shrinks only when half of it stands empty, so
-     * that it does not tremble.
-     */
-    private static void fitRange(NumberAxis axis, PlotDataset values) {
-        double[] seen = values.range();
-        if (seen == null) {
+    /** Sets a range of round numbers around the values; it shrinks only when half of it is empty, to be steady. */
+    private static void fitRange(Subplot subplot) {
+        Range values = DatasetUtils.findRangeBounds(subplot.data);
+        if (values == null) {
             return;
         }
-        double span = Math.max(seen[1] - seen[0], minSpan(values));
+        double least = values.getLowerBound();
+        double span = Math.max(values.getLength(), minSpan(subplot.unit()));
         double round = Math.pow(10, Math.floor(Math.log10(span / 4)));
-        double low = Math.floor((seen[0] - 0.03 * span) / round) * round;
-        double high = Math.ceil((seen[0] + 1.03 * span) / round) * round;
-        boolean outside = axis.getLowerBound() > seen[0] || axis.getUpperBound() < seen[1];
-        boolean empty = axis.getRange().getLength() > 2 * (high - low);
-        if (outside || empty) {
+        double low = Math.floor((least - 0.03 * span) / round) * round;
+        double high = Math.ceil((least + 1.03 * span) / round) * round;
+        ValueAxis axis = subplot.plot.getRangeAxis();
+        boolean outside = axis.getLowerBound() > least || axis.getUpperBound() < values.getUpperBound();
+        if (outside || axis.getRange().getLength() > 2 * (high - low)) {
             axis.setRange(low, high);
         }
     }
 
-    private static double minSpan(PlotDataset values) {
-        return switch (values.curves().get(0).unit()) {
+    private static double minSpan(String unit) {
+        return switch (unit) {
             case "ml" -> 10;
             case "1" -> 0.05;
             default -> 1;
@@ -153,19 +157,18 @@ final class PlotChart {
 
     /** Takes over the colours and fonts of the look and feel. */
     void applyTheme() {
-        boolean dark = FlatLaf.isLafDark();
-        Color back = colour("Panel.background", Color.WHITE);
-        Color text = colour("Label.foreground", Color.BLACK);
+        boolean dark = Theme.isDark();
+        Color back = uiColour("Panel.background", Color.WHITE);
+        Color text = uiColour("Label.foreground", Color.BLACK);
         Color paper = dark ? back.darker() : Color.WHITE;
         Color grid = dark ? new Color(255, 255, 255, 36) : new Color(0, 0, 0, 32);
-        Font font = UIManager.getFont("Label.font") == null
-                ? new Font(Font.SANS_SERIF, Font.PLAIN, 12)
-                : UIManager.getFont("Label.font");
+        Font font =
+                Objects.requireNonNullElse(UIManager.getFont("Label.font"), new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         chart.setBackgroundPaint(back);
         plots.setBackgroundPaint(back);
         styleAxis(time, text, font);
-        for (int i = 0; i < datasets.size(); i++) {
-            XYPlot plot = plots.getSubplots().get(i);
+        for (Subplot subplot : subplots) {
+            XYPlot plot = subplot.plot;
             plot.setBackgroundPaint(paper);
             plot.setOutlinePaint(grid);
             plot.setDomainGridlinePaint(grid);
@@ -176,15 +179,13 @@ final class PlotChart {
             styleAxis(plot.getRangeAxis(), text, font);
             XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
             renderer.setDrawSeriesLineAsPath(true);
-            List<PlotCurve> curves = datasets.get(i).curves();
-            for (int k = 0; k < curves.size(); k++) {
-                renderer.setSeriesPaint(k, curves.get(k).colour(dark));
-                renderer.setSeriesStroke(k, stroke(curves.get(k)));
+            for (int k = 0; k < subplot.curves.size(); k++) {
+                renderer.setSeriesPaint(k, subplot.curves.get(k).colour());
+                renderer.setSeriesStroke(k, stroke(subplot.curves.get(k)));
             }
         }
     }
 
-    /** How a curve is drawn. */
     static Stroke stroke(PlotCurve curve) {
         return curve.dashed()
                 ? new BasicStroke(LINE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASH_PATTERN, 0)
@@ -200,7 +201,7 @@ final class PlotChart {
         axis.setTickMarkPaint(text);
     }
 
-    private static Color colour(String key, Color absent) {
+    private static Color uiColour(String key, Color absent) {
         Color found = UIManager.getColor(key);
         return found == null ? absent : new Color(found.getRGB(), true);
     }

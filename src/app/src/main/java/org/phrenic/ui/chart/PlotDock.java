@@ -2,38 +2,32 @@ package org.phrenic.ui.chart;
 
 import java.awt.BorderLayout;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.jfree.chart.JFreeChart;
 import org.phrenic.document.CsvWriter;
-import org.phrenic.file.AtomicFile;
+import org.phrenic.scene.export.PngFile;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
+import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
- * Live curves of the observables: chosen from a list that is legend and readout too, over the last 10, 30 or 60 s or
- * all that is at hand. Dragging zooms into times, which then stand still; a double click follows the present again.
- * What is at hand can be saved as {@code observables.csv} has it, and the chart as a picture. Drawn at most ten times a
- * second.
+ * Plots the observables of the last 10, 30 or 60 s, or of all recorded samples, at most ten times per second. Dragging
+ * zooms into a time range, which then stays; a double click follows the present again.
  */
 public final class PlotDock extends JPanel implements Session.Listener {
     private static final Set<String> DEFAULT_CURVES = Set.of("dome_right_mm", "dome_left_mm", "lung_volume_change_ml");
@@ -61,14 +55,15 @@ public final class PlotDock extends JPanel implements Session.Listener {
     }
 
     private final transient Session session;
-    private final transient HistoryReader historyReader =
-            new HistoryReader(new SampleRingBuffer(Observation.COLUMNS.size() + PlotCurve.MAX_POINTS, RunHistory.ROWS));
+    private final transient SampleRingBuffer ring =
+            new SampleRingBuffer(Observation.COLUMNS.size() + PlotCurve.MAX_POINTS, RunHistory.ROWS);
     private final transient PlotChart chart = new PlotChart();
     private final transient PointTracker pointTracker;
     private final PlotPanel panel;
     private final CurveLegend legend;
     private final JComboBox<TimeSpan> timeSpan = new JComboBox<>(TimeSpan.values());
-    private final JButton resetZoom = new JButton("Reset zoom");
+    private final JButton resetZoom =
+            Controls.button("Reset zoom", "Follow the present again (double click on the plot)", this::followLatest);
     private boolean frozen;
     private long drawnNs;
 
@@ -78,14 +73,9 @@ public final class PlotDock extends JPanel implements Session.Listener {
         pointTracker = new PointTracker(session);
         panel = new PlotPanel(chart, time -> updateReadout(), this::freezeTimeRange, this::followLatest);
         legend = new CurveLegend(PlotCurve.ofObservables(), DEFAULT_CURVES, this::onCurveSelection);
-        JScrollPane scroll = new JScrollPane(
-                legend,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(null);
         add(toolBar(), BorderLayout.NORTH);
         add(panel, BorderLayout.CENTER);
-        add(scroll, BorderLayout.EAST);
+        add(ScrollablePanel.scrollPane(legend), BorderLayout.EAST);
         onCurveSelection();
         updateReadout();
         session.addListener(this);
@@ -98,17 +88,15 @@ public final class PlotDock extends JPanel implements Session.Listener {
         label.setLabelFor(timeSpan);
         timeSpan.setToolTipText("Stretch of simulated time that is drawn");
         timeSpan.addActionListener(e -> followLatest());
-        resetZoom.setToolTipText("Follow the present again (double click on the plot)");
         resetZoom.setEnabled(false);
-        resetZoom.addActionListener(e -> followLatest());
-        JButton csv = new JButton("CSV...");
-        csv.setToolTipText("Save all samples at hand with the columns of observables.csv");
-        csv.addActionListener(e ->
-                FileDialogs.save(this, "Save samples", "observables.csv").ifPresent(file -> save(file, this::saveCsv)));
-        JButton png = new JButton("PNG...");
-        png.setToolTipText("Save the plot as a picture of twice its size");
-        png.addActionListener(
-                e -> FileDialogs.save(this, "Save plot", "plot.png").ifPresent(file -> save(file, this::savePng)));
+        JButton csv = Controls.button(
+                "CSV...",
+                "Save all recorded samples with the columns of observables.csv",
+                () -> save("Save samples", "observables.csv", this::saveCsv));
+        JButton png = Controls.button(
+                "PNG...",
+                "Save the plot as a picture of twice its size",
+                () -> save("Save plot", "plot.png", this::savePng));
         tools.add(label);
         tools.add(timeSpan);
         tools.add(resetZoom);
@@ -117,12 +105,10 @@ public final class PlotDock extends JPanel implements Session.Listener {
         return tools;
     }
 
-    /**
-     * Also plots the displacement of a vertex of a surface, up positive; of more than four points the oldest is let go.
-     */
+    /** Plots the displacement of a vertex too, up positive; a fifth point replaces the oldest. */
     public void trackPoint(int surface, int vertex) {
         pointTracker.track(surface, vertex).ifPresent(curve -> {
-            historyReader.ring().clearColumn(curve.index());
+            ring.clearColumn(curve.index());
             legend.add(curve, true);
             onCurveSelection();
         });
@@ -147,15 +133,15 @@ public final class PlotDock extends JPanel implements Session.Listener {
 
     @Override
     public void onScene(LiveScene scene) {
-        historyReader.clear();
+        ring.clear();
         pointTracker.reset(scene);
         followLatest();
     }
 
     @Override
     public void onTick(RunStatus status) {
-        boolean any = historyReader.update(session.live().history());
-        pointTracker.record(historyReader.ring());
+        boolean any = ring.update(session.live().history());
+        pointTracker.record(ring);
         long now = System.nanoTime();
         if (any && isShowing() && now - drawnNs >= MIN_REDRAW_NS) {
             drawnNs = now;
@@ -168,9 +154,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
         return chart.chart();
     }
 
-    /** Draws what is at hand. */
     public void draw() {
-        SampleRingBuffer ring = historyReader.ring();
         if (frozen) {
             chart.update(
                     ring, chart.timeAxis().getLowerBound(), chart.timeAxis().getUpperBound());
@@ -190,7 +174,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
         updateReadout();
     }
 
-    /** Time of the recorded frame that is looked at, s; NaN for the present. */
+    /** Time of the recorded frame that is shown, s; NaN for the present. */
     private double historyFrameTime() {
         return session.historyFrame().isPresent()
                 ? session.live().history().frameTime(session.historyFrame().getAsInt())
@@ -198,38 +182,29 @@ public final class PlotDock extends JPanel implements Session.Listener {
     }
 
     private void updateReadout() {
-        SampleRingBuffer ring = historyReader.ring();
         double time = Double.isNaN(panel.cursorTime()) ? historyFrameTime() : panel.cursorTime();
         legend.showValues(ring, Double.isNaN(time) ? ring.size() - 1 : ring.nearest(time));
     }
 
-    private void save(Path file, Consumer<Path> save) {
-        try {
-            save.accept(file);
-            session.note("Saved " + file + ".");
-        } catch (RuntimeException failure) {
-            session.refuse(failure.getMessage());
-        }
+    private void save(String title, String proposed, Consumer<Path> write) {
+        FileDialogs.save(this, title, proposed).ifPresent(file -> {
+            try {
+                write.accept(file);
+                session.note("Saved " + file + ".");
+            } catch (RuntimeException failure) {
+                session.refuse(failure.getMessage());
+            }
+        });
     }
 
-    /** Writes all samples at hand: the columns of {@code observables.csv}, then those of picked points. */
+    /** Writes all recorded samples: the columns of {@code observables.csv}, then those of picked points. */
     public void saveCsv(Path file) {
-        SampleRingBuffer ring = historyReader.ring();
-        List<PlotCurve> columns = new ArrayList<>(pointTracker.curves());
         Map<String, double[]> table = new LinkedHashMap<>();
         for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-            table.put(Observation.COLUMNS.get(c), column(ring, c));
+            table.put(Observation.COLUMNS.get(c), ring.column(c));
         }
-        columns.forEach(curve -> table.put(curve.column(), column(ring, curve.index())));
+        pointTracker.curves().forEach(curve -> table.put(curve.column(), ring.column(curve.index())));
         CsvWriter.write(file, table, CsvWriter.ALL_DIGITS);
-    }
-
-    private static double[] column(SampleRingBuffer ring, int column) {
-        double[] values = new double[ring.size()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = ring.value(column, i);
-        }
-        return values;
     }
 
     private void savePng(Path file) {
@@ -237,11 +212,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
         int height = Math.max(panel.getHeight(), 200);
         BufferedImage picture =
                 chart.chart().createBufferedImage(PNG_SCALE * width, PNG_SCALE * height, width, height, null);
-        AtomicFile.write(file, out -> {
-            if (!ImageIO.write(picture, "png", out)) {
-                throw new IOException("no writer of PNG in this Java");
-            }
-        });
+        PngFile.write(file, picture);
     }
 
     @Override

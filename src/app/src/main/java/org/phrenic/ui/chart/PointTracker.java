@@ -1,8 +1,8 @@
 package org.phrenic.ui.chart;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Frame;
@@ -11,7 +11,7 @@ import org.phrenic.ui.session.Session;
 
 /** Picked points whose way is plotted: vertices of surfaces, and how far up each has come since it was picked. */
 final class PointTracker {
-    private record Track(PlotCurve curve, int surface, int vertex, double[] startHeightMm) {}
+    private record Track(PlotCurve curve, int surface, int vertex, double startHeightMm) {}
 
     private final Session session;
     private final Track[] tracks = new Track[PlotCurve.MAX_POINTS];
@@ -44,20 +44,14 @@ final class PointTracker {
         nextSlot = (nextSlot + 1) % tracks.length;
         Surface picked = scene.surfaces().get(surface);
         PlotCurve curve = PlotCurve.ofPoint(slot);
-        tracks[slot] = new Track(curve, surface, vertex, new double[] {heightMm(picked, surface, vertex)});
+        tracks[slot] = new Track(curve, surface, vertex, heightMm(picked, surface, vertex));
         session.note(curve.label() + " of the plot follows " + picked.name() + ".");
         return Optional.of(curve);
     }
 
     /** Curves of the points that are followed. */
     List<PlotCurve> curves() {
-        List<PlotCurve> curves = new ArrayList<>();
-        for (Track track : tracks) {
-            if (track != null) {
-                curves.add(track.curve);
-            }
-        }
-        return curves;
+        return Arrays.stream(tracks).filter(Objects::nonNull).map(Track::curve).toList();
     }
 
     /** Notes where the points are now. */
@@ -72,7 +66,7 @@ final class PointTracker {
                 ring.set(
                         track.curve.index(),
                         sample,
-                        heightMm(surface, track.surface, track.vertex) - track.startHeightMm[0]);
+                        heightMm(surface, track.surface, track.vertex) - track.startHeightMm);
             }
         }
     }

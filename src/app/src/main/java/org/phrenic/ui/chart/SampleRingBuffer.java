@@ -1,30 +1,28 @@
 package org.phrenic.ui.chart;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.phrenic.simulation.live.RunHistory;
 
-/**
- * The last samples of some columns over time, the oldest of which make way for new ones. Arrays are made once: adding
- * allocates nothing. Used by the event thread alone.
- */
+/** The last samples of some columns over time. Adding a sample allocates nothing. Used on the event dispatch thread. */
 final class SampleRingBuffer {
     private final double[] times;
     private final double[][] columns;
     private int first;
     private int size;
+    private long samplesRead;
 
-    /**
-     * @param columns values of a sample
-     * @param capacity samples that are kept
-     */
+    /** @param capacity samples that are kept */
     SampleRingBuffer(int columns, int capacity) {
         times = new double[capacity];
         this.columns = new double[columns][capacity];
     }
 
-    /** Adds a sample; one that is not later than the last begins a new record. Values that are missing are NaN. */
+    /** Adds a sample; one that is not later than the last clears those before. Missing values become NaN. */
     void add(double time, double[] values) {
         if (size > 0 && time <= time(size - 1)) {
-            clear();
+            first = 0;
+            size = 0;
         }
         int at = index(size);
         if (size == times.length) {
@@ -38,12 +36,48 @@ final class SampleRingBuffer {
         }
     }
 
+    /**
+     * Reads the samples that a history has gained; all of them after a restart of the run.
+     *
+     * @param history null before the first scene
+     * @return whether there are new samples
+     */
+    boolean update(RunHistory history) {
+        if (history == null) {
+            return false;
+        }
+        int count = history.size();
+        long total = history.dropped() + count;
+        boolean restarted = total < samplesRead || (count > 0 && size > 0 && history.time(count - 1) < time(size - 1));
+        if (restarted) {
+            clear();
+        }
+        for (int i = (int) Math.max(0, samplesRead - history.dropped()); i < count; i++) {
+            try {
+                double[] values = history.values(i);
+                add(values[0], values);
+            } catch (IndexOutOfBoundsException restartedMeanwhile) {
+                // The next call reads the restarted run from its beginning.
+                clear();
+                return true;
+            }
+        }
+        boolean any = total > samplesRead || restarted;
+        samplesRead = total;
+        return any;
+    }
+
+    /** All values of a column, the oldest first. */
+    double[] column(int column) {
+        return IntStream.range(0, size).mapToDouble(i -> value(column, i)).toArray();
+    }
+
     /** Sets a value of a sample. */
     void set(int column, int sample, double value) {
         columns[column][index(sample)] = value;
     }
 
-    /** Forgets one column, as if it had never been sampled. */
+    /** Sets all values of a column to NaN. */
     void clearColumn(int column) {
         Arrays.fill(columns[column], Double.NaN);
     }
@@ -51,6 +85,7 @@ final class SampleRingBuffer {
     void clear() {
         first = 0;
         size = 0;
+        samplesRead = 0;
     }
 
     int size() {
@@ -95,32 +130,26 @@ final class SampleRingBuffer {
     }
 
     /**
-     * The curve of a column between two times in no more points than can be drawn. Samples without a value are left
-     * out; where there are more samples than points, each stretch of them leaves its least and its greatest value, so
-     * that no peak is lost.
+     * Writes a column between two times, decimated to the length of {@code x}: where there are more samples than
+     * points, each interval gives its least and its greatest value. NaN values are left out.
      *
-     * @param x gets times
-     * @param y gets values; as long as {@code x}
      * @return points written
      */
     int curve(int column, double from, double to, double[] x, double[] y) {
         int begin = Math.max(0, firstFrom(from) - 1);
         int end = Math.min(size, firstFrom(to) + 1);
         int count = end - begin;
-        int stretches = count <= x.length ? count : x.length / 2;
+        int intervals = count <= x.length ? count : x.length / 2;
         int written = 0;
-        for (int s = 0; s < stretches; s++) {
-            int low = begin + (int) ((long) count * s / stretches);
-            int high = begin + (int) ((long) count * (s + 1) / stretches);
+        for (int s = 0; s < intervals; s++) {
+            int low = begin + (int) ((long) count * s / intervals);
+            int high = begin + (int) ((long) count * (s + 1) / intervals);
             written += extremes(column, low, high, written, x, y);
         }
         return written;
     }
 
-    /**
-     * Writes the least and the greatest value of a stretch, the earlier first; one point if they are the same, none if
-     * it has no values.
-     */
+    /** Writes the least and the greatest value of an interval in their order in time; returns their number, 0 to 2. */
     private int extremes(int column, int low, int high, int at, double[] x, double[] y) {
         int least = -1;
         int greatest = -1;

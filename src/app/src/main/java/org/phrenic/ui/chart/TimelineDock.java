@@ -21,8 +21,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
     private static final int MAX_SAMPLES = 1500;
 
     private final transient Session session;
-    private final transient HistoryReader historyReader =
-            new HistoryReader(new SampleRingBuffer(Observation.COLUMNS.size(), MAX_SAMPLES));
+    private final transient SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), MAX_SAMPLES);
     private final TimelineBar bar = new TimelineBar(this::seek, this::stepFrames);
     private final JButton previousFrame = new JButton("\u25c2");
     private final JButton nextFrame = new JButton("\u25b8");
@@ -81,7 +80,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
 
     @Override
     public void onScene(LiveScene scene) {
-        historyReader.clear();
+        ring.clear();
         refresh();
     }
 
@@ -93,7 +92,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
     @Override
     public void onTick(RunStatus status) {
         RunHistory history = session.live().history();
-        boolean any = historyReader.update(history);
+        boolean any = ring.update(history);
         if (isShowing() && (any || session.historyFrame().isPresent())) {
             refresh();
         }
@@ -115,7 +114,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         double now = session.live().status().timeS();
         double to = Math.max(history.frameTime(frames - 1), scrubbing ? 0 : now);
         double shown = scrubbing ? history.frameTime(session.historyFrame().getAsInt()) : now;
-        bar.setTimeline(from, to, shown, PhaseBands.of(historyReader.ring(), from, to));
+        bar.setTimeline(from, to, shown, PhaseBands.of(ring, from, to));
         time.setText(
                 scrubbing
                         ? String.format(Locale.ROOT, "%.2f s, recorded", shown)

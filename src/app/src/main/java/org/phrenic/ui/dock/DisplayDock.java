@@ -1,14 +1,12 @@
 package org.phrenic.ui.dock;
 
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -26,22 +24,21 @@ import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
- * What else is shown: parts of the model over the surfaces, the shape at rest, colours on a surface, a clip plane, and
- * how well translucent surfaces are sorted.
+ * What else is shown: overlays of the model, the rest shape, a field as colours, a clip plane, order-independent
+ * transparency.
  */
-public final class DisplayDock extends ScrollablePanel {
-    private static final List<String> AXES = List.of("No clip plane", "From the left", "From the front", "From above");
-    private static final int FROM_FRONT = 2;
-    private static final int FROM_ABOVE = 3;
+public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
 
-    /** A structure by its name for people. */
+    /** A structure by its display name. */
     private record StructureItem(String structure, String name) {
         @Override
         public String toString() {
@@ -49,29 +46,59 @@ public final class DisplayDock extends ScrollablePanel {
         }
     }
 
-    private static final int STRAIN = 2;
-    private static final int DISTANCE = 3;
+    /** Side from which a clip plane cuts, along axis 0, 1 or 2; the plane moves with the axis if {@code forwards}. */
+    private enum Clip {
+        NONE("No clip plane", 0, false, null),
+        LEFT("From the left", 0, false, ClipPlane::sagittal),
+        FRONT("From the front", 1, true, ClipPlane::coronal),
+        ABOVE("From above", 2, false, ClipPlane::axial);
+
+        private final String label;
+        private final int axis;
+        private final boolean forwards;
+        private final DoubleFunction<ClipPlane> plane;
+
+        Clip(String label, int axis, boolean forwards, DoubleFunction<ClipPlane> plane) {
+            this.label = label;
+            this.axis = axis;
+            this.forwards = forwards;
+            this.plane = plane;
+        }
+
+        @Override
+        public String toString() {
+            return label;
+        }
+    }
 
     private final transient Session session;
     private final transient AppearanceModel appearance;
     private final transient Supplier<Optional<Path>> chooser;
-    private final JComboBox<String> field = new JComboBox<>(new String[] {
-        "No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label(), "Distance to a surface"
-    });
-    private final JButton reference = new JButton("Surface...");
-    private final JComboBox<StructureItem> structure = new JComboBox<>();
-    private final JTextField minimum = new JTextField("0", 4);
-    private final JTextField maximum = new JTextField("20", 4);
+    private final JComboBox<String> field = Controls.describe(
+            new JComboBox<>(new String[] {
+                "No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label(), "Distance to a surface"
+            }),
+            "Colours show",
+            "What the colours show");
+    private final JButton reference;
+    private final JComboBox<StructureItem> structure = Controls.describe(
+            new JComboBox<>(), "Coloured structure", "Structure that carries the colours and the shape at rest");
+    private final JTextField minimum =
+            Controls.describe(new JTextField("0", 4), "Least value of the colours", "Value of the first colour");
+    private final JTextField maximum =
+            Controls.describe(new JTextField("20", 4), "Greatest value of the colours", "Value of the last colour");
     private final JLabel unit = new JLabel("mm");
-    private final JComboBox<String> clipAxis = new JComboBox<>(AXES.toArray(new String[0]));
-    private final JSlider clipSlider = new JSlider(0, SLIDER_MAX, SLIDER_MAX / 2);
-    private transient double[] box = new double[6];
+    private final JComboBox<Clip> clip =
+            Controls.describe(new JComboBox<>(Clip.values()), "Clip plane", "Cut away what lies beyond a plane");
+    private final JSlider clipSlider = Controls.describe(
+            new JSlider(0, SLIDER_MAX, SLIDER_MAX / 2), "Place of the clip plane", "Where the plane is");
+    private transient double[] bounds = new double[6];
 
     public DisplayDock(Session session, AppearanceModel appearance) {
         this(session, appearance, null);
     }
 
-    /** @param chooser asks for the surface from which distances are measured; null for the usual dialogue */
+    /** @param chooser asks for the surface from which distances are measured; null for a dialog */
     DisplayDock(Session session, AppearanceModel appearance, Supplier<Optional<Path>> chooser) {
         super(new MigLayout("insets 6 8 8 8, gap 6 3, wrap 1, novisualpadding", "[grow, fill]", ""));
         this.session = session;
@@ -79,88 +106,79 @@ public final class DisplayDock extends ScrollablePanel {
         this.chooser = chooser == null
                 ? () -> FileDialogs.open(this, "Surface to measure from", MeshFiles.READABLE.toArray(new String[0]))
                 : chooser;
+        reference = Controls.button(
+                "Surface...",
+                "Surface from which distances are measured, such as the same organ in a scan (LPS, mm)",
+                () -> this.chooser.get().ifPresent(this::readReference));
         setName("show");
+        addOverlays();
+        addColours();
+        addHeading("Clip plane");
+        clipSlider.setEnabled(false);
+        clip.addActionListener(e -> applyClipPlane());
+        clipSlider.addChangeListener(e -> applyClipPlane());
+        add(clip, "wmin 0");
+        add(clipSlider, "wmin 40");
+        addHeading("Translucency");
+        JComboBox<String> sorting = Controls.describe(
+                new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"}),
+                "Quality of translucency",
+                "Sorted is right for organs within organs, and takes longer");
+        sorting.addActionListener(e -> appearance.changeStyle(style ->
+                style.withTransparency(sorting.getSelectedIndex() == 0 ? Transparency.TWO_PASS : Transparency.PEELED)));
+        add(sorting, "wmin 0");
+        session.addListener(this);
+    }
+
+    private void addOverlays() {
         addHeading("Over the surfaces");
         addOverlay(Overlay.Kind.SPRINGS, "Springs", "Springs between nodes");
         addOverlay(Overlay.Kind.RIGID_LINKS, "Rigid links", "Links of constant length between the faces of the sheet");
-        addOverlay(Overlay.Kind.ATTACHMENTS, "Attachments", "Nodes that bone holds");
+        addOverlay(Overlay.Kind.ATTACHMENTS, "Attachments", "Nodes attached to bone");
         addOverlay(Overlay.Kind.FIBRES, "Fibres", "Edges along the muscle's fibres");
         addOverlay(Overlay.Kind.ACTION_LINES, "Action lines", "Lines of muscle force of the paper's material");
         addOverlay(Overlay.Kind.HELICAL_AXES, "Helical axes", "Axes about which ribs and sternum turn");
-        JCheckBox rest = new JCheckBox("Shape at rest");
-        rest.setToolTipText("The shape at end-expiration as a wireframe over the coloured structure");
+        JCheckBox rest = Controls.describe(
+                new JCheckBox("Shape at rest"),
+                "Shape at rest",
+                "The shape at end-expiration as a wireframe over the coloured structure");
         rest.addActionListener(e -> appearance.changeStyle(style -> style.withRestWireframe(rest.isSelected())));
-        add(withAccessibleName(rest, "Shape at rest"));
-        addHeading("Colours on");
-        structure.setToolTipText("Structure that carries the colours and the shape at rest");
-        add(withAccessibleName(structure, "Coloured structure"), "wmin 0");
-        field.setToolTipText("What the colours show");
-        add(withAccessibleName(field, "Colours show"), "wmin 0");
-        reference.setToolTipText(
-                "Surface from which distances are measured, such as the same organ in a scan (LPS, mm)");
-        reference.setVisible(false);
-        add(withAccessibleName(reference, "Surface to measure from"), "wmin 0, hidemode 3");
-        JPanel range = new JPanel(new MigLayout("insets 0, gap 4", "[][grow, fill, 30::]0[]4[grow, fill, 30::][]", ""));
-        minimum.setToolTipText("Value of the first colour");
-        maximum.setToolTipText("Value of the last colour");
-        range.add(new JLabel("Range"));
-        range.add(withAccessibleName(minimum, "Least value of the colours"));
-        range.add(new JLabel(" to"));
-        range.add(withAccessibleName(maximum, "Greatest value of the colours"));
-        range.add(unit);
-        add(range);
-        addHeading("Clip plane");
-        clipAxis.setToolTipText("Cut away what lies beyond a plane");
-        clipSlider.setToolTipText("Where the plane is");
-        add(withAccessibleName(clipAxis, "Clip plane"), "wmin 0");
-        add(withAccessibleName(clipSlider, "Place of the clip plane"), "wmin 40");
-        addHeading("Translucency");
-        JComboBox<String> sorting = new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"});
-        sorting.setToolTipText("Sorted is right for organs within organs, and takes longer");
-        sorting.addActionListener(e -> appearance.changeStyle(style ->
-                style.withTransparency(sorting.getSelectedIndex() == 0 ? Transparency.TWO_PASS : Transparency.PEELED)));
-        add(withAccessibleName(sorting, "Quality of translucency"), "wmin 0");
-        clipSlider.setEnabled(false);
-        addListeners(session);
-    }
-
-    private void addListeners(Session session) {
-        structure.addActionListener(e -> applyColours());
-        field.addActionListener(e -> onFieldSelected());
-        reference.addActionListener(e -> chooser.get().ifPresent(this::readReference));
-        minimum.addActionListener(e -> applyColours());
-        maximum.addActionListener(e -> applyColours());
-        clipAxis.addActionListener(e -> applyClipPlane());
-        clipSlider.addChangeListener(e -> applyClipPlane());
-        session.addListener(new Session.Listener() {
-            @Override
-            public void onScene(LiveScene scene) {
-                onSceneLoaded(scene);
-            }
-        });
-    }
-
-    private void addHeading(String text) {
-        JLabel label = new JLabel(text);
-        label.putClientProperty("FlatLaf.styleClass", "h4");
-        add(label, getComponentCount() == 0 ? "" : "gaptop 8");
-    }
-
-    private static <C extends JComponent> C withAccessibleName(C component, String name) {
-        component.setName(name);
-        component.getAccessibleContext().setAccessibleName(name);
-        return component;
+        add(rest);
     }
 
     private void addOverlay(Overlay.Kind kind, String label, String tip) {
-        JCheckBox box = new JCheckBox(label);
-        box.setToolTipText(tip);
+        JCheckBox box = Controls.describe(new JCheckBox(label), label, tip);
         box.addActionListener(e -> appearance.changeStyle(style -> style.withOverlay(kind, box.isSelected())));
-        add(withAccessibleName(box, label));
+        add(box);
     }
 
-    private void onSceneLoaded(LiveScene scene) {
-        box = SceneBounds.of(scene.surfaces());
+    private void addColours() {
+        Controls.describe(reference, "Surface to measure from", reference.getToolTipText());
+        reference.setVisible(false);
+        structure.addActionListener(e -> applyColours());
+        field.addActionListener(e -> onFieldSelected());
+        minimum.addActionListener(e -> applyColours());
+        maximum.addActionListener(e -> applyColours());
+        JPanel range = new JPanel(new MigLayout("insets 0, gap 4", "[][grow, fill, 30::]0[]4[grow, fill, 30::][]", ""));
+        range.add(new JLabel("Range"));
+        range.add(minimum);
+        range.add(new JLabel(" to"));
+        range.add(maximum);
+        range.add(unit);
+        addHeading("Colours on");
+        add(structure, "wmin 0");
+        add(field, "wmin 0");
+        add(reference, "wmin 0, hidemode 3");
+        add(range);
+    }
+
+    private void addHeading(String text) {
+        add(Controls.heading(text), getComponentCount() == 0 ? "" : "gaptop 8");
+    }
+
+    @Override
+    public void onScene(LiveScene scene) {
+        bounds = SceneBounds.of(scene.surfaces());
         Object before = structure.getSelectedItem();
         structure.removeAllItems();
         scene.surfaces().stream()
@@ -171,14 +189,23 @@ public final class DisplayDock extends ScrollablePanel {
         }
     }
 
+    private ColourField selectedField() {
+        return switch (field.getSelectedIndex()) {
+            case 1 -> ColourField.DISPLACEMENT;
+            case 2 -> ColourField.STRAIN;
+            case 3 -> ColourField.DISTANCE;
+            default -> ColourField.NONE;
+        };
+    }
+
     private void onFieldSelected() {
-        boolean strain = field.getSelectedIndex() == STRAIN;
+        ColourField selected = selectedField();
+        boolean strain = selected == ColourField.STRAIN;
         minimum.setText(strain ? "-30" : "0");
         maximum.setText(strain ? "30" : "20");
         unit.setText(strain ? "%" : "mm");
-        boolean distance = field.getSelectedIndex() == DISTANCE;
-        reference.setVisible(distance);
-        if (distance && appearance.reference().isEmpty()) {
+        reference.setVisible(selected == ColourField.DISTANCE);
+        if (selected == ColourField.DISTANCE && appearance.reference().isEmpty()) {
             chooser.get().ifPresentOrElse(this::readReference, () -> field.setSelectedIndex(0));
         } else {
             applyColours();
@@ -209,50 +236,43 @@ public final class DisplayDock extends ScrollablePanel {
         if (chosen == null) {
             return;
         }
-        ColourField what =
-                switch (field.getSelectedIndex()) {
-                    case 1 -> ColourField.DISPLACEMENT;
-                    case STRAIN -> ColourField.STRAIN;
-                    case DISTANCE -> appearance.reference().isPresent() ? ColourField.DISTANCE : ColourField.NONE;
-                    default -> ColourField.NONE;
-                };
-        Optional<ColourScale> scale = scale(what);
+        ColourField selected = selectedField();
+        boolean unmeasured =
+                selected == ColourField.DISTANCE && appearance.reference().isEmpty();
+        ColourField shown = unmeasured ? ColourField.NONE : selected;
+        Optional<ColourScale> scale = scale(shown);
         minimum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         maximum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
-        scale.ifPresent(colours -> appearance.changeStyle(style -> style.withField(what, chosen.structure(), colours)));
+        scale.ifPresent(
+                colours -> appearance.changeStyle(style -> style.withField(shown, chosen.structure(), colours)));
     }
 
-    private Optional<ColourScale> scale(ColourField what) {
+    private Optional<ColourScale> scale(ColourField shown) {
         try {
             double from = Double.parseDouble(minimum.getText().strip());
             double to = Double.parseDouble(maximum.getText().strip());
             ColourScale scale =
-                    what == ColourField.STRAIN ? ColourScale.diverging(1, "%") : ColourScale.sequential(1, "mm");
+                    shown == ColourField.STRAIN ? ColourScale.diverging(1, "%") : ColourScale.sequential(1, "mm");
             return Optional.of(scale.withRange(from, to));
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
     }
 
+    /** Sets the clip plane: at the left end of the slider nothing is cut away, at the right end everything. */
     private void applyClipPlane() {
-        int which = clipAxis.getSelectedIndex();
-        clipSlider.setEnabled(which > 0);
-        if (which == 0) {
+        Clip selected = (Clip) clip.getSelectedItem();
+        clipSlider.setEnabled(selected != Clip.NONE);
+        if (selected == Clip.NONE) {
             appearance.changeStyle(style -> style.withClip(Optional.empty()));
             return;
         }
-        // The slider goes from nothing cut away to all of it; from the front it cuts from low y to high.
-        double gone = clipSlider.getValue() / (double) SLIDER_MAX;
-        int along = which - 1;
-        double share = which == FROM_FRONT ? gone : 1 - gone;
-        double place = box[along] + share * (box[3 + along] - box[along]);
-        clipSlider.setToolTipText(String.format(Locale.ROOT, "Where the plane is: %.0f mm", place));
-        ClipPlane plane =
-                switch (which) {
-                    case FROM_FRONT -> ClipPlane.coronal(place);
-                    case FROM_ABOVE -> ClipPlane.axial(place);
-                    default -> ClipPlane.sagittal(place);
-                };
+        double removed = clipSlider.getValue() / (double) SLIDER_MAX;
+        double share = selected.forwards ? removed : 1 - removed;
+        double low = bounds[selected.axis];
+        double place = low + share * (bounds[3 + selected.axis] - low);
+        clipSlider.setToolTipText(NumberFormats.text("Where the plane is: %.0f mm", place));
+        ClipPlane plane = selected.plane.apply(place);
         appearance.changeStyle(style -> style.withClip(Optional.of(plane)));
     }
 }

@@ -2,18 +2,13 @@ package org.phrenic.ui.dock;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
-import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.Icon;
+import java.util.function.UnaryOperator;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JColorChooser;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
@@ -22,14 +17,17 @@ import org.phrenic.scene.style.Appearance;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Swatch;
 import org.phrenic.ui.widget.Theme;
 
-/** The organs, a row a group: shown or not, colour, opacity, surface or wireframe. */
+/** A row for each group of organs: visibility, colour, opacity, surface or wireframe. */
 public final class OrgansDock extends ScrollablePanel {
     private static final int PERCENT = 100;
     private static final int OPACITY_WIDTH = 72;
+    private static final int SWATCH_SIZE = 14;
 
     private record GroupRow(AppearanceModel.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
 
@@ -51,7 +49,6 @@ public final class OrgansDock extends ScrollablePanel {
         appearance.addListener(this::refresh);
     }
 
-    /** Rows for the groups that the scene has. */
     private void createRows() {
         if (shownGroups.equals(appearance.groups())) {
             return;
@@ -62,9 +59,7 @@ public final class OrgansDock extends ScrollablePanel {
         for (AppearanceModel.Group group : shownGroups) {
             addRow(group);
         }
-        JButton reset = new JButton("As in an atlas");
-        reset.setToolTipText("All organs as they were at first");
-        reset.addActionListener(e -> appearance.reset());
+        JButton reset = Controls.button("As in an atlas", "The default appearance of all organs", appearance::reset);
         add(reset, "gaptop 6, growx 0, alignx left");
         refresh();
         revalidate();
@@ -73,20 +68,19 @@ public final class OrgansDock extends ScrollablePanel {
 
     private void addRow(AppearanceModel.Group group) {
         String label = group.label();
-        JCheckBox visible = describe(new JCheckBox(label), label + " visible", "Show or hide: " + label);
+        JCheckBox visible = Controls.describe(new JCheckBox(label), label + " visible", "Show or hide: " + label);
         visible.addActionListener(e -> change(group, look -> look.withVisible(visible.isSelected())));
-        JButton colour = describe(new JButton(new Swatch(group)), label + " colour", "Colour of: " + label);
-        colour.putClientProperty("JButton.buttonType", "toolBarButton");
-        colour.addActionListener(e -> pickColour(group));
-        JSlider opacity = describe(new JSlider(0, PERCENT), label + " opacity", "Opacity in percent: " + label);
+        JButton colour = Controls.iconButton(swatch(group), label + " colour", () -> pickColour(group));
+        colour.setToolTipText("Colour of: " + label);
+        JSlider opacity =
+                Controls.describe(new JSlider(0, PERCENT), label + " opacity", "Opacity in percent: " + label);
         opacity.addChangeListener(e -> {
             if (!updating) {
                 change(group, look -> look.withOpacity(opacity.getValue() / (float) PERCENT));
             }
         });
-        JToggleButton wire =
-                describe(new JToggleButton(Icons.MESH), label + " wireframe", "Surface or wireframe: " + label);
-        wire.putClientProperty("JButton.buttonType", "toolBarButton");
+        JToggleButton wire = Controls.flat(new JToggleButton(Icons.MESH));
+        Controls.describe(wire, label + " wireframe", "Surface or wireframe: " + label);
         wire.addActionListener(e -> change(group, look -> look.withWireframe(wire.isSelected())));
         opacity.setPreferredSize(new Dimension(OPACITY_WIDTH, opacity.getPreferredSize().height));
         JPanel tools = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", "[][][]", "[center]"));
@@ -100,14 +94,7 @@ public final class OrgansDock extends ScrollablePanel {
         add(row, "wmin 0");
     }
 
-    private static <C extends JComponent> C describe(C component, String name, String tip) {
-        component.setName(name);
-        component.setToolTipText(tip);
-        component.getAccessibleContext().setAccessibleName(name);
-        return component;
-    }
-
-    private void change(AppearanceModel.Group group, java.util.function.UnaryOperator<Appearance> change) {
+    private void change(AppearanceModel.Group group, UnaryOperator<Appearance> change) {
         if (!updating) {
             appearance.changeGroup(group, change);
         }
@@ -129,7 +116,6 @@ public final class OrgansDock extends ScrollablePanel {
                 .orElse(Color.GRAY);
     }
 
-    /** Shows what is chosen now, whoever chose it. */
     private void refresh() {
         updating = true;
         for (GroupRow row : rows) {
@@ -143,34 +129,12 @@ public final class OrgansDock extends ScrollablePanel {
         repaint();
     }
 
-    /** A spot of a group's colour. */
-    private final class Swatch implements Icon {
-        private static final int SIZE = 14;
-        private final AppearanceModel.Group group;
-
-        Swatch(AppearanceModel.Group group) {
-            this.group = group;
-        }
-
-        @Override
-        public void paintIcon(Component c, Graphics graphics, int x, int y) {
-            Graphics2D g = (Graphics2D) graphics.create();
-            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    private Swatch swatch(AppearanceModel.Group group) {
+        return new Swatch(SWATCH_SIZE, SWATCH_SIZE, g -> {
             g.setColor(colour(group));
-            g.fillRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
+            g.fillRoundRect(0, 0, SWATCH_SIZE - 1, SWATCH_SIZE - 1, 5, 5);
             g.setColor(Theme.BORDER);
-            g.drawRoundRect(x, y, SIZE - 1, SIZE - 1, 5, 5);
-            g.dispose();
-        }
-
-        @Override
-        public int getIconWidth() {
-            return SIZE;
-        }
-
-        @Override
-        public int getIconHeight() {
-            return SIZE;
-        }
+            g.drawRoundRect(0, 0, SWATCH_SIZE - 1, SWATCH_SIZE - 1, 5, 5);
+        });
     }
 }
