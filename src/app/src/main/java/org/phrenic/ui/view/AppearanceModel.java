@@ -1,6 +1,7 @@
 package org.phrenic.ui.view;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -14,11 +15,11 @@ import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How the scene is to look: what was chosen in the organs dock, kept over changes of the scene and of light and dark.
- * On the event dispatch thread.
+ * The style of the scene as chosen by the user, kept when the scene or the look and feel changes. Used on the event
+ * dispatch thread.
  */
 public final class AppearanceModel {
-    /** Structures that are chosen together. */
+    /** Structures that share their settings. */
     public enum Group {
         SKIN("Skin"),
         RIBS("Ribs"),
@@ -67,47 +68,44 @@ public final class AppearanceModel {
     private Optional<AccessMapField> accessColours = Optional.empty();
     private UnaryOperator<SceneStyle> overrideStyle = UnaryOperator.identity();
 
-    /** Told after every change. */
     public void addListener(Runnable listener) {
         listeners.add(listener);
     }
 
-    /** As it is seen: as it was chosen, and dressed over that. */
+    /** The style with the override applied. */
     public SceneStyle style() {
         return overrideStyle.apply(style);
     }
 
-    /** Dresses the style for a purpose, over what is chosen; nothing of that is lost. */
+    /** Sets a change that is applied over the chosen style, and a map that colours the skin. */
     public void overrideStyle(UnaryOperator<SceneStyle> over, Optional<AccessMapField> colours) {
         overrideStyle = over;
         accessColours = colours;
         fireChange();
     }
 
-    /** The map that colours the skin; empty for none. */
     Optional<AccessMapField> accessColours() {
         return accessColours;
     }
 
-    /** What distances are measured from; empty for nothing. */
+    /** The surface from which distances are measured. */
     public Optional<DistanceField> reference() {
         return reference;
     }
 
-    /** Measures distances from a surface from now on. */
     public void setReference(DistanceField surface) {
         reference = Optional.of(surface);
         fireChange();
     }
 
-    /** Groups that the scene has. */
+    /** Groups of the scene. */
     public List<Group> groups() {
-        return java.util.Arrays.stream(Group.values())
+        return Arrays.stream(Group.values())
                 .filter(group -> surfaces.stream().anyMatch(group::contains))
                 .toList();
     }
 
-    /** Look of a group: that of its first structure. */
+    /** Appearance of a group: that of its first structure. */
     public Optional<Appearance> appearance(Group group) {
         return surfaces.stream()
                 .filter(group::contains)
@@ -115,7 +113,7 @@ public final class AppearanceModel {
                 .flatMap(surface -> style.appearance(surface.name()));
     }
 
-    /** Another scene: what was chosen is chosen for it too. */
+    /** Takes over the surfaces of another scene; what was chosen applies to them too. */
     public void setSurfaces(List<Surface> others) {
         surfaces = others;
         SceneStyle atlas = SceneStyle.atlas(others);
@@ -124,7 +122,6 @@ public final class AppearanceModel {
         fireChange();
     }
 
-    /** What belongs to no structure goes over to the structures of another scene. */
     private static SceneStyle carryOver(SceneStyle before, SceneStyle atlas) {
         return atlas.withBackground(before.background())
                 .withRestWireframe(before.restWireframe())
@@ -135,7 +132,7 @@ public final class AppearanceModel {
                 .withSamples(before.samples());
     }
 
-    /** Changes the look of all structures of a group. */
+    /** Changes the appearance of all structures of a group. */
     public void changeGroup(Group group, UnaryOperator<Appearance> change) {
         groupChanges.merge(group, change, (before, then) -> look -> then.apply(before.apply(look)));
         apply(group, change);
@@ -144,22 +141,20 @@ public final class AppearanceModel {
 
     private void apply(Group group, UnaryOperator<Appearance> change) {
         for (Surface surface : surfaces) {
-            if (group.contains(surface)) {
-                Optional<Appearance> before = style.appearance(surface.name());
-                if (before.isPresent()) {
-                    style = style.withAppearance(surface.name(), change.apply(before.get()));
-                }
+            Optional<Appearance> before = group.contains(surface) ? style.appearance(surface.name()) : Optional.empty();
+            if (before.isPresent()) {
+                style = style.withAppearance(surface.name(), change.apply(before.get()));
             }
         }
     }
 
-    /** Changes what is no group's. */
+    /** Changes the style apart from the structures. */
     public void changeStyle(UnaryOperator<SceneStyle> change) {
         style = change.apply(style);
         fireChange();
     }
 
-    /** All as it was at first, but light or dark. */
+    /** Restores the default style, except the background. */
     public void reset() {
         groupChanges.clear();
         style = SceneStyle.atlas(surfaces).withBackground(style.background());
@@ -170,7 +165,7 @@ public final class AppearanceModel {
         listeners.forEach(Runnable::run);
     }
 
-    /** How opaque a surface is drawn; 0 if it is hidden. */
+    /** Opacity of a surface; 0 if it is hidden. */
     static double opacity(SceneStyle style, Surface surface) {
         return style.appearance(surface.name())
                 .filter(Appearance::visible)

@@ -7,8 +7,8 @@ import java.awt.event.MouseWheelEvent;
 import javax.swing.SwingUtilities;
 
 /**
- * The mouse in the view: left drag turns, middle or shift drag moves, the wheel enlarges towards the cursor, a click
- * names, a double click turns the view about that place.
+ * The mouse in the view: left drag orbits, middle or shift drag pans, the wheel zooms towards the cursor, a click names
+ * the structure, a double click makes it the centre of rotation.
  */
 final class CameraController extends MouseAdapter {
     private static final double DEGREES_PER_PIXEL = 0.4;

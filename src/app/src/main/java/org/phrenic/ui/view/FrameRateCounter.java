@@ -1,6 +1,6 @@
 package org.phrenic.ui.view;
 
-/** Counts pictures over the last second. */
+/** Counts frames over the last second. */
 final class FrameRateCounter {
     private static final int MAX_FRAMES = 128;
     private static final long WINDOW_NS = 1_000_000_000L;
@@ -8,12 +8,11 @@ final class FrameRateCounter {
     private final long[] times = new long[MAX_FRAMES];
     private int count;
 
-    /** A picture at this time. */
     void count(long nowNs) {
         times[count++ % MAX_FRAMES] = nowNs;
     }
 
-    /** Pictures in the second before this time. */
+    /** Frames in the second before this time. */
     double perSecond(long nowNs) {
         int seen = 0;
         for (int i = 1; i <= Math.min(count, MAX_FRAMES); i++) {

@@ -30,27 +30,27 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Draws the scene on a thread of its own, so that neither the window nor the simulation waits for a picture: a picture
- * is drawn when there is a new frame, or when camera or style changed, and at most {@value #MAX_FRAMES_PER_S} times a
- * second. Where the processor draws, pictures come less often while the simulation cannot keep its pace, down to one in
- * {@value #MAX_FRAME_MS} ms. Everything about OpenGL stays on this thread.
+ * Draws the scene on a thread of its own, so that neither the window nor the simulation waits for a frame: one is drawn
+ * when the simulation has a new one, or camera or style change, at most {@value #MAX_FRAMES_PER_S} times per second.
+ * With a software renderer frames become rarer while the simulation is behind its pace, down to one in
+ * {@value #MAX_FRAME_MS} ms. All OpenGL calls are made on this thread.
  */
 public final class RenderLoop implements AutoCloseable {
-    /** Told what was drawn; on the drawing thread. */
+    /** Called on the render thread. */
     interface Listener {
         void onFrame(RenderedFrame picture);
 
-        /** Pictures can be made, by this. */
+        /** The renderer is ready. */
         void onReady(GraphicsInfo info);
 
-        /** No picture can be made on this machine, and why. */
+        /** Nothing can be drawn on this machine, for this reason. */
         void onUnavailable(String sentence);
     }
 
-    /** Of what the distances are that the renderer holds. */
+    /** Identifies the distances that the renderer holds. */
     private record DistanceKey(long scene, long step, DistanceField from, String structure) {}
 
-    /** What is shown besides the scene; asked on the drawing thread before each picture. */
+    /** Gives the needle and target of a frame; called on the render thread. */
     public interface MarkSource {
         Optional<NeedleMarkers> current();
     }
@@ -64,7 +64,7 @@ public final class RenderLoop implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
     private final LiveRun live;
-    private final Listener viewer;
+    private final Listener listener;
     private volatile MarkSource markSource = Optional::empty;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
@@ -85,9 +85,9 @@ public final class RenderLoop implements AutoCloseable {
     private long drawnVersion;
     private long minFrameNs = MIN_FRAME_NS;
 
-    RenderLoop(LiveRun live, Listener viewer) {
+    RenderLoop(LiveRun live, Listener listener) {
         this.live = live;
-        this.viewer = viewer;
+        this.listener = listener;
         thread.setDaemon(true);
     }
 
@@ -95,7 +95,7 @@ public final class RenderLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** Asks for another picture; of several asked for in a row the last counts. */
+    /** Requests a frame; the last request counts. */
     void request(RenderRequest wanted) {
         update(() -> {
             requested = wanted;
@@ -103,17 +103,16 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /** From now on shows what this says besides the scene. */
     void setMarkSource(MarkSource with) {
         update(() -> markSource = with);
     }
 
-    /** Does something with what draws, on the drawing thread. */
+    /** Runs a task on the render thread. */
     void runTask(Consumer<OffscreenContext> what) {
         update(() -> tasks.add(what));
     }
 
-    /** Makes a picture of the frame at hand of any size; {@code done} is told on the drawing thread. */
+    /** Draws the present frame at any size; {@code done} gets it on the render thread. */
     void snapshot(Camera camera, SceneStyle style, int width, int height, Consumer<BufferedImage> done) {
         update(() -> tasks.add(gl -> {
             if (renderer != null) {
@@ -123,7 +122,7 @@ public final class RenderLoop implements AutoCloseable {
         }));
     }
 
-    /** Looks for what lies under a pixel, as opaque as it is said to be; {@code done} is told on the drawing thread. */
+    /** Picks the surface under a pixel; {@code done} gets the result on the render thread. */
     void pick(
             double px,
             double py,
@@ -154,13 +153,13 @@ public final class RenderLoop implements AutoCloseable {
     private void run() {
         try (OffscreenContext gl = OffscreenContext.open()) {
             LOG.log(System.Logger.Level.INFO, "Pictures by {0}", gl.info());
-            viewer.onReady(gl.info());
+            listener.onReady(gl.info());
             loop(gl);
         } catch (NoGraphicsException e) {
-            viewer.onUnavailable(e.getMessage());
+            listener.onUnavailable(e.getMessage());
         } catch (RuntimeException e) {
             LOG.log(System.Logger.Level.ERROR, "The view stopped", e);
-            viewer.onUnavailable("The view stopped (" + e.getMessage() + "); everything else goes on.");
+            listener.onUnavailable("The view stopped (" + e.getMessage() + "); everything else goes on.");
         }
     }
 
@@ -198,23 +197,22 @@ public final class RenderLoop implements AutoCloseable {
             if (busy) {
                 adaptFrameRate(gl.info());
             }
-            park(busy ? Math.max(0, minFrameNs - (System.nanoTime() - begun)) : POLL_NS);
+            LockSupport.parkNanos(busy ? Math.max(0, minFrameNs - (System.nanoTime() - begun)) : POLL_NS);
         }
     }
 
-    /** Where pictures cost the simulation its time, they become rarer at once and slowly more often again. */
+    /** Lengthens the frame interval at once while the simulation is behind, and shortens it slowly again. */
     private void adaptFrameRate(GraphicsInfo info) {
         long wanted = minFrameNs + (live.isBehindRealTime() ? SLOW_DOWN_NS : -SPEED_UP_NS);
         minFrameNs =
                 info.software() ? Math.max(MIN_FRAME_NS, Math.min(MAX_FRAME_MS * 1_000_000, wanted)) : MIN_FRAME_NS;
     }
 
-    /** Takes back the image of a picture that is no longer shown. */
+    /** Releases the image of a frame that is no longer shown. */
     void release(RenderedFrame old) {
         imagePool.release(old.image());
     }
 
-    /** Takes over the scene that is asked for, before anything is drawn of it or looked for in it. */
     private void setScene(OffscreenContext gl, LiveScene wanted) {
         if (scene == null || scene.id() != wanted.id()) {
             scene = wanted;
@@ -230,7 +228,7 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    /** Draws if there is anything new. */
+    /** Draws if anything has changed. */
     private boolean draw(OffscreenContext gl, RenderRequest wanted, boolean asAsked, BufferedImage canvas) {
         boolean fresh = wanted.historyFrame() < 0
                 ? live.copyNewestFrame(frame)
@@ -256,12 +254,11 @@ public final class RenderLoop implements AutoCloseable {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);
         });
-        viewer.onFrame(
+        listener.onFrame(
                 new RenderedFrame(canvas, wanted, frame.step(), timeText(wanted), shownMarks, renderer.statistics()));
         return true;
     }
 
-    /** Colours a structure by its distances, unless they are those of the last picture. */
     private void colourByDistance(DistanceField field, String structure) {
         DistanceKey now = new DistanceKey(scene.id(), frame.step(), field, structure);
         if (!now.equals(shownDistances)) {
@@ -280,12 +277,7 @@ public final class RenderLoop implements AutoCloseable {
         return history != null && history.frame(index, frame);
     }
 
-    /** Waits so long, or until there is something to do; {@link #update} wakes it. */
-    private static void park(long ns) {
-        LockSupport.parkNanos(ns);
-    }
-
-    /** Ends the thread; what it held of the driver goes with it. */
+    /** Ends the thread and releases the OpenGL context. */
     @Override
     public void close() {
         update(() -> closed = true);

@@ -10,14 +10,11 @@ import org.phrenic.simulation.live.LiveScene;
 /**
  * What the view should show.
  *
- * @param scene whose surfaces
- * @param camera from where
- * @param style how
- * @param reference what distances are measured from; empty for nothing
- * @param accessColours map that colours the skin; empty for none
- * @param width of the picture, pixels of the device
- * @param height as above
- * @param historyFrame frame of the history; -1 for the present
+ * @param reference surface from which distances are measured
+ * @param accessColours map that colours the skin
+ * @param width of the frame, device pixels
+ * @param height of the frame, device pixels
+ * @param historyFrame recorded frame; -1 for the present
  */
 record RenderRequest(
         LiveScene scene,

@@ -6,12 +6,10 @@ import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.gl.FrameStatistics;
 
 /**
- * A picture of the scene and what it was made of.
+ * A drawn frame.
  *
- * @param image pixels
- * @param request what was asked for
- * @param step of the simulation that is shown
- * @param timeText time and place in the breath
+ * @param step simulation step that is shown
+ * @param timeText time and phase of the breath
  * @param needleMarks needle and target in it
  * @param cost of drawing it
  */

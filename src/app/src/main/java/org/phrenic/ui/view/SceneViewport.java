@@ -1,14 +1,11 @@
 package org.phrenic.ui.view;
 
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseWheelEvent;
-import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -27,20 +24,18 @@ import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.widget.Theme;
 
 /**
- * The thorax, as it breathes. The picture itself comes from a {@link RenderLoop}, drawn into a framebuffer on another
- * thread at the pixels of the device; here it is put on the screen with its annotations over it, which takes a few
- * milliseconds of the event dispatch thread. So menus and cards stay above the view on every platform, and a slow
- * driver slows nothing but the view.
+ * The 3D view. A {@link RenderLoop} draws frames into a framebuffer on another thread, at the resolution of the device;
+ * painting a frame with its annotations takes a few milliseconds of the event dispatch thread. So lightweight
+ * components stay above the view on every platform, and a slow driver slows nothing but the view.
  */
 public final class SceneViewport extends JPanel {
     private final transient Session session;
     private final transient AppearanceModel appearance;
     private final transient RenderLoop renderLoop;
     private final transient FrameRateCounter frameRate = new FrameRateCounter();
-    private final transient AnnotationLayer annotations = new AnnotationLayer();
+    private final transient ViewportPainter painter = new ViewportPainter(this);
     private transient Camera camera = Camera.of(AnatomicalView.ANTERIOR, new double[6]);
     private transient Camera homeCamera = camera;
     private transient LiveScene scene;
@@ -86,9 +81,8 @@ public final class SceneViewport extends JPanel {
     }
 
     private void setScene(LiveScene now) {
-        boolean first = scene == null;
-        boolean otherBody =
-                first || !scene.scenario().anatomy().equals(now.scenario().anatomy());
+        boolean otherBody = scene == null
+                || !scene.scenario().anatomy().equals(now.scenario().anatomy());
         scene = now;
         appearance.setSurfaces(now.surfaces());
         if (otherBody) {
@@ -108,7 +102,7 @@ public final class SceneViewport extends JPanel {
         requestFrame();
     }
 
-    /** The camera as at first. */
+    /** Goes back to the initial camera. */
     public void resetCamera() {
         if (scene != null && getHeight() > 0) {
             homeCamera = Camera.of(
@@ -117,7 +111,7 @@ public final class SceneViewport extends JPanel {
         setCamera(homeCamera);
     }
 
-    /** Told what is pointed at, in one line. */
+    /** Sets what gets the name and the place of a picked structure. */
     public void setPickListener(Consumer<String> listener) {
         pickListener = listener;
     }
@@ -147,18 +141,18 @@ public final class SceneViewport extends JPanel {
         }
     }
 
-    /** What the mouse does besides turning, moving and naming. */
+    /** Clicks and wheel turns that are not for the camera. */
     public interface MouseTool {
-        /** Whether the next click is for this. */
+        /** Whether the next click is for this tool. */
         boolean isPicking();
 
-        /** How well a surface catches a click that is awaited; 0 for not at all. */
+        /** Opacity of a surface for the pick; 0 lets the ray through. */
         double pickOpacity(Surface surface);
 
-        /** What was clicked on; empty for nothing of what is sought. */
+        /** Takes the result of the pick; empty if the ray hits nothing. */
         void picked(Optional<PickResult> found);
 
-        /** The wheel was turned; says whether that was for this. */
+        /** Takes a turn of the wheel; false if it is for the camera. */
         boolean wheelTurned(MouseWheelEvent e);
     }
 
@@ -170,17 +164,16 @@ public final class SceneViewport extends JPanel {
         return tool;
     }
 
-    /** Shows needle and target from now on. */
     public void setMarkSource(RenderLoop.MarkSource marks) {
         renderLoop.setMarkSource(marks);
     }
 
-    /** Does something with what draws, on the drawing thread. */
+    /** Runs a task on the render thread. */
     public void runTask(Consumer<OffscreenContext> what) {
         renderLoop.runTask(what);
     }
 
-    /** A click: for the tool if that awaits one, else it names. */
+    /** A click: for the tool if it is picking, else it names the structure. */
     void click(int x, int y, boolean twice) {
         if (tool.isPresent() && tool.get().isPicking() && scene != null) {
             MouseTool awaiting = tool.get();
@@ -196,7 +189,7 @@ public final class SceneViewport extends JPanel {
         }
     }
 
-    /** Says what lies under a pixel; turns about it from now on if {@code turnAbout}. */
+    /** Names the structure under a pixel; {@code turnAbout} makes it the centre of rotation. */
     public void pick(int x, int y, boolean turnAbout) {
         if (scene == null) {
             return;
@@ -220,7 +213,7 @@ public final class SceneViewport extends JPanel {
                 }));
     }
 
-    /** Makes a picture to be kept, with its annotations; {@code done} is told on the drawing thread. */
+    /** Draws an image with annotations; {@code done} gets it on the render thread. */
     public void snapshot(int width, int height, Consumer<BufferedImage> done) {
         Camera now = camera;
         Annotations marks = annotationsFor("");
@@ -239,27 +232,27 @@ public final class SceneViewport extends JPanel {
                 : plain.withScale(style.field().label(), style.scale());
     }
 
-    /** Pictures a second; 0 while nothing moves. */
+    /** Frames per second; 0 while nothing moves. */
     public double framesPerS() {
         return frameRate.perSecond(System.nanoTime());
     }
 
-    /** Pictures put on the screen so far. */
+    /** Frames shown so far. */
     public long frameCount() {
         return frameCount;
     }
 
-    /** Whether this machine can make no picture. */
+    /** Whether nothing can be drawn on this machine. */
     public boolean isUnavailable() {
         return unavailable;
     }
 
-    /** Step of the simulation that is on the screen; -1 before the first picture. */
+    /** Simulation step of the frame shown; -1 before the first frame. */
     public long shownStep() {
         return frame == null ? -1 : frame.step();
     }
 
-    /** Says what is being waited for. */
+    /** Sets the text that is shown before the first frame. */
     public void setPlaceholder(String text) {
         if (!unavailable) {
             placeholder = text;
@@ -273,60 +266,23 @@ public final class SceneViewport extends JPanel {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         if (frame == null) {
-            paintPlaceholder(g);
+            painter.paintPlaceholder(g, placeholder);
         } else {
-            paintPicture(g, frame);
+            painter.paint(g, frame, annotationsFor(frame.timeText()));
         }
         g.dispose();
     }
 
-    private void paintPicture(Graphics2D g, RenderedFrame now) {
-        BufferedImage image = now.image();
-        AffineTransform device = g.getTransform();
-        boolean same = image.getWidth() == Math.round(getWidth() * device.getScaleX())
-                && image.getHeight() == Math.round(getHeight() * device.getScaleY());
-        if (same) {
-            g.drawImage(image, AffineTransform.getScaleInstance(1 / device.getScaleX(), 1 / device.getScaleY()), null);
-        } else {
-            // Until a picture of the new size is there: the old one in the middle, not distorted.
-            double fit = (double) getHeight() / image.getHeight();
-            g.setColor(new Color(image.getRGB(0, 0)));
-            g.fillRect(0, 0, getWidth(), getHeight());
-            AffineTransform place = AffineTransform.getTranslateInstance((getWidth() - fit * image.getWidth()) / 2, 0);
-            place.scale(fit, fit);
-            g.drawImage(image, place, null);
-        }
-        if (same) {
-            now.needleMarks()
-                    .ifPresent(marks -> marks.drawOutlines(g, now.request().camera(), getWidth(), getHeight()));
-        }
-        annotations.draw(g, this, annotationsFor(now.timeText()), now.request().camera());
-    }
-
-    private void paintPlaceholder(Graphics2D g) {
-        g.setColor(Theme.VIEW_BACKGROUND);
-        g.fillRect(0, 0, getWidth(), getHeight());
-        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setColor(Theme.SECONDARY_TEXT);
-        g.setFont(getFont() == null ? g.getFont() : getFont());
-        int y = getHeight() / 2;
-        for (String line : LineBreaker.wrap(placeholder, g.getFontMetrics(), Math.max(80, getWidth() - 80))) {
-            g.drawString(line, (getWidth() - g.getFontMetrics().stringWidth(line)) / 2, y);
-            y += g.getFontMetrics().getHeight();
-        }
-    }
-
-    /** What was clicked last. */
+    /** The structure picked last. */
     public Optional<PickResult> picked() {
         return picked;
     }
 
-    /** What draws; empty until it is known. */
+    /** The renderer; empty until it is known. */
     public Optional<String> graphicsInfo() {
         return graphicsInfo;
     }
 
-    /** Ends the drawing. */
     public void close() {
         renderLoop.close();
     }
@@ -335,7 +291,6 @@ public final class SceneViewport extends JPanel {
         return Optional.ofNullable(frame);
     }
 
-    /** Takes pictures over to the event dispatch thread. */
     private final class RenderListener implements RenderLoop.Listener {
         @Override
         public void onReady(GraphicsInfo info) {
