@@ -12,18 +12,17 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
-/** What was dropped or opened: a scenario, a thorax folder or a recorded trace. */
+/** Reads files that are opened or dropped: scenarios, rehearsal plans, thorax folders and breathing traces. */
 public final class FileOpener {
     private FileOpener() {}
 
     /**
-     * The plan of a needle that a file holds; empty if it is none.
+     * The rehearsal plan in a file; empty if the file is none.
      *
-     * @throws BadInputException with one sentence, if it is a plan that cannot be
+     * @throws BadInputException if the plan is not valid
      */
     public static Optional<RehearsalPlan> readPlan(Path file) {
-        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
-        if (!Files.isRegularFile(file) || !(name.endsWith(".yaml") || name.endsWith(".yml"))) {
+        if (!Files.isRegularFile(file) || !isYaml(file)) {
             return Optional.empty();
         }
         YamlMap yaml = YamlDocument.read(file);
@@ -31,27 +30,34 @@ public final class FileOpener {
     }
 
     /**
-     * The scenario that a file makes of the present one.
+     * The scenario in a file, or the present one with the thorax folder or the trace.
      *
-     * @throws BadInputException with one sentence
+     * @throws BadInputException if the file is none of these
      */
     public static Scenario readScenario(Path file, Scenario present) {
         if (!Files.exists(file)) {
             throw new BadInputException(
                     file + ": found nothing there, expected a scenario, a thorax folder or a trace");
         }
-        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         String place = file.toAbsolutePath().normalize().toString();
         if (Files.isDirectory(file)) {
             return present.with(List.of(new Assignment(file.toString(), "anatomy", place)));
         }
-        if (name.endsWith(".csv")) {
+        if (hasSuffix(file, ".csv")) {
             return present.with(List.of(new Assignment(file.toString(), "trace", place)));
         }
-        if (name.endsWith(".yaml") || name.endsWith(".yml")) {
+        if (isYaml(file)) {
             return Scenario.read(file);
         }
         throw new BadInputException(file
                 + ": found a file of another kind, expected a scenario (.yaml), a thorax folder or a trace (.csv)");
+    }
+
+    private static boolean isYaml(Path file) {
+        return hasSuffix(file, ".yaml") || hasSuffix(file, ".yml");
+    }
+
+    private static boolean hasSuffix(Path file, String suffix) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith(suffix);
     }
 }

@@ -7,11 +7,10 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Numbers as the window shows and takes them: a few significant digits, a decimal point and a plain hyphen whatever the
- * locale, the unit after a space.
+ * Numbers as the window shows and reads them: few significant digits, a decimal point whatever the locale, the unit.
  */
 public final class NumberFormats {
-    /** Digits that are shown of a value that somebody sets. */
+    /** Digits shown of a value that is set by hand. */
     static final int SIGNIFICANT_DIGITS = 4;
 
     private static final double MIN_PLAIN = 1e-4;
@@ -20,8 +19,7 @@ public final class NumberFormats {
     private NumberFormats() {}
 
     /**
-     * {@code value} with at most {@link #SIGNIFICANT_DIGITS} significant digits, without zeros that say nothing: 0.64,
-     * 300, 1e-05.
+     * {@code value} with at most {@link #SIGNIFICANT_DIGITS} significant digits and no trailing zeros: 0.64, 300, 1e-5.
      */
     public static String format(double value) {
         return format(value, SIGNIFICANT_DIGITS);
@@ -48,15 +46,13 @@ public final class NumberFormats {
         return plain.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
     }
 
-    /** {@code value} with a fixed count of decimals, so that a number that changes all the time keeps its width. */
+    /** {@code value} with a fixed number of decimals, for numbers that change all the time. */
     public static String fixedDecimals(double value, int decimals) {
         if (!Double.isFinite(value)) {
             return "-";
         }
-        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
-        return text.startsWith("-") && text.chars().allMatch(c -> c == '-' || c == '0' || c == '.')
-                ? text.substring(1)
-                : text;
+        String text = text("%." + decimals + "f", value);
+        return text.matches("-[0.]+") ? text.substring(1) : text;
     }
 
     /** {@code value} and its unit: {@code 450 N/m}; a plain number for the unit {@code 1}. */
@@ -64,15 +60,12 @@ public final class NumberFormats {
         return format(value) + unitSuffix(unit);
     }
 
-    /** What follows a number of this unit: a space and the unit, nothing for {@code 1}. */
+    /** A space and the unit; empty for {@code 1}. */
     public static String unitSuffix(String unit) {
         return unit.equals("1") ? "" : " " + unit;
     }
 
-    /**
-     * The number somebody typed; a decimal comma counts as a point, a unit behind the number is passed over. Empty if
-     * it is none.
-     */
+    /** Parses a typed number with a decimal point or comma, and perhaps a unit; empty if it is none. */
     public static OptionalDouble parse(String typed) {
         String number = typed.strip().replace(',', '.').replaceFirst("(?<=[0-9.])\\s*[^0-9.eE+\\s-].*$", "");
         try {
@@ -80,7 +73,7 @@ public final class NumberFormats {
             return Double.isFinite(value) && !number.matches(".*[dDfFxX]$")
                     ? OptionalDouble.of(value)
                     : OptionalDouble.empty();
-        } catch (NumberFormatException noNumber) {
+        } catch (NumberFormatException invalid) {
             return OptionalDouble.empty();
         }
     }

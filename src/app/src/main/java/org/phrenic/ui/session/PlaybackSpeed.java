@@ -1,6 +1,6 @@
 package org.phrenic.ui.session;
 
-/** How fast simulated time may go. */
+/** Speeds of simulated time over real time. */
 public enum PlaybackSpeed {
     QUARTER("0.25x", 0.25),
     HALF("0.5x", 0.5),

@@ -16,46 +16,40 @@ import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 
 /**
- * What the window and its docks share: the running simulation, its present scene and the events between them.
- * Everything here is called on the event dispatch thread, and every listener is told there; nothing waits for the
- * simulation.
+ * The running simulation, its scene, the history of edits, and the events between them and the parts of the window. All
+ * methods are called on the event dispatch thread, and none waits for the simulation.
  */
 public final class Session implements AutoCloseable {
-    /** What a part of the window may want to know of. */
+    /** Events of the session, on the event dispatch thread. */
     public interface Listener {
         /** A scene is being built. */
         default void onLoading(String what, double share) {}
 
-        /** A new scene breathes: other surfaces, other nodes, step 0. */
+        /** A new scene runs: other surfaces, other nodes, step 0. */
         default void onScene(LiveScene scene) {}
 
-        /** Twenty times a second. */
+        /** Twenty times per second. */
         default void onTick(RunStatus status) {}
 
-        /** Values of the scenario are no longer what they were, whoever changed them. */
+        /** Values of the scenario have changed. */
         default void onChange() {}
 
-        /** One sentence for the user. */
+        /** A message for the user. */
         default void onMessage(Message message) {}
 
-        /** Another recorded frame is looked at, or the present again. */
+        /** Another recorded frame is shown, or the present. */
         default void onScrub() {}
     }
 
-    /**
-     * One sentence for the user.
-     *
-     * @param kind how it is shown
-     * @param text the sentence
-     */
+    /** A message for the user, one sentence. */
     public record Message(Kind kind, String text) {
-        /** How much it matters. */
+        /** Severity. */
         public enum Kind {
-            /** Worth knowing; goes by itself. */
+            /** Information. */
             NOTE,
-            /** What was asked for was not done. */
+            /** A request is refused. */
             REFUSED,
-            /** The simulation diverged and stands still. */
+            /** The simulation has diverged and is paused. */
             DIVERGED
         }
     }
@@ -72,7 +66,7 @@ public final class Session implements AutoCloseable {
     private boolean resumeAfterHistory;
     private double speed = 1;
 
-    /** Starts to load a scenario, and to play it once it is there. */
+    /** Loads a scenario and runs it. */
     public Session(Scenario first) {
         requested = first;
         live = new LiveRun(first, new RunListener());
@@ -81,7 +75,7 @@ public final class Session implements AutoCloseable {
         tickTimer.start();
     }
 
-    /** Tells {@code listener} of everything from now on; of the present scene at once. */
+    /** Adds a listener; it gets the present scene at once. */
     public void addListener(Listener listener) {
         listeners.add(listener);
         if (scene != null) {
@@ -89,7 +83,6 @@ public final class Session implements AutoCloseable {
         }
     }
 
-    /** Forgets a listener. */
     public void removeListener(Listener listener) {
         listeners.remove(listener);
     }
@@ -99,17 +92,17 @@ public final class Session implements AutoCloseable {
         return live;
     }
 
-    /** What was changed by hand, to undo and redo. */
+    /** Changes made by hand, to undo and redo. */
     public EditHistory edits() {
         return edits;
     }
 
-    /** The scene that breathes; empty until the first one is there. */
+    /** The scene that runs; empty until the first one is loaded. */
     public Optional<LiveScene> scene() {
         return Optional.ofNullable(scene);
     }
 
-    /** The values as now set; before the first scene is there, those asked for. */
+    /** The present values; before the first scene is loaded, the requested ones. */
     public Scenario scenario() {
         return scene == null ? requested : live.scenario();
     }
@@ -179,7 +172,7 @@ public final class Session implements AutoCloseable {
                 this::reportRefusal);
     }
 
-    /** Shows frame {@code index} of the history and stands still meanwhile. */
+    /** Shows a recorded frame; the simulation is paused meanwhile. */
     public void showHistoryFrame(int index) {
         if (historyFrame < 0) {
             resumeAfterHistory = live.isPlaying();
@@ -189,7 +182,7 @@ public final class Session implements AutoCloseable {
         fire(Listener::onScrub);
     }
 
-    /** Shows the present again, and goes on if it was going before. */
+    /** Shows the present, and resumes the simulation if it was running before. */
     public void returnToLive() {
         if (historyFrame >= 0) {
             historyFrame = -1;
@@ -200,18 +193,18 @@ public final class Session implements AutoCloseable {
         }
     }
 
-    /** The recorded frame that is looked at; empty for the present. */
+    /** The recorded frame that is shown; empty for the present. */
     public OptionalInt historyFrame() {
         return historyFrame < 0 ? OptionalInt.empty() : OptionalInt.of(historyFrame);
     }
 
-    /** How fast simulated time may go: what was chosen, whatever is needed for a while. */
+    /** Sets the speed of simulated time over real time that the user wants. */
     public void setSpeed(double factor) {
         speed = factor;
         live.setSpeed(factor);
     }
 
-    /** As chosen last. */
+    /** The speed that the user wants. */
     public double speed() {
         return speed;
     }
@@ -253,14 +246,13 @@ public final class Session implements AutoCloseable {
         listeners.forEach(what);
     }
 
-    /** Ends the simulation. */
     @Override
     public void close() {
         tickTimer.stop();
         live.close();
     }
 
-    /** Carries what the simulation says over to the event dispatch thread. */
+    /** Passes the events of the run to the event dispatch thread. */
     private final class RunListener implements LiveRun.Listener {
         @Override
         public void loading(String what, double share) {

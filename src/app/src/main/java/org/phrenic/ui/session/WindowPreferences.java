@@ -4,82 +4,96 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.function.BinaryOperator;
 import java.util.prefs.Preferences;
 
-/**
- * What the window remembers from one time to the next, in the platform's preferences. Headless runs never come here.
- */
+/** What the window remembers, in the platform's preferences. Headless runs do not use it. */
 public final class WindowPreferences {
-    /** System property that names another node, so that tests and second installations leave a user's own alone. */
+    /** System property that names another node of the preferences, for tests and second installations. */
     public static final String NODE_PROPERTY = "phrenic.preferences";
 
     private static final String DEFAULT_NODE = "org/phrenic/window";
     private static final int MAX_RECENT = 8;
     private static final String SEPARATOR = "\n";
 
-    private final Preferences node;
+    private final BinaryOperator<String> get;
+    private final BiConsumer<String, String> put;
 
-    /** @param node under which everything is kept */
+    /** Preferences kept under a node. */
     public WindowPreferences(Preferences node) {
-        this.node = node;
+        this(node::get, node::put);
     }
 
-    /** Those of this user. */
+    private WindowPreferences(BinaryOperator<String> get, BiConsumer<String, String> put) {
+        this.get = get;
+        this.put = put;
+    }
+
+    /** The preferences of this user. */
     public static WindowPreferences ofUser() {
         return new WindowPreferences(Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
     }
 
-    /** Whether the window was dark. */
+    /** Preferences that are not saved. */
+    public static WindowPreferences unsaved() {
+        Map<String, String> values = new HashMap<>();
+        return new WindowPreferences(values::getOrDefault, values::put);
+    }
+
     public boolean isDark() {
-        return node.getBoolean("dark", false);
+        return flag("dark", false);
     }
 
     public void setDark(boolean dark) {
-        node.putBoolean("dark", dark);
+        setFlag("dark", dark);
     }
 
-    /** The arrangement last chosen. */
+    /** The workspace shown last. */
     public Workspace workspace() {
-        String name = node.get("arrangement", Workspace.RESEARCHER.name());
-        return Arrays.stream(Workspace.values())
-                .filter(a -> a.name().equals(name))
-                .findFirst()
-                .orElse(Workspace.RESEARCHER);
+        String name = get.apply("arrangement", "");
+        return name.equals(Workspace.CLINICIAN.name()) ? Workspace.CLINICIAN : Workspace.RESEARCHER;
     }
 
-    public void setWorkspace(Workspace arrangement) {
-        node.put("arrangement", arrangement.name());
+    public void setWorkspace(Workspace workspace) {
+        put.accept("arrangement", workspace.name());
     }
 
-    /** A number under a name, or {@code otherwise}. */
+    /** A number under a name; {@code otherwise} if there is none. */
     public int number(String name, int otherwise) {
-        return node.getInt(name, otherwise);
+        try {
+            return Integer.parseInt(get.apply(name, String.valueOf(otherwise)));
+        } catch (NumberFormatException e) {
+            return otherwise;
+        }
     }
 
     public void setNumber(String name, int value) {
-        node.putInt(name, value);
+        put.accept(name, String.valueOf(value));
     }
 
-    /** A yes or no under a name, or {@code otherwise}. */
+    /** A flag under a name; {@code otherwise} if there is none. */
     public boolean flag(String name, boolean otherwise) {
-        return node.getBoolean(name, otherwise);
+        return Boolean.parseBoolean(get.apply(name, String.valueOf(otherwise)));
     }
 
     public void setFlag(String name, boolean value) {
-        node.putBoolean(name, value);
+        put.accept(name, String.valueOf(value));
     }
 
-    /** Files opened lately that still exist, the latest first. */
+    /** Files opened lately that exist, the latest first. */
     public List<Path> recent() {
-        return Arrays.stream(node.get("recent", "").split(SEPARATOR))
+        return Arrays.stream(get.apply("recent", "").split(SEPARATOR))
                 .filter(text -> !text.isBlank())
                 .map(Path::of)
                 .filter(Files::exists)
                 .toList();
     }
 
-    /** Remembers a file as the latest. */
+    /** Adds a file as the latest. */
     public void addRecent(Path file) {
         Path whole = file.toAbsolutePath().normalize();
         List<Path> list = new ArrayList<>(recent());
@@ -89,7 +103,7 @@ public final class WindowPreferences {
             list.remove(list.size() - 1);
         }
         if (joined(list).length() <= Preferences.MAX_VALUE_LENGTH) {
-            node.put("recent", joined(list));
+            put.accept("recent", joined(list));
         }
     }
 
@@ -97,13 +111,13 @@ public final class WindowPreferences {
         return String.join(SEPARATOR, paths.stream().map(Path::toString).toList());
     }
 
-    /** Folder in which files were chosen last. */
+    /** Folder of the file chosen last. */
     public Path folder() {
-        Path folder = Path.of(node.get("folder", System.getProperty("user.home", ".")));
+        Path folder = Path.of(get.apply("folder", System.getProperty("user.home", ".")));
         return Files.isDirectory(folder) ? folder : Path.of("").toAbsolutePath();
     }
 
     public void setFolder(Path folder) {
-        node.put("folder", folder.toString());
+        put.accept("folder", folder.toString());
     }
 }

@@ -1,8 +1,8 @@
 package org.phrenic.ui.session;
 
-/** For whom the window is arranged. */
+/** Arrangements of the window for a task. */
 public enum Workspace {
-    /** Breathing in everyday words, the phase of the breath, organs; no terms of physics. */
+    /** Rehearsal of liver access, without terms of physics. */
     CLINICIAN("Rehearse liver access"),
     /** All parameters, forces, plots. */
     RESEARCHER("Tune breathing");
@@ -13,7 +13,6 @@ public enum Workspace {
         this.label = label;
     }
 
-    /** The door through which one gets there. */
     public String label() {
         return label;
     }

@@ -14,7 +14,6 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
-import org.phrenic.ui.session.InMemoryPreferences;
 import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
@@ -40,7 +39,7 @@ public final class WindowSnapshot {
 
     private WindowSnapshot(Session session) {
         this.session = session;
-        WindowPreferences preferences = new WindowPreferences(new InMemoryPreferences());
+        WindowPreferences preferences = WindowPreferences.unsaved();
         AppearanceModel appearance = new AppearanceModel();
         appearance.changeStyle(style -> style.withBackground(SceneBackground.LIGHT));
         view = new SceneViewport(session, appearance);
