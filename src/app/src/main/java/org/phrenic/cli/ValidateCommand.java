@@ -22,6 +22,7 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.Sensitivity;
 import org.phrenic.study.SensitivityReport;
 import org.phrenic.study.validation.Finding;
@@ -204,7 +205,7 @@ final class ValidateCommand implements Callable<Integer> {
             table.row(
                     f.range().key(),
                     f.range().preset().orElse("-"),
-                    none ? "-" : ValidationReport.number(f.value()),
+                    none ? "-" : ReportNumbers.number(f.value()),
                     ValidationReport.range(f.range()),
                     f.range().unit(),
                     f.range().confidence().tag(),

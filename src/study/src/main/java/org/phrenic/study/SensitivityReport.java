@@ -5,11 +5,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
 
-/** A sensitivity as Markdown and as values for JSON. */
+/** A sensitivity study as Markdown and as values for JSON. */
 public final class SensitivityReport {
-    private static final String NOTICE = org.phrenic.document.report.Disclaimer.TEXT;
-
     private final Sensitivity sensitivity;
 
     public SensitivityReport(Sensitivity sensitivity) {
@@ -39,28 +41,22 @@ public final class SensitivityReport {
 
     /** The table as Markdown. */
     public String markdown() {
-        StringBuilder text = new StringBuilder("# Which parameter moves which observable\n\n");
-        text.append(
-                "Change of the observable in per cent for one per cent of the parameter, each parameter alone between nine and eleven tenths of its value (or to the end of its range); preset `");
-        text.append(sensitivity.preset())
-                .append("`, ")
-                .append(sensitivity.anatomy())
-                .append(".\n");
-        text.append(NOTICE).append("\n\n");
+        ReportDocument report = new ReportDocument(
+                "Which parameter moves which observable",
+                "Change of the observable in per cent for one per cent of the parameter, each parameter alone between nine"
+                        + " and eleven tenths of its value (or to the end of its range); preset "
+                        + sensitivity.preset() + ", " + sensitivity.anatomy() + ".");
         List<List<String>> cells = cells();
-        for (int i = 0; i < cells.size(); i++) {
-            text.append("| ").append(String.join(" | ", cells.get(i))).append(" |\n");
-            if (i == 0) {
-                text.append("|---".repeat(cells.get(0).size())).append("|\n");
-            }
-        }
-        return text.toString();
+        List<Column> columns =
+                new ArrayList<>(cells.get(0).stream().map(Column::number).toList());
+        columns.set(0, Column.text("parameter"));
+        return MarkdownPage.format(report.table("", columns, cells.subList(1, cells.size())));
     }
 
     /** All of it as values, for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", NOTICE);
+        map.put("notice", Disclaimer.TEXT);
         map.put("preset", sensitivity.preset());
         map.put("anatomy", sensitivity.anatomy());
         map.put("reference", named(sensitivity.reference()));

@@ -3,6 +3,7 @@ package org.phrenic.study.error;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.document.Key;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.equilibrium.NewtonEquilibrium;
 import org.phrenic.engine.integrator.Integrator;
@@ -28,11 +29,9 @@ public record EquilibriumLag(
         double maxMm,
         double relaxedRmsMm,
         double relaxedMaxMm,
-        double relaxationErrorMm,
+        @Key("relaxation_left_mm") double relaxationErrorMm,
         NewtonEquilibrium.Result newton) {
-    /**
-     * The slowest shapes swing at some 5 1/s and are about critically damped: in this time they come to a thousandth.
-     */
+    /** The slowest modes have some 5 1/s and are about critically damped: in this time they decay to a thousandth. */
     private static final double RELAX_S = 2;
 
     private static final double[] PHASES = {0.15, 0.3, 0.45, 0.75};

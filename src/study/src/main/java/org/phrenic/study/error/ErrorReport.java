@@ -7,28 +7,36 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.equilibrium.NewtonEquilibrium;
+import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.ReportValues;
 
 /** Speed against error of several scenes as tables, as a document and as values for JSON. */
 public final class ErrorReport {
     /** Columns of {@link #cells}. */
-    public static final List<ReportDocument.Column> COLUMNS = List.of(
-            ReportDocument.Column.text("integrator"),
-            ReportDocument.Column.number("step, s"),
-            ReportDocument.Column.number("sweeps"),
-            ReportDocument.Column.number("refresh, s"),
-            ReportDocument.Column.number("rms, mm"),
-            ReportDocument.Column.number("rms, %"),
-            ReportDocument.Column.number("max, mm"),
-            ReportDocument.Column.number("max, %"),
-            ReportDocument.Column.number("all, rms mm"),
-            ReportDocument.Column.number("all, max mm"),
-            ReportDocument.Column.number("CPU, s"),
-            ReportDocument.Column.number("wall, s"),
-            ReportDocument.Column.number("x real time"),
-            ReportDocument.Column.text(""));
+    public static final List<Column> COLUMNS = Stream.concat(
+                    Stream.of(Column.text("integrator")),
+                    Stream.concat(
+                            Stream.of(
+                                            "step, s",
+                                            "sweeps",
+                                            "refresh, s",
+                                            "rms, mm",
+                                            "rms, %",
+                                            "max, mm",
+                                            "max, %",
+                                            "all, rms mm",
+                                            "all, max mm",
+                                            "CPU, s",
+                                            "wall, s",
+                                            "x real time")
+                                    .map(Column::number),
+                            Stream.of(Column.text(""))))
+            .toList();
 
     private final List<ErrorStudy> studies;
     private final Map<String, List<MeshRefinementError>> meshes;
@@ -44,38 +52,38 @@ public final class ErrorReport {
 
     /** A line a setting, cheapest first. */
     public static List<List<String>> cells(ErrorStudy study) {
-        List<List<String>> lines = new ArrayList<>();
-        study.points().stream()
+        return study.points().stream()
                 .sorted(Comparator.comparingDouble(ErrorPoint::cpuS))
-                .forEach(p -> lines.add(List.of(
-                        p.settings().integrator().label(),
-                        SolverSettings.number(p.settings().timeStepS())
-                                + (p.substeps() > 1 ? " / " + p.substeps() : ""),
-                        Integer.toString(p.settings().sweeps()),
-                        SolverSettings.number(p.settings().refreshS()),
-                        number(p.rmsMm()),
-                        number(study.percent(p.rmsMm())),
-                        number(p.maxMm()),
-                        number(study.percent(p.maxMm())),
-                        number(p.allRmsMm()),
-                        number(p.allMaxMm()),
-                        number(p.cpuS()),
-                        number(p.wallS()),
-                        number(p.realTime()),
-                        (p.paretoOptimal() ? "front" : "")
-                                + (p.isDefault() ? (p.paretoOptimal() ? ", " : "") + "default" : ""))));
-        return lines;
+                .map(p -> cells(study, p))
+                .toList();
+    }
+
+    private static List<String> cells(ErrorStudy study, ErrorPoint p) {
+        List<String> cells = new ArrayList<>(List.of(
+                p.settings().integrator().label(),
+                SolverSettings.number(p.settings().timeStepS()) + (p.substeps() > 1 ? " / " + p.substeps() : ""),
+                Integer.toString(p.settings().sweeps()),
+                SolverSettings.number(p.settings().refreshS())));
+        double rmsPercent = study.percent(p.rmsMm());
+        double maxPercent = study.percent(p.maxMm());
+        double[] figures = {
+            p.rmsMm(), rmsPercent, p.maxMm(), maxPercent, p.allRmsMm(), p.allMaxMm(), p.cpuS(), p.wallS(), p.realTime()
+        };
+        Arrays.stream(figures).mapToObj(ErrorReport::number).forEach(cells::add);
+        String front = p.paretoOptimal() ? "front" : "";
+        cells.add(p.isDefault() ? front + (front.isEmpty() ? "default" : ", default") : front);
+        return cells;
     }
 
     /** What was measured and against what, in a sentence or two. */
     public static String heading(ErrorStudy study) {
+        double[] uncertainty = study.referenceUncertainty();
         return String.format(
                 Locale.ROOT,
-                "%s, %s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
+                "%s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
                         + " as long its diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its nodes %.2g"
                         + " mm rms and at most %.2g mm.",
-                study.scenario().material().label(),
-                study.scenario().resolution().name().toLowerCase(Locale.ROOT),
+                title(study),
                 study.nodes(),
                 study.scenario().preset(),
                 SolverSettings.number(study.simulatedS()),
@@ -83,24 +91,29 @@ public final class ErrorReport {
                 study.scenario().threads(),
                 study.scenario().threads() == 1 ? "" : "s",
                 study.reference().label(),
-                study.referenceUncertainty()[0],
-                study.percent(study.referenceUncertainty()[0]),
-                study.referenceUncertainty()[1],
-                study.referenceUncertainty()[2],
-                study.referenceUncertainty()[3]);
+                uncertainty[0],
+                study.percent(uncertainty[0]),
+                uncertainty[1],
+                uncertainty[2],
+                uncertainty[3]);
+    }
+
+    private static String title(ErrorStudy study) {
+        return study.scenario().material().label() + ", "
+                + ReportNumbers.label(study.scenario().resolution());
     }
 
     /** All of it, to be written as a page. */
     public ReportDocument document() {
         ReportDocument page = new ReportDocument(
                 "Speed against error",
-                "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over a breath, against the time that the breath takes to compute.");
+                "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over a breath,"
+                        + " against the time that the breath takes to compute.");
         for (ErrorStudy study : studies) {
-            page.section(study.scenario().material().label() + ", "
-                    + study.scenario().resolution().name().toLowerCase(Locale.ROOT));
+            page.section(title(study));
             page.paragraph(heading(study));
             page.table("", COLUMNS, cells(study));
-            study.equilibrium().forEach(q -> page.paragraph(lagSentence(study, q)));
+            study.equilibrium().forEach(lag -> page.paragraph(lagSentence(study, lag)));
             if (!study.skipped().isEmpty()) {
                 page.paragraph("Not run:");
                 page.points(study.skipped().toArray(String[]::new));
@@ -114,24 +127,24 @@ public final class ErrorReport {
     }
 
     /** How far from equilibrium a phase is, in a sentence. */
-    public static String lagSentence(ErrorStudy study, EquilibriumLag q) {
-        NewtonEquilibrium.Result newton = q.newton();
+    public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
+        NewtonEquilibrium.Result newton = lag.newton();
         return String.format(
                 Locale.ROOT,
                 "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs,"
                         + " muscle and pressure at that time, and all its nodes %.3g mm rms from where they come to rest by"
                         + " themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation alone was %.2g mm"
                         + " rms off.",
-                q.timeS(),
-                q.rmsMm(),
-                study.percent(q.rmsMm()),
-                q.maxMm(),
-                q.relaxedRmsMm(),
+                lag.timeS(),
+                lag.rmsMm(),
+                study.percent(lag.rmsMm()),
+                lag.maxMm(),
+                lag.relaxedRmsMm(),
                 newton.converged() ? "converged to" : "not converged,",
                 newton.residualsMn()[newton.residualsMn().length - 1],
                 newton.activeRows(),
                 newton.activeSetSettled() ? "" : ", " + newton.activeSetChanges() + " more would change",
-                q.relaxationErrorMm());
+                lag.relaxationErrorMm());
     }
 
     /** What coarser meshes change, a sentence each. */
@@ -155,91 +168,52 @@ public final class ErrorReport {
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);
-        List<Object> scenes = new ArrayList<>();
-        for (ErrorStudy study : studies) {
-            Map<String, Object> scene = new LinkedHashMap<>();
-            scene.put("scenario", study.scenario().toMap());
-            scene.put("nodes", study.nodes());
-            scene.put("breath_s", study.simulatedS());
-            scene.put("excursion_mm", study.excursionMm());
-            scene.put("reference", study.reference().label());
-            scene.put("reference_halving_rms_mm", study.referenceUncertainty()[0]);
-            scene.put("reference_halving_max_mm", study.referenceUncertainty()[1]);
-            scene.put("reference_halving_all_rms_mm", study.referenceUncertainty()[2]);
-            scene.put("reference_halving_all_max_mm", study.referenceUncertainty()[3]);
-            scene.put(
-                    "settings",
-                    study.points().stream().map(p -> values(study, p)).toList());
-            scene.put(
-                    "equilibrium",
-                    study.equilibrium().stream().map(ErrorReport::values).toList());
-            scene.put("left_out", study.skipped());
-            scenes.add(scene);
-        }
-        map.put("scenes", scenes);
+        map.put("scenes", studies.stream().map(ErrorReport::values).toList());
         Map<String, Object> coarser = new LinkedHashMap<>();
         meshes.forEach((material, errors) ->
-                coarser.put(material, errors.stream().map(ErrorReport::values).toList()));
+                coarser.put(material, errors.stream().map(ReportValues::of).toList()));
         map.put("meshes", coarser);
         return map;
     }
 
-    private static Map<String, Object> values(EquilibriumLag q) {
+    private static Map<String, Object> values(ErrorStudy study) {
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("time_s", q.timeS());
-        map.put("rms_mm", q.rmsMm());
-        map.put("max_mm", q.maxMm());
-        map.put("relaxed_rms_mm", q.relaxedRmsMm());
-        map.put("relaxed_max_mm", q.relaxedMaxMm());
-        map.put("relaxation_left_mm", q.relaxationErrorMm());
-        map.put("newton_converged", q.newton().converged());
-        map.put("newton_settled", q.newton().activeSetSettled());
+        map.put("scenario", study.scenario().toMap());
+        map.put("nodes", study.nodes());
+        map.put("breath_s", study.simulatedS());
+        map.put("excursion_mm", study.excursionMm());
+        map.put("reference", study.reference().label());
+        map.put("reference_halving_rms_mm", study.referenceUncertainty()[0]);
+        map.put("reference_halving_max_mm", study.referenceUncertainty()[1]);
+        map.put("reference_halving_all_rms_mm", study.referenceUncertainty()[2]);
+        map.put("reference_halving_all_max_mm", study.referenceUncertainty()[3]);
         map.put(
-                "newton_residuals_mn",
-                Arrays.stream(q.newton().residualsMn()).boxed().toList());
-        map.put("newton_binding", q.newton().activeRows());
+                "settings",
+                ErrorTable.of(List.of(study)).rows().stream()
+                        .map(ErrorTable.Row::measurement)
+                        .toList());
+        map.put(
+                "equilibrium",
+                study.equilibrium().stream().map(ErrorReport::values).toList());
+        map.put("left_out", study.skipped());
         return map;
     }
 
-    private static Map<String, Object> values(MeshRefinementError e) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("resolution", e.resolution());
-        map.put("against", e.referenceResolution());
-        map.put("vertices", e.vertices());
-        map.put("rms_mm", e.rmsMm());
-        map.put("max_mm", e.maxMm());
-        map.put("dome_excursion_mm", e.excursionDifferenceMm());
-        return map;
-    }
-
-    private static Map<String, Object> values(ErrorStudy study, ErrorPoint p) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("integrator", p.settings().integrator().label());
-        map.put("time_step_s", p.settings().timeStepS());
-        map.put("projection_sweeps", p.settings().sweeps());
-        map.put("refresh_s", p.settings().refreshS());
-        map.put("substeps", p.substeps());
-        map.put("rms_mm", p.rmsMm());
-        map.put("max_mm", p.maxMm());
-        map.put("rms_percent", study.percent(p.rmsMm()));
-        map.put("max_percent", study.percent(p.maxMm()));
-        map.put("all_rms_mm", p.allRmsMm());
-        map.put("all_max_mm", p.allMaxMm());
-        map.put("cpu_s", p.cpuS());
-        map.put("wall_s", p.wallS());
-        map.put("real_time", p.realTime());
-        map.put("front", p.paretoOptimal());
-        map.put("usual", p.isDefault());
+    private static Map<String, Object> values(EquilibriumLag lag) {
+        Map<String, Object> map = ReportValues.of(lag);
+        map.remove("newton");
+        map.put("newton_converged", lag.newton().converged());
+        map.put("newton_settled", lag.newton().activeSetSettled());
+        map.put("newton_residuals_mn", lag.newton().residualsMn());
+        map.put("newton_binding", lag.newton().activeRows());
         return map;
     }
 
     private static String number(double value) {
         double size = Math.abs(value);
-        if (size == 0 || size >= 100) {
-            return String.format(Locale.ROOT, "%.0f", value);
-        }
-        return size < 1e-3
-                ? String.format(Locale.ROOT, "%.1e", value)
-                : String.format(Locale.ROOT, size < 0.1 ? "%.4f" : size < 10 ? "%.2f" : "%.1f", value);
+        String format = size == 0 || size >= 100
+                ? "%.0f"
+                : size < 1e-3 ? "%.1e" : size < 0.1 ? "%.4f" : size < 10 ? "%.2f" : "%.1f";
+        return String.format(Locale.ROOT, format, value);
     }
 }

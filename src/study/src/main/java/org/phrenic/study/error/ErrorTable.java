@@ -7,47 +7,35 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.ShippedFile;
 
 /**
- * Settings with what they cost and how far from the reference they are: a CSV file that a measurement writes and from
- * which the cheapest setting that keeps an error is chosen. Costs were measured once; to choose takes no measurement,
- * so the same request gives the same setting on every machine.
+ * Settings with their cost and their distance from the reference: a CSV file that a measurement writes and from which
+ * the cheapest setting that keeps an error is chosen. To choose takes no measurement, so the same request gives the
+ * same setting on every machine.
  *
- * @param name of the file, for sentences
+ * @param name of the file, for messages
  * @param rows in the order of the file
  */
 public record ErrorTable(String name, List<Row> rows) {
-    private static final String SHIPPED = "/org/phrenic/data/error/settings.csv";
     private static final int DIGITS = 4;
-    private static final List<String> HEADER = List.of(
-            "material",
-            "preset",
-            "resolution",
-            "nodes",
-            "integrator",
-            "time_step_s",
-            "projection_sweeps",
-            "refresh_s",
-            "substeps",
-            "rms_mm",
-            "max_mm",
-            "rms_percent",
-            "max_percent",
-            "all_rms_mm",
-            "all_max_mm",
-            "cpu_s",
-            "wall_s",
-            "real_time",
-            "front",
-            "usual");
+    private static final List<String> HEADER = List.of(("material preset resolution nodes integrator time_step_s"
+                    + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm all_max_mm"
+                    + " cpu_s wall_s real_time front usual")
+            .split(" "));
+    /** From here on numbers are measured and rounded in the file. */
+    private static final int FIRST_MEASURED = HEADER.indexOf("rms_mm");
 
     /**
      * A setting of a scene.
@@ -55,7 +43,7 @@ public record ErrorTable(String name, List<Row> rows) {
      * @param material label of the material
      * @param preset breathing
      * @param resolution label
-     * @param nodes how many springs move
+     * @param nodes moved by springs
      * @param rmsPercent rms error of the diaphragm in per cent of the domes' excursion
      * @param maxPercent greatest error in per cent of it
      * @param point what was measured
@@ -68,17 +56,52 @@ public record ErrorTable(String name, List<Row> rows) {
             double rmsPercent,
             double maxPercent,
             ErrorPoint point) {
-        private boolean sameScene(Row other) {
-            return material.equals(other.material)
-                    && preset.equals(other.preset)
-                    && resolution.equals(other.resolution);
+        private List<String> scene() {
+            return List.of(material, preset, resolution);
+        }
+
+        /** Setting, cost and error by the names of the columns. */
+        Map<String, Object> measurement() {
+            SolverSettings settings = point.settings();
+            Object[] values = {
+                settings.integrator().label(),
+                settings.timeStepS(),
+                settings.sweeps(),
+                settings.refreshS(),
+                point.substeps(),
+                point.rmsMm(),
+                point.maxMm(),
+                rmsPercent,
+                maxPercent,
+                point.allRmsMm(),
+                point.allMaxMm(),
+                point.cpuS(),
+                point.wallS(),
+                point.realTime(),
+                point.paretoOptimal(),
+                point.isDefault()
+            };
+            Map<String, Object> map = new LinkedHashMap<>();
+            int scene = HEADER.size() - values.length;
+            for (int i = 0; i < values.length; i++) {
+                map.put(HEADER.get(scene + i), values[i]);
+            }
+            return map;
+        }
+
+        private List<Object> cells() {
+            List<Object> cells = new ArrayList<>(List.of(material, preset, resolution, nodes));
+            for (Object value : measurement().values()) {
+                boolean rounded = cells.size() >= FIRST_MEASURED && value instanceof Double;
+                cells.add(rounded ? CsvWriter.number((double) value, DIGITS) : value);
+            }
+            return cells;
         }
     }
 
     /**
      * A setting that was chosen.
      *
-     * @param settings the setting
      * @param sentence what was chosen, and why
      */
     public record Chosen(SolverSettings settings, String sentence) {}
@@ -89,13 +112,14 @@ public record ErrorTable(String name, List<Row> rows) {
 
     /** The table that comes with the program. */
     public static ErrorTable shipped() {
-        try (InputStream in = ErrorTable.class.getResourceAsStream(SHIPPED)) {
-            if (in == null) {
-                throw new IllegalStateException("the table of errors is missing from the program");
-            }
-            return of(
-                    CsvTable.parse("settings.csv", new String(in.readAllBytes(), StandardCharsets.UTF_8)),
-                    "settings.csv");
+        return ShippedFile.read(
+                        "error/settings.csv", in -> of(CsvTable.parse("settings.csv", text(in)), "settings.csv"))
+                .orElseThrow(() -> new IllegalStateException("the table of errors is missing from the program"));
+    }
+
+    private static String text(InputStream in) {
+        try {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -119,7 +143,7 @@ public record ErrorTable(String name, List<Row> rows) {
                 rows.add(new Row(
                         scenario.material().label(),
                         scenario.preset(),
-                        scenario.resolution().name().toLowerCase(Locale.ROOT),
+                        ReportNumbers.label(scenario.resolution()),
                         study.nodes(),
                         study.percent(point.rmsMm()),
                         study.percent(point.maxMm()),
@@ -131,83 +155,64 @@ public record ErrorTable(String name, List<Row> rows) {
 
     private static ErrorTable of(CsvTable csv, String name) {
         List<Row> rows = new ArrayList<>();
-        List<String> integrators = csv.texts("integrator");
         for (int i = 0; i < csv.rowCount(); i++) {
-            IntegratorKind integrator;
-            try {
-                integrator = IntegratorKind.of(integrators.get(i));
-            } catch (IllegalArgumentException unknown) {
-                throw csv.badCell(i, "integrator", unknown.getMessage().replaceFirst("^integrator: ", ""));
-            }
-            SolverSettings settings = new SolverSettings(
-                    integrator,
-                    csv.numbers("time_step_s")[i],
-                    (int) csv.numbers("projection_sweeps")[i],
-                    csv.numbers("refresh_s")[i]);
-            ErrorPoint point = new ErrorPoint(
-                    settings,
-                    (int) csv.numbers("substeps")[i],
-                    csv.numbers("rms_mm")[i],
-                    csv.numbers("max_mm")[i],
-                    csv.numbers("all_rms_mm")[i],
-                    csv.numbers("all_max_mm")[i],
-                    csv.numbers("cpu_s")[i],
-                    csv.numbers("wall_s")[i],
-                    csv.numbers("real_time")[i],
-                    csv.texts("front").get(i).equals("true"),
-                    csv.texts("usual").get(i).equals("true"));
-            rows.add(new Row(
-                    csv.texts("material").get(i),
-                    csv.texts("preset").get(i),
-                    csv.texts("resolution").get(i),
-                    (int) csv.numbers("nodes")[i],
-                    csv.numbers("rms_percent")[i],
-                    csv.numbers("max_percent")[i],
-                    point));
+            rows.add(row(csv, i));
         }
         return new ErrorTable(name, rows);
+    }
+
+    private static Row row(CsvTable csv, int i) {
+        SolverSettings settings = new SolverSettings(
+                integrator(csv, i),
+                csv.numbers("time_step_s")[i],
+                (int) csv.numbers("projection_sweeps")[i],
+                csv.numbers("refresh_s")[i]);
+        ErrorPoint point = new ErrorPoint(
+                settings,
+                (int) csv.numbers("substeps")[i],
+                csv.numbers("rms_mm")[i],
+                csv.numbers("max_mm")[i],
+                csv.numbers("all_rms_mm")[i],
+                csv.numbers("all_max_mm")[i],
+                csv.numbers("cpu_s")[i],
+                csv.numbers("wall_s")[i],
+                csv.numbers("real_time")[i],
+                csv.texts("front").get(i).equals("true"),
+                csv.texts("usual").get(i).equals("true"));
+        return new Row(
+                csv.texts("material").get(i),
+                csv.texts("preset").get(i),
+                csv.texts("resolution").get(i),
+                (int) csv.numbers("nodes")[i],
+                csv.numbers("rms_percent")[i],
+                csv.numbers("max_percent")[i],
+                point);
+    }
+
+    private static IntegratorKind integrator(CsvTable csv, int row) {
+        String label = csv.texts("integrator").get(row);
+        List<IntegratorKind> kinds = List.of(IntegratorKind.values());
+        return kinds.stream()
+                .filter(kind -> kind.label().equalsIgnoreCase(label))
+                .findFirst()
+                .orElseThrow(() -> csv.badCell(
+                        row,
+                        "integrator",
+                        "found '" + label + "', expected one of "
+                                + kinds.stream().map(IntegratorKind::label).collect(Collectors.joining(", "))));
     }
 
     /** This table with the rows of another, which replace those of the same material, breathing and resolution. */
     public ErrorTable with(ErrorTable newer) {
         List<Row> all = new ArrayList<>(rows);
-        all.removeIf(old -> newer.rows.stream().anyMatch(old::sameScene));
+        all.removeIf(old -> newer.rows.stream().anyMatch(row -> row.scene().equals(old.scene())));
         all.addAll(newer.rows);
         return new ErrorTable(name, all);
     }
 
     /** Writes it as {@link #read} takes it. */
     public void write(Path file) {
-        CsvWriter.write(file, HEADER, rows.stream().map(ErrorTable::cells).toList());
-    }
-
-    private static List<Object> cells(Row row) {
-        ErrorPoint p = row.point();
-        return List.of(
-                row.material(),
-                row.preset(),
-                row.resolution(),
-                row.nodes(),
-                p.settings().integrator().label(),
-                p.settings().timeStepS(),
-                p.settings().sweeps(),
-                p.settings().refreshS(),
-                p.substeps(),
-                number(p.rmsMm()),
-                number(p.maxMm()),
-                number(row.rmsPercent()),
-                number(row.maxPercent()),
-                number(p.allRmsMm()),
-                number(p.allMaxMm()),
-                number(p.cpuS()),
-                number(p.wallS()),
-                number(p.realTime()),
-                p.paretoOptimal(),
-                p.isDefault());
-    }
-
-    private static String number(double value) {
-        return CsvWriter.number(value, DIGITS);
+        CsvWriter.write(file, HEADER, rows.stream().map(Row::cells).toList());
     }
 
     /**
@@ -220,18 +225,9 @@ public record ErrorTable(String name, List<Row> rows) {
      */
     public Chosen cheapest(Scenario scenario, double maxErrorMm) {
         String material = scenario.material().label();
-        String wanted = scenario.resolution().name().toLowerCase(Locale.ROOT);
         List<Row> sameMaterial =
                 rows.stream().filter(r -> r.material().equals(material)).toList();
-        boolean measured = sameMaterial.stream().anyMatch(r -> r.resolution().equals(wanted));
-        // Where errors come from (step, projection, folds that snap) the resolutions are alike: the finest measured
-        // stands for one that was not.
-        String resolution = measured
-                ? wanted
-                : sameMaterial.stream()
-                        .max(Comparator.comparingInt(Row::nodes))
-                        .map(Row::resolution)
-                        .orElse(wanted);
+        String resolution = measuredResolution(sameMaterial, ReportNumbers.label(scenario.resolution()));
         List<Row> scene = sameMaterial.stream()
                 .filter(r -> r.resolution().equals(resolution))
                 .toList();
@@ -239,33 +235,27 @@ public record ErrorTable(String name, List<Row> rows) {
         String preset = known ? scenario.preset() : Scenario.defaults().preset();
         List<Row> candidates =
                 scene.stream().filter(r -> r.preset().equals(preset)).toList();
-        if (candidates.isEmpty()) {
-            throw new BadInputException("--max-error: found no measurement of material " + material + " in " + name
-                    + ", expected one (phrenic bench error --write)");
-        }
-        Optional<Row> cheapest = candidates.stream()
+        double least = candidates.stream()
+                .mapToDouble(r -> r.point().rmsMm())
+                .min()
+                .orElseThrow(() -> new BadInputException("--max-error: found no measurement of material " + material
+                        + " in " + name + ", expected one (phrenic bench error --write)"));
+        Row row = candidates.stream()
                 .filter(r -> r.point().rmsMm() <= maxErrorMm)
-                .min(Comparator.comparingDouble(r -> r.point().cpuS()));
-        if (cheapest.isEmpty()) {
-            double least = candidates.stream()
-                    .mapToDouble(r -> r.point().rmsMm())
-                    .min()
-                    .orElseThrow();
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material %s at"
-                            + " resolution %s",
-                    plain(maxErrorMm),
-                    least,
-                    material,
-                    resolution));
-        }
-        Row row = cheapest.get();
+                .min(Comparator.comparingDouble(r -> r.point().cpuS()))
+                .orElseThrow(() -> new BadInputException(String.format(
+                        Locale.ROOT,
+                        "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material"
+                                + " %s at resolution %s",
+                        ReportNumbers.trimmed(maxErrorMm, 6),
+                        least,
+                        material,
+                        resolution)));
         String sentence = String.format(
                 Locale.ROOT,
                 "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the excursion),"
                         + " %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
-                plain(maxErrorMm),
+                ReportNumbers.trimmed(maxErrorMm, 6),
                 row.point().settings().label(),
                 row.point().rmsMm(),
                 row.rmsPercent(),
@@ -275,9 +265,13 @@ public record ErrorTable(String name, List<Row> rows) {
         return new Chosen(row.point().settings(), sentence);
     }
 
-    private static String plain(double mm) {
-        return String.format(Locale.ROOT, "%.6g", mm)
-                .replaceFirst("(\\.\\d*?)0+$", "$1")
-                .replaceFirst("\\.$", "");
+    /** The resolution itself or, as step and projection err alike at all resolutions, the finest that was measured. */
+    private static String measuredResolution(List<Row> rows, String wanted) {
+        return rows.stream().anyMatch(r -> r.resolution().equals(wanted))
+                ? wanted
+                : rows.stream()
+                        .max(Comparator.comparingInt(Row::nodes))
+                        .map(Row::resolution)
+                        .orElse(wanted);
     }
 }

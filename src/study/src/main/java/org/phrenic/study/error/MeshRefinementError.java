@@ -2,11 +2,13 @@ package org.phrenic.study.error;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.document.Key;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.ReportNumbers;
 
 /**
  * What a coarser mesh changes: the displacement of the diaphragm from rest, at the vertices of the coarser sheet,
@@ -21,11 +23,11 @@ import org.phrenic.simulation.SimulationRun;
  */
 public record MeshRefinementError(
         String resolution,
-        String referenceResolution,
+        @Key("against") String referenceResolution,
         int vertices,
         double rmsMm,
         double maxMm,
-        double excursionDifferenceMm) {
+        @Key("dome_excursion_mm") double excursionDifferenceMm) {
 
     /** The sheet of a scene at rest, where it went, and how far its domes go down. */
     private record Sheet(TriangleMesh rest, double[][] moved, double excursionMm) {}
@@ -52,7 +54,7 @@ public record MeshRefinementError(
     }
 
     private static String name(Scenario scenario) {
-        return String.valueOf(scenario.toMap().get("resolution"));
+        return ReportNumbers.label(scenario.resolution());
     }
 
     private static Sheet sheet(Scenario scenario, double breathS) {

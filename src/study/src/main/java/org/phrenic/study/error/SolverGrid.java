@@ -15,14 +15,14 @@ import org.phrenic.scenario.Scenario;
  * @param integrators schemes
  * @param timeStepsS steps, s; each goes a whole number of times into {@link BreathRunner#SAMPLE_S}
  * @param sweeps over all constraints a step
- * @param refreshesS between anchors and wall planes taken anew, s
+ * @param refreshesS refresh intervals of anchors and wall planes, s
  */
 public record SolverGrid(
         List<IntegratorKind> integrators, List<Double> timeStepsS, List<Integer> sweeps, List<Double> refreshesS) {
     /** Each sweep halves what the last one left: of eight about a 250th is left. */
     private static final int REFERENCE_SWEEPS = 8;
 
-    /** Steps of the reference between anchors and wall planes taken anew. */
+    /** Steps of the reference between refreshes of anchors and wall planes. */
     private static final int REFERENCE_REFRESH = 2;
 
     /** All that a material's front is chosen from. */
@@ -74,7 +74,7 @@ public record SolverGrid(
     }
 
     /**
-     * The reference with a step: fourth order, constraints swept until they agree, anchors and walls taken anew every
+     * The reference with a step: fourth order, constraints swept to convergence, anchors and walls taken anew every
      * other step.
      */
     static SolverSettings reference(double stepS) {

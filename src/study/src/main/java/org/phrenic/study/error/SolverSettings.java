@@ -5,14 +5,15 @@ import java.util.Locale;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.ReportNumbers;
 
 /**
- * How a scene is carried through time: what decides speed and error of a run whose meshes are given.
+ * How a scene is integrated in time: what decides speed and error of a run on given meshes.
  *
  * @param integrator scheme
  * @param timeStepS step of the clock, s
  * @param sweeps over all constraints a step
- * @param refreshS simulated time after which anchors and wall planes are taken anew, s
+ * @param refreshS interval at which anchors and wall planes are refreshed, s
  */
 public record SolverSettings(IntegratorKind integrator, double timeStepS, int sweeps, double refreshS) {
 
@@ -43,10 +44,8 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
                 number(refreshS));
     }
 
-    /** A time for people, without digits that say nothing. */
+    /** A time with at most four significant digits. */
     static String number(double seconds) {
-        return String.format(Locale.ROOT, "%.4g", seconds)
-                .replaceFirst("(\\.\\d*?)0+$", "$1")
-                .replaceFirst("\\.$", "");
+        return ReportNumbers.trimmed(seconds, 4);
     }
 }

@@ -1,6 +1,6 @@
 package org.phrenic.study.paper;
 
-import static org.phrenic.study.validation.ValidationReport.number;
+import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.ArrayList;
 import java.util.List;

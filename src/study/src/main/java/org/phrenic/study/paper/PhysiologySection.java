@@ -1,6 +1,6 @@
 package org.phrenic.study.paper;
 
-import static org.phrenic.study.validation.ValidationReport.number;
+import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.List;
 import java.util.Locale;

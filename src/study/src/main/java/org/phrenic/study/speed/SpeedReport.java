@@ -7,43 +7,68 @@ import java.util.Locale;
 import java.util.Map;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.ReportValues;
 
 /** A {@link SpeedStudy} as tables, Markdown, CSV and values for JSON. */
 public final class SpeedReport {
-    private static final String NOTICE = "For research and training only. Not for clinical use.";
-
     private final SpeedStudy study;
 
     public SpeedReport(SpeedStudy study) {
         this.study = study;
     }
 
-    private record Cell(int threads, SpeedTable.Row row) {}
+    /** One cell of table 1 as measured, by threads. */
+    private record Cell(int threads, SpeedTable.Row row, double realTimeFactor) {
+        String resolution() {
+            return ReportNumbers.label(row.resolution());
+        }
+
+        double published() {
+            return row.forces().publishedStepsPerS(row.resolution());
+        }
+
+        double speedup() {
+            return row.stepsPerS() / published();
+        }
+
+        double nanosPerNodeStep() {
+            return 1e9 / row.stepsPerS() / row.vertices();
+        }
+
+        Map<String, Object> values() {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("forces", row.forces().label());
+            map.put("resolution", resolution());
+            map.put("vertices", row.vertices());
+            map.put("threads", threads);
+            map.put("paper_steps_per_s", published());
+            map.put("steps_per_s", row.stepsPerS());
+            map.put("times_the_paper", speedup());
+            map.put("realtime_factor", realTimeFactor);
+            map.put("ns_per_node_step", nanosPerNodeStep());
+            map.put("trials_steps_per_s", row.trials());
+            return map;
+        }
+    }
 
     private List<Cell> cells() {
         List<Cell> cells = new ArrayList<>();
         study.tables().forEach((threads, table) -> table.resolutions().forEach(resolution -> {
             for (SpeedCase forces : SpeedCase.values()) {
-                cells.add(new Cell(threads, table.row(resolution, forces)));
+                SpeedTable.Row row = table.row(resolution, forces);
+                cells.add(new Cell(threads, row, row.stepsPerS() * study.stepS()));
             }
         }));
         return cells;
     }
 
-    private static String name(Resolution resolution) {
-        return resolution.name().toLowerCase(Locale.ROOT);
-    }
-
-    private static double published(SpeedTable.Row row) {
-        return row.forces().publishedStepsPerS(row.resolution());
-    }
-
-    private double realTimeFactor(SpeedTable.Row row) {
-        return row.stepsPerS() * study.stepS();
-    }
-
-    private static double nanosPerNodeStep(SpeedTable.Row row) {
-        return 1e9 / row.stepsPerS() / row.vertices();
+    private static String format(String format, double value) {
+        return String.format(Locale.ROOT, format, value);
     }
 
     /** The paper's table 1, ours beside it: a header and a row a cell. */
@@ -60,17 +85,16 @@ public final class SpeedReport {
                 "real time",
                 "ns a node-step"));
         for (Cell cell : cells()) {
-            SpeedTable.Row row = cell.row();
             rows.add(List.of(
-                    row.forces().label(),
-                    name(row.resolution()),
-                    String.valueOf(row.vertices()),
+                    cell.row().forces().label(),
+                    cell.resolution(),
+                    String.valueOf(cell.row().vertices()),
                     String.valueOf(cell.threads()),
-                    String.format(Locale.ROOT, "%.2f", published(row)),
-                    String.format(Locale.ROOT, "%.0f", row.stepsPerS()),
-                    String.format(Locale.ROOT, "%.0f", row.stepsPerS() / published(row)),
-                    String.format(Locale.ROOT, "%.1f", realTimeFactor(row)),
-                    String.format(Locale.ROOT, "%.1f", nanosPerNodeStep(row))));
+                    format("%.2f", cell.published()),
+                    format("%.0f", cell.row().stepsPerS()),
+                    format("%.0f", cell.speedup()),
+                    format("%.1f", cell.realTimeFactor()),
+                    format("%.1f", cell.nanosPerNodeStep())));
         }
         return rows;
     }
@@ -80,15 +104,16 @@ public final class SpeedReport {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("resolution", "threads", "rib motion adds, %", "paper, %"));
         SpeedTable paper = SpeedTable.published();
-        study.tables().forEach((threads, table) -> table.resolutions()
-                .forEach(resolution -> rows.add(List.of(
-                        name(resolution),
+        study.tables().forEach((threads, table) -> {
+            for (Resolution resolution : table.resolutions()) {
+                double published = paper.overheadPercent(resolution, SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
+                rows.add(List.of(
+                        ReportNumbers.label(resolution),
                         String.valueOf(threads),
-                        String.format(Locale.ROOT, "%.1f", study.ribMotionOverheadPercent(threads, resolution)),
-                        String.format(
-                                Locale.ROOT,
-                                "%.1f",
-                                paper.overheadPercent(resolution, SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY))))));
+                        format("%.1f", study.ribMotionOverheadPercent(threads, resolution)),
+                        format("%.1f", published)));
+            }
+        });
         return rows;
     }
 
@@ -99,44 +124,40 @@ public final class SpeedReport {
         for (SizeScaling.Row row : study.scaling().rows()) {
             rows.add(List.of(
                     String.valueOf(row.nodes()),
-                    String.valueOf(row.edges()),
+                    String.valueOf(row.springs()),
                     String.valueOf(row.threads()),
                     row.kernel(),
-                    String.format(Locale.ROOT, "%.4g", row.stepsPerSecond()),
-                    String.format(Locale.ROOT, "%.1f", row.nanosPerNodeStep())));
+                    format("%.4g", row.stepsPerS()),
+                    format("%.1f", row.nanosPerNodeStep())));
         }
         return rows;
     }
 
-    /** How the cost grows. */
+    /** How the cost grows with size. */
     public String exponent() {
-        return String.format(
-                Locale.ROOT,
+        return format(
                 "On one thread a step takes nodes to the power of %.3f.",
                 study.scaling().exponent());
     }
 
     /** The whole report as Markdown. */
     public String markdown() {
-        return "# Speed\n\n"
-                + "Table 1 of Villard, Bourne and Bello 2009 (a dual-core processor of 2.4 GHz, Java 1.6, 2008; their scheme evaluates"
-                + " forces twice a step) and the same scenes here: their material and step of 0.01 s, velocity Verlet."
-                + " Median of the trials; processor time on one thread, the clock on several.\n\n"
-                + markdown(table()) + "\n" + markdown(ribMotionOverhead())
-                + "\n## Against the number of nodes\n\nThe bare workload (springs with dashpots, loads, no links) on the"
-                + " virtual body's diaphragm.\n\n"
-                + markdown(scaling()) + "\n" + exponent() + "\n\n" + NOTICE + "\n";
+        ReportDocument report = new ReportDocument(
+                "Speed",
+                "Table 1 of Villard, Bourne and Bello 2009 (a dual-core processor of 2.4 GHz, Java 1.6, 2008; their scheme"
+                        + " evaluates forces twice a step) and the same scenes here: their material and step of 0.01 s,"
+                        + " velocity Verlet. Median of the trials; processor time on one thread, the clock on several.");
+        add(report, table());
+        add(report, ribMotionOverhead());
+        report.section("Against the number of nodes");
+        report.paragraph("The bare workload (springs with dashpots, loads, no links) on the virtual body's diaphragm.");
+        add(report, scaling());
+        report.paragraph(exponent());
+        return MarkdownPage.format(report);
     }
 
-    private static String markdown(List<List<String>> rows) {
-        StringBuilder text = new StringBuilder();
-        for (int r = 0; r < rows.size(); r++) {
-            text.append("| ").append(String.join(" | ", rows.get(r))).append(" |\n");
-            if (r == 0) {
-                text.append("|---".repeat(rows.get(0).size())).append("|\n");
-            }
-        }
-        return text.toString();
+    private static void add(ReportDocument report, List<List<String>> rows) {
+        report.table("", rows.get(0).stream().map(Column::text).toList(), rows.subList(1, rows.size()));
     }
 
     /** A line a cell of the table, then a line a size. */
@@ -146,37 +167,25 @@ public final class SpeedReport {
             SpeedTable.Row row = cell.row();
             rows.add(line(
                     row.forces().label(),
-                    cell.threads(),
-                    row.vertices(),
+                    new int[] {cell.threads(), row.vertices()},
                     row.stepsPerS(),
-                    nanosPerNodeStep(row),
-                    published(row),
-                    realTimeFactor(row)));
+                    cell.nanosPerNodeStep(),
+                    cell.published(),
+                    cell.realTimeFactor()));
         }
         for (SizeScaling.Row row : study.scaling().rows()) {
-            rows.add(line(
-                    "bare sheet",
-                    row.threads(),
-                    row.nodes(),
-                    row.stepsPerSecond(),
-                    row.nanosPerNodeStep(),
-                    Double.NaN,
-                    Double.NaN));
+            int[] counts = {row.threads(), row.nodes()};
+            rows.add(line("bare sheet", counts, row.stepsPerS(), row.nanosPerNodeStep(), Double.NaN, Double.NaN));
         }
-        return CsvWriter.format(
-                List.of(
-                        "scene",
-                        "threads",
-                        "nodes",
-                        "steps_per_s",
-                        "ns_per_node_step",
-                        "paper_steps_per_s",
-                        "realtime_factor"),
-                rows);
+        String header = "scene threads nodes steps_per_s ns_per_node_step paper_steps_per_s realtime_factor";
+        return CsvWriter.format(List.of(header.split(" ")), rows);
     }
 
-    private static List<String> line(String scene, int threads, int nodes, double... figures) {
-        List<String> line = new ArrayList<>(List.of(scene, String.valueOf(threads), String.valueOf(nodes)));
+    private static List<String> line(String scene, int[] counts, double... figures) {
+        List<String> line = new ArrayList<>(List.of(scene));
+        for (int count : counts) {
+            line.add(String.valueOf(count));
+        }
         for (double figure : figures) {
             line.add(CsvWriter.number(figure, CsvWriter.ALL_DIGITS));
         }
@@ -186,29 +195,13 @@ public final class SpeedReport {
     /** All of it as values, for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", NOTICE);
+        map.put("notice", Disclaimer.TEXT);
         map.put("step_s", study.stepS());
-        List<Object> table = new ArrayList<>();
-        for (Cell cell : cells()) {
-            SpeedTable.Row row = cell.row();
-            Map<String, Object> each = new LinkedHashMap<>();
-            each.put("forces", row.forces().label());
-            each.put("resolution", name(row.resolution()));
-            each.put("vertices", row.vertices());
-            each.put("threads", cell.threads());
-            each.put("paper_steps_per_s", published(row));
-            each.put("steps_per_s", row.stepsPerS());
-            each.put("times_the_paper", row.stepsPerS() / published(row));
-            each.put("realtime_factor", realTimeFactor(row));
-            each.put("ns_per_node_step", nanosPerNodeStep(row));
-            each.put("trials_steps_per_s", row.trials());
-            table.add(each);
-        }
-        map.put("table", table);
+        map.put("table", cells().stream().map(Cell::values).toList());
         List<Object> ribs = new ArrayList<>();
         study.tables().forEach((threads, rows) -> rows.resolutions().forEach(resolution -> {
             Map<String, Object> each = new LinkedHashMap<>();
-            each.put("resolution", name(resolution));
+            each.put("resolution", ReportNumbers.label(resolution));
             each.put("threads", threads);
             each.put("rib_motion_adds_percent", study.ribMotionOverheadPercent(threads, resolution));
             ribs.add(each);
@@ -216,12 +209,7 @@ public final class SpeedReport {
         map.put("rib_motion", ribs);
         List<Object> scaling = new ArrayList<>();
         for (SizeScaling.Row row : study.scaling().rows()) {
-            Map<String, Object> each = new LinkedHashMap<>();
-            each.put("nodes", row.nodes());
-            each.put("springs", row.edges());
-            each.put("threads", row.threads());
-            each.put("kernel", row.kernel());
-            each.put("steps_per_s", row.stepsPerSecond());
+            Map<String, Object> each = ReportValues.of(row);
             each.put("ns_per_node_step", row.nanosPerNodeStep());
             scaling.add(each);
         }

@@ -81,7 +81,7 @@ public record SpeedStudy(Map<Integer, SpeedTable> tables, double stepS, SizeScal
         for (int size : settings.sizes()) {
             BareScene scene = scenes.ofSize(size);
             for (int threads : settings.threads()) {
-                scaling.add(ScalingTrials.of(scene, threads, settings.trials(), settings.secondsATrial()));
+                scaling.add(SizeScaling.measure(scene, threads, settings.trials(), settings.secondsATrial()));
                 progress.done(++done, total, "sheet of " + scene.mesh().vertexCount() + " nodes, threads: " + threads);
             }
         }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.phrenic.anatomy.Resolution;
 
 /**
@@ -96,17 +97,8 @@ public record SpeedTable(List<Row> rows) {
         if (of.size() < 2) {
             return OptionalDouble.empty();
         }
-        double meanX =
-                of.stream().mapToDouble(r -> Math.log(r.vertices())).average().orElseThrow();
-        double meanY =
-                of.stream().mapToDouble(r -> -Math.log(r.stepsPerS())).average().orElseThrow();
-        double xy = 0;
-        double xx = 0;
-        for (Row r : of) {
-            double x = Math.log(r.vertices()) - meanX;
-            xy += x * (-Math.log(r.stepsPerS()) - meanY);
-            xx += x * x;
-        }
-        return OptionalDouble.of(xy / xx);
+        SimpleRegression fit = new SimpleRegression();
+        of.forEach(row -> fit.addData(Math.log(row.vertices()), -Math.log(row.stepsPerS())));
+        return OptionalDouble.of(fit.getSlope());
     }
 }

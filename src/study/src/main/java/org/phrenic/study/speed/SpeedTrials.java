@@ -1,7 +1,5 @@
 package org.phrenic.study.speed;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -12,9 +10,8 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.study.PaperScenarios;
 
 /**
- * Measures the paper's table 1: its material, the four cases of a resolution in turn so that whatever else the machine
- * does falls on all of them. Counted on one thread is processor time, which on a machine with nothing else to do is the
- * time on the clock; on several threads the clock.
+ * Measures the paper's table 1: its material, the four cases of a resolution in turn, so that other load of the machine
+ * falls on all of them alike.
  */
 public final class SpeedTrials {
     /**
@@ -39,16 +36,17 @@ public final class SpeedTrials {
             for (SpeedCase forces : SpeedCase.values()) {
                 scenes.add(Simulation.of(scenario(resolution, settings, forces), thorax));
             }
+            List<StepTimer> timers = scenes.stream().map(SpeedTrials::timer).toList();
             int[] steps = new int[scenes.size()];
             for (int i = 0; i < steps.length; i++) {
-                stepsPerS(scenes.get(i), trialS);
-                steps[i] = (int) Math.max(5, trialS * stepsPerS(scenes.get(i), trialS));
+                timers.get(i).rateOver(trialS);
+                steps[i] = (int) Math.max(5, trialS * timers.get(i).rateOver(trialS));
             }
             List<List<Double>> rates = new ArrayList<>();
             scenes.forEach(scene -> rates.add(new ArrayList<>()));
             for (int trial = 0; trial < trials; trial++) {
                 for (int i = 0; i < steps.length; i++) {
-                    rates.get(i).add(stepsPerS(scenes.get(i), steps[i]));
+                    rates.get(i).add(timers.get(i).rate(steps[i]));
                 }
             }
             return IntStream.range(0, steps.length)
@@ -63,15 +61,13 @@ public final class SpeedTrials {
         }
     }
 
-    /**
-     * Real time that the paper's material takes up on one thread with the scheme and the step that are used here
-     * without being asked: simulated time over processor time.
-     */
+    /** Simulated time over processor time of the paper's material on one thread, with the default scheme and step. */
     public static double realTimeFactor(Resolution resolution, Thorax thorax, double trialS) {
         try (Simulation scene =
                 Simulation.of(PaperScenarios.publishedModel("deep", resolution).with("threads=1"), thorax)) {
-            stepsPerS(scene, trialS);
-            return stepsPerS(scene, trialS) * scene.stepper().dt();
+            StepTimer timer = timer(scene);
+            timer.rateOver(trialS);
+            return timer.rateOver(trialS) * scene.stepper().dt();
         }
     }
 
@@ -81,29 +77,11 @@ public final class SpeedTrials {
                 .with(forces.setting());
     }
 
-    /** Steps a second over a stretch of about so many seconds: the warm-up. */
-    private static double stepsPerS(Simulation simulation, double seconds) {
-        long begun = nanos(simulation);
-        int steps = 0;
-        do {
-            simulation.step();
-            steps++;
-        } while ((nanos(simulation) - begun) * 1e-9 < seconds);
-        return steps / ((nanos(simulation) - begun) * 1e-9);
-    }
-
-    private static double stepsPerS(Simulation simulation, int steps) {
-        long begun = nanos(simulation);
-        for (int i = 0; i < steps; i++) {
-            simulation.step();
-        }
-        return steps / ((nanos(simulation) - begun) * 1e-9);
-    }
-
-    private static long nanos(Simulation simulation) {
-        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-        return simulation.system().workers().count() == 1 && threads.isCurrentThreadCpuTimeSupported()
-                ? threads.getCurrentThreadCpuTime()
-                : System.nanoTime();
+    private static StepTimer timer(Simulation simulation) {
+        return new StepTimer(simulation.system().workers().count(), steps -> {
+            for (int i = 0; i < steps; i++) {
+                simulation.step();
+            }
+        });
     }
 }

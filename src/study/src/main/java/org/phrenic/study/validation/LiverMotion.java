@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.Key;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
@@ -15,6 +16,8 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
+import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.ReportValues;
 
 /**
  * How far the liver moves under the four breathings that access to it knows: quiet, deep, held at expiration, held at
@@ -55,12 +58,18 @@ public record LiverMotion(List<Row> rows) {
             double lrMm,
             double topMm,
             double edgeMm,
-            double domeMm,
+            @Key("dome_right_mm") double domeMm,
             double liverCreepMm,
             double domeCreepMm,
             List<Optional<ReferenceRange>> referenceRanges) {
         public Row {
             referenceRanges = List.copyOf(referenceRanges);
+        }
+
+        private Map<String, Object> values() {
+            Map<String, Object> values = ReportValues.of(this);
+            values.remove("reference_ranges");
+            return values;
         }
 
         /** What ranges are known of: SI, AP, LR, creep of the dome. */
@@ -171,10 +180,10 @@ public record LiverMotion(List<Row> rows) {
                     cell(r, 0),
                     cell(r, 1),
                     cell(r, 2),
-                    ValidationReport.number(r.topMm()),
-                    ValidationReport.number(r.edgeMm()),
-                    ValidationReport.number(r.domeMm()),
-                    ValidationReport.number(r.liverCreepMm()),
+                    ReportNumbers.number(r.topMm()),
+                    ReportNumbers.number(r.edgeMm()),
+                    ReportNumbers.number(r.domeMm()),
+                    ReportNumbers.number(r.liverCreepMm()),
                     cell(r, 3)));
         }
         return lines;
@@ -182,7 +191,7 @@ public record LiverMotion(List<Row> rows) {
 
     private static String cell(Row row, int which) {
         double value = row.comparedValues()[which];
-        String text = ValidationReport.number(value);
+        String text = ReportNumbers.number(value);
         return row.referenceRanges()
                 .get(which)
                 .map(k -> text + " (" + ValidationReport.range(k) + (k.contains(value) ? ")" : ") OUT"))
@@ -201,25 +210,8 @@ public record LiverMotion(List<Row> rows) {
 
     /** All of it as values, for JSON. */
     public Map<String, Object> values() {
-        List<Object> list = new ArrayList<>();
-        for (Row r : rows) {
-            Map<String, Object> map = new LinkedHashMap<>();
-            map.put("body", r.body());
-            map.put("preset", r.preset());
-            map.put("si_mm", r.siMm());
-            map.put("ap_mm", r.apMm());
-            map.put("lr_mm", r.lrMm());
-            map.put("top_mm", r.topMm());
-            map.put("edge_mm", r.edgeMm());
-            map.put("dome_right_mm", r.domeMm());
-            if (!Double.isNaN(r.liverCreepMm())) {
-                map.put("liver_creep_mm", r.liverCreepMm());
-                map.put("dome_creep_mm", r.domeCreepMm());
-            }
-            list.add(map);
-        }
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("rows", list);
+        map.put("rows", rows.stream().map(Row::values).toList());
         map.put("outside", outOfRangeCount());
         return map;
     }

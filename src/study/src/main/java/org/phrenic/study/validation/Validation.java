@@ -41,6 +41,10 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         public Body {
             findings = List.copyOf(findings);
         }
+
+        long count(Verdict verdict) {
+            return findings.stream().filter(f -> f.verdict() == verdict).count();
+        }
     }
 
     public Validation {

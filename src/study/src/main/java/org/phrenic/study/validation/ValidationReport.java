@@ -1,15 +1,30 @@
 package org.phrenic.study.validation;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.validation.Finding.Verdict;
 
 /** A validation as Markdown and as values for JSON; the same validation gives the same text. */
 public final class ValidationReport {
-    private static final String NOTICE = org.phrenic.document.report.Disclaimer.TEXT;
+    private static final List<Column> COLUMNS = List.of(
+            Column.text("quantity"),
+            Column.text("preset"),
+            Column.number("value"),
+            Column.number("range"),
+            Column.text("unit"),
+            Column.text("confidence"),
+            Column.text("verdict"),
+            Column.text("measured"),
+            Column.text("source"));
 
     private final Validation validation;
 
@@ -17,21 +32,10 @@ public final class ValidationReport {
         this.validation = validation;
     }
 
-    /** How many findings of a body have this verdict and confidence. */
     private static long count(Validation.Body body, Confidence confidence, Verdict verdict) {
         return body.findings().stream()
                 .filter(f -> f.range().confidence() == confidence && f.verdict() == verdict)
                 .count();
-    }
-
-    /** A number with as many places as its size asks for. */
-    public static String number(double value) {
-        if (!Double.isFinite(value)) {
-            return "";
-        }
-        double size = Math.abs(value);
-        String text = String.format(Locale.ROOT, size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", value);
-        return text.matches("-0(\\.0+)?") ? text.substring(1) : text;
     }
 
     /** A range: "12 - 24", "at least 10", "at most 0.33". */
@@ -46,113 +50,102 @@ public final class ValidationReport {
         return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
-    /** How a row is measured: "fall of dome_right_mm". */
+    /** How a quantity is measured: "fall of dome_right_mm". */
     public static String measurement(ReferenceRange row) {
         if (row.preset().isEmpty()) {
             return "-";
         }
         String what = row.reduction().label() + " of " + String.join(", ", row.observables());
-        String against = row.against().isEmpty()
-                ? ""
-                : (row.reduction() == Reduction.AT_SHARE ? " at " + plain(row.share()) + " of " : " by ")
-                        + row.against();
-        return what + against + row.againstPreset().map(p -> " (" + p + ")").orElse("");
+        String by = row.reduction() == Reduction.AT_SHARE ? " at " + plain(row.share()) + " of " : " by ";
+        return what
+                + (row.against().isEmpty() ? "" : by + row.against())
+                + row.againstPreset().map(p -> " (" + p + ")").orElse("");
     }
 
     /** One line that sums a body up. */
     public static String summary(Validation.Body body) {
-        long within = body.findings().stream()
-                .filter(f -> f.verdict() == Verdict.WITHIN)
-                .count();
-        long out =
-                body.findings().stream().filter(f -> f.verdict() == Verdict.OUT).count();
+        long within = body.count(Verdict.WITHIN);
+        long out = body.count(Verdict.OUT);
         long misses = body.findings().stream().filter(Finding::isMiss).count();
         return body.anatomy() + ": " + within + " within, " + out + " out (" + misses + " of these S or R+), "
-                + (body.findings().size() - within - out) + " not measurable here";
+                + body.count(Verdict.NOT_MEASURABLE) + " not measurable here";
     }
 
     /** The whole report as Markdown. */
     public String markdown() {
-        StringBuilder text = new StringBuilder("# Validation against physiology\n\n");
-        text.append("Table `").append(validation.table().name()).append("`, ");
-        text.append(validation.settings().resolution().name().toLowerCase(Locale.ROOT))
-                .append(" resolution. ");
-        text.append("Verdict: **")
-                .append(validation.passes() ? "passed" : "failed")
-                .append("** (a range of confidence S or R+ that is missed fails).\n");
-        text.append(NOTICE).append('\n');
+        ReportDocument report = new ReportDocument(
+                "Validation against physiology",
+                "Table " + validation.table().name() + ", "
+                        + ReportNumbers.label(validation.settings().resolution()) + " resolution. Verdict: "
+                        + (validation.passes() ? "passed" : "failed")
+                        + " (a range of confidence S or R+ that is missed fails).");
+        List<Column> totals = Stream.concat(
+                        Stream.of(Column.text("confidence")),
+                        Arrays.stream(Verdict.values()).map(v -> Column.number(v.label())))
+                .toList();
         for (Validation.Body body : validation.bodies()) {
-            text.append("\n## ").append(body.anatomy()).append("\n\n");
-            text.append(summary(body)).append(".\n\n");
-            text.append("| quantity | preset | value | range | unit | confidence | verdict | measured | source |\n");
-            text.append("|---|---|---|---|---|---|---|---|---|\n");
-            for (Finding f : body.findings()) {
-                text.append(line(f));
-            }
-            text.append("\n| confidence | within | out | not measurable here |\n|---|---|---|---|\n");
-            for (Confidence c : Confidence.values()) {
-                text.append("| ")
-                        .append(c.tag())
-                        .append(" (")
-                        .append(c.meaning())
-                        .append(") |");
-                for (Verdict v : Verdict.values()) {
-                    text.append(' ').append(count(body, c, v)).append(" |");
-                }
-                text.append('\n');
-            }
+            report.section(body.anatomy());
+            report.paragraph(summary(body) + ".");
+            report.table(
+                    "",
+                    COLUMNS,
+                    body.findings().stream().map(ValidationReport::cells).toList());
+            report.table(
+                    "",
+                    totals,
+                    Arrays.stream(Confidence.values()).map(c -> cells(body, c)).toList());
         }
-        return text.toString();
+        return MarkdownPage.format(report);
     }
 
-    private static String line(Finding f) {
+    private static List<String> cells(Validation.Body body, Confidence confidence) {
+        List<String> cells = new ArrayList<>(List.of(confidence.tag() + " (" + confidence.meaning() + ")"));
+        Arrays.stream(Verdict.values()).forEach(v -> cells.add(Long.toString(count(body, confidence, v))));
+        return cells;
+    }
+
+    private static List<String> cells(Finding f) {
         ReferenceRange row = f.range();
-        String verdict = f.isMiss() ? "**out**" : f.verdict().label();
-        String reason = f.reason().isEmpty() ? "" : ": " + f.reason().replace("|", "/");
-        String note = row.note().isEmpty() || row.preset().isEmpty() ? "" : " (" + row.note() + ")";
-        return "| "
-                + String.join(
-                        " | ",
-                        row.key(),
-                        row.preset().orElse("-"),
-                        number(f.value()),
-                        range(row),
-                        row.unit(),
-                        row.confidence().tag(),
-                        verdict + reason,
-                        measurement(row),
-                        (row.source() + note).replace("|", "/"))
-                + " |\n";
+        String verdict = f.isMiss() ? "OUT" : f.verdict().label();
+        boolean hasNote = !row.note().isEmpty() && row.preset().isPresent();
+        return List.of(
+                row.key(),
+                row.preset().orElse("-"),
+                ReportNumbers.number(f.value()),
+                range(row),
+                row.unit(),
+                row.confidence().tag(),
+                f.reason().isEmpty() ? verdict : verdict + ": " + f.reason(),
+                measurement(row),
+                hasNote ? row.source() + " (" + row.note() + ")" : row.source());
     }
 
     /** All of it as values, for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", NOTICE);
+        map.put("notice", Disclaimer.TEXT);
         map.put("table", validation.table().name());
         map.put("passes", validation.passes());
         map.put("settings", validation.settings().toMap());
-        List<Object> bodies = new ArrayList<>();
-        for (Validation.Body body : validation.bodies()) {
-            Map<String, Object> each = new LinkedHashMap<>();
-            each.put("anatomy", body.anatomy());
-            each.put("name", body.name());
-            body.sex().ifPresent(sex -> each.put("sex", sex));
-            Map<String, Object> totals = new LinkedHashMap<>();
-            for (Confidence c : Confidence.values()) {
-                Map<String, Object> of = new LinkedHashMap<>();
-                for (Verdict v : Verdict.values()) {
-                    of.put(v.name().toLowerCase(Locale.ROOT), count(body, c, v));
-                }
-                totals.put(c.tag(), of);
-            }
-            each.put("totals", totals);
-            each.put(
-                    "rows",
-                    body.findings().stream().map(ValidationReport::values).toList());
-            bodies.add(each);
+        map.put(
+                "bodies",
+                validation.bodies().stream().map(ValidationReport::values).toList());
+        return map;
+    }
+
+    private static Map<String, Object> values(Validation.Body body) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("anatomy", body.anatomy());
+        map.put("name", body.name());
+        body.sex().ifPresent(sex -> map.put("sex", sex));
+        Map<String, Object> totals = new LinkedHashMap<>();
+        for (Confidence c : Confidence.values()) {
+            Map<String, Object> of = new LinkedHashMap<>();
+            Arrays.stream(Verdict.values()).forEach(v -> of.put(ReportNumbers.label(v), count(body, c, v)));
+            totals.put(c.tag(), of);
         }
-        map.put("bodies", bodies);
+        map.put("totals", totals);
+        map.put("rows", body.findings().stream().map(ValidationReport::values).toList());
         return map;
     }
 
@@ -161,10 +154,10 @@ public final class ValidationReport {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("key", row.key());
         row.preset().ifPresent(p -> map.put("preset", p));
-        map.put("verdict", f.verdict().name().toLowerCase(Locale.ROOT));
-        put(map, "value", f.value());
-        put(map, "low", row.low());
-        put(map, "high", row.high());
+        map.put("verdict", ReportNumbers.label(f.verdict()));
+        map.put("value", f.value());
+        map.put("low", row.low());
+        map.put("high", row.high());
         map.put("unit", row.unit());
         map.put("confidence", row.confidence().tag());
         map.put("measured", measurement(row));
@@ -177,12 +170,7 @@ public final class ValidationReport {
         if (!note.isEmpty()) {
             map.put("note", note);
         }
+        map.values().removeIf(value -> value instanceof Double number && !Double.isFinite(number));
         return map;
-    }
-
-    private static void put(Map<String, Object> map, String key, double value) {
-        if (Double.isFinite(value)) {
-            map.put(key, value);
-        }
     }
 }

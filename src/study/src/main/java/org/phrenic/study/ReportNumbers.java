@@ -1,0 +1,35 @@
+package org.phrenic.study;
+
+import java.util.Locale;
+
+/** Numbers as reports print them. */
+public final class ReportNumbers {
+    private ReportNumbers() {}
+
+    /** Three significant digits or all whole ones: 0.12, 12.3, 123; empty for NaN and infinity. */
+    public static String number(double value) {
+        if (!Double.isFinite(value)) {
+            return "";
+        }
+        double size = Math.abs(value);
+        String text = String.format(Locale.ROOT, size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", value);
+        return text.matches("-0(\\.0+)?") ? text.substring(1) : text;
+    }
+
+    /** At most so many significant digits, without trailing zeros: 0.05, 0.00125. */
+    public static String trimmed(double value, int digits) {
+        return String.format(Locale.ROOT, "%." + digits + "g", value)
+                .replaceFirst("(\\.\\d*?)0+$", "$1")
+                .replaceFirst("\\.$", "");
+    }
+
+    /** A whole number with commas between thousands: 20,909. */
+    public static String grouped(double value) {
+        return String.format(Locale.ROOT, "%,.0f", value);
+    }
+
+    /** An enum constant as in files: {@code HIGH} as "high". */
+    public static String label(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
+    }
+}
