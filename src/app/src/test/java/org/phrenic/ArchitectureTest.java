@@ -34,16 +34,13 @@ class ArchitectureTest {
         USES.put("file", List.of());
         USES.put("mesh", List.of("engine", "file"));
         USES.put("document", List.of("file"));
-        USES.put("parameter", List.of("document", "engine"));
+        USES.put("parameter", List.of("breathing", "document", "file"));
         USES.put("anatomy", List.of("document", "engine", "file", "mesh"));
         USES.put("breathing", List.of("document", "engine", "file"));
-        USES.put("scenario", List.of("anatomy", "breathing", "document", "engine", "file", "parameter", "simulation"));
+        USES.put("model", List.of("anatomy", "breathing", "document", "engine", "file", "mesh", "parameter"));
+        USES.put("scenario", List.of("anatomy", "breathing", "document", "engine", "file", "model", "parameter"));
         USES.put(
                 "simulation",
-                List.of("anatomy", "breathing", "document", "engine", "file", "mesh", "parameter", "scenario"));
-        USES.put("patient", List.of("anatomy", "document", "engine", "file", "mesh"));
-        USES.put(
-                "fit",
                 List.of(
                         "anatomy",
                         "breathing",
@@ -51,13 +48,35 @@ class ArchitectureTest {
                         "engine",
                         "file",
                         "mesh",
+                        "model",
+                        "parameter",
+                        "scenario"));
+        USES.put("patient", List.of("anatomy", "document", "engine", "file", "mesh"));
+        USES.put(
+                "fit",
+                List.of(
+                        "anatomy",
+                        "document",
+                        "engine",
+                        "file",
+                        "mesh",
+                        "model",
                         "parameter",
                         "patient",
                         "scenario",
                         "simulation"));
         USES.put(
                 "access",
-                List.of("anatomy", "breathing", "document", "engine", "file", "mesh", "scenario", "simulation"));
+                List.of(
+                        "anatomy",
+                        "breathing",
+                        "document",
+                        "engine",
+                        "file",
+                        "mesh",
+                        "model",
+                        "scenario",
+                        "simulation"));
         USES.put(
                 "study",
                 List.of(
@@ -69,6 +88,7 @@ class ArchitectureTest {
                         "file",
                         "fit",
                         "mesh",
+                        "model",
                         "parameter",
                         "patient",
                         "scenario",
@@ -86,6 +106,7 @@ class ArchitectureTest {
                         "engine",
                         "file",
                         "mesh",
+                        "model",
                         "parameter",
                         "scenario",
                         "scene",
@@ -101,6 +122,7 @@ class ArchitectureTest {
                         "file",
                         "fit",
                         "mesh",
+                        "model",
                         "parameter",
                         "patient",
                         "scenario",

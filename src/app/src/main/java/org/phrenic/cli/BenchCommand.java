@@ -10,7 +10,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
-import org.phrenic.scenario.Scenario;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.study.bare.BareResult;
 import org.phrenic.study.bare.BareScene;
 import org.phrenic.study.bare.BareSettings;
@@ -87,8 +87,8 @@ final class BenchCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "found neither --mesh nor a sub-command, expected one of them");
         }
-        if (threads > Scenario.MAX_THREADS) {
-            throw new BadInputException("threads: found " + threads + ", expected 1 to " + Scenario.MAX_THREADS);
+        if (threads > Numerics.MAX_THREADS) {
+            throw new BadInputException("threads: found " + threads + ", expected 1 to " + Numerics.MAX_THREADS);
         }
         BareSettings settings = BareSettings.DEFAULT
                 .withIntegrator(IntegratorKind.of(integrator))

@@ -21,6 +21,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.annotate.Annotations;
@@ -173,16 +174,16 @@ final class BenchErrorCommand implements Callable<Integer> {
         for (String material : OptionValues.split(materials)) {
             for (String resolution : quick ? List.of("low") : OptionValues.split(resolutions)) {
                 List<Assignment> list = new ArrayList<>(List.of(
-                        new Assignment("--material " + material, "material", material),
-                        new Assignment("--resolution " + resolution, "resolution", resolution),
-                        new Assignment(
+                        Assignment.read("--material " + material, "material", material),
+                        Assignment.read("--resolution " + resolution, "resolution", resolution),
+                        Assignment.read(
                                 "--threads",
                                 "threads",
                                 Integer.toString(
-                                        OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS)))));
+                                        OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS)))));
                 if (quick) {
-                    list.add(new Assignment("--quick", "lungs", "embedded"));
-                    list.add(new Assignment("--quick", "sternum", "kinematic"));
+                    list.add(Assignment.read("--quick", "lungs", "embedded"));
+                    list.add(Assignment.read("--quick", "sternum", "kinematic"));
                 }
                 list.addAll(more);
                 scenarios.add(Scenario.defaults().with(list));

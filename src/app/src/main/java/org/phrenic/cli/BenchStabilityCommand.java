@@ -12,6 +12,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.StabilityReport;
 import org.phrenic.study.stability.StabilityStudy;
@@ -107,7 +108,7 @@ final class BenchStabilityCommand implements Callable<Integer> {
                 .withThreads(
                         threads == null
                                 ? Scenario.defaults().threads()
-                                : OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS));
+                                : OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS));
         return spend == null ? settings : settings.withEvaluations(OptionValues.number("--spend", spend, 1, MAX_SPEND));
     }
 

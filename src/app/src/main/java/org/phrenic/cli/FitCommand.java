@@ -27,6 +27,7 @@ import org.phrenic.fit.FitTarget;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.SyntheticStudy;
 import org.phrenic.fit.search.FitParameter;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -205,7 +206,7 @@ final class FitCommand implements Callable<Integer> {
     }
 
     private int threads() {
-        return OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS);
+        return OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS);
     }
 
     private int evaluations() {
@@ -218,9 +219,9 @@ final class FitCommand implements Callable<Integer> {
 
     private Scenario scenario() {
         List<Assignment> list = new ArrayList<>(List.of(
-                new Assignment("--preset " + preset, "preset", preset),
-                new Assignment(thorax, "anatomy", thorax),
-                new Assignment("--resolution " + resolution, "resolution", resolution)));
+                Assignment.read("--preset " + preset, "preset", preset),
+                Assignment.read(thorax, "anatomy", thorax),
+                Assignment.read("--resolution " + resolution, "resolution", resolution)));
         settings.forEach(text -> list.add(Assignment.parse(text)));
         return Scenario.defaults().with(list);
     }

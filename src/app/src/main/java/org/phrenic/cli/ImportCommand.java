@@ -156,7 +156,7 @@ final class ImportCommand implements Callable<Integer> {
         if (alignTo != null || complete.equals("none")) {
             return Optional.empty();
         }
-        Assignment anatomy = new Assignment("--complete " + complete, "anatomy", complete);
+        Assignment anatomy = Assignment.read("--complete " + complete, "anatomy", complete);
         return Optional.of(SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy))));
     }
 

@@ -92,7 +92,7 @@ final class RunCommand implements Callable<Integer> {
             throw new BadInputException("--meshes: found '" + meshes + "', expected every=S such as every=0.1");
         }
         return new Assignment[] {
-            new Assignment("--meshes " + meshes, "meshes_every_s", meshes.substring("every=".length()))
+            Assignment.read("--meshes " + meshes, "meshes_every_s", meshes.substring("every=".length()))
         };
     }
 }

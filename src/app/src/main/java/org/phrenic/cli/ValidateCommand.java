@@ -20,6 +20,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
@@ -110,7 +111,7 @@ final class ValidateCommand implements Callable<Integer> {
         Scenario scenario = scenario();
         int atATime = threads == null
                 ? scenario.threads()
-                : OptionValues.integer("--threads", threads, 1, Scenario.MAX_THREADS);
+                : OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS);
         ProgressListener progress = new LineProgress(spec.commandLine().getErr());
         if (liver) {
             return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
@@ -145,7 +146,7 @@ final class ValidateCommand implements Callable<Integer> {
     private Scenario scenario() {
         List<Assignment> list = new ArrayList<>();
         if (resolution != null) {
-            list.add(new Assignment("--resolution " + resolution, "resolution", resolution));
+            list.add(Assignment.read("--resolution " + resolution, "resolution", resolution));
         }
         for (String text : settings) {
             Assignment assignment = Assignment.parse(text);

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.cli.report.RunReport;
 import org.phrenic.mesh.io.MeshFiles;
-import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
 import org.yaml.snakeyaml.constructor.SafeConstructor;
@@ -164,7 +164,7 @@ class CommandsTest {
     void theUsageDocumentNamesEveryKeyAndEveryCommand() throws IOException {
         String usage = Files.readString(Path.of("docs/usage.md"));
         String parameters = Files.readString(Path.of("docs/parameters.md"));
-        assertThat(Scenario.keys())
+        assertThat(Settings.keys())
                 .allMatch(key -> usage.contains("`" + key + "`") || parameters.contains("`" + key + "`"));
         assertThat(usage).contains("phrenic run", "phrenic info", "phrenic bench");
     }

@@ -72,10 +72,10 @@ class LiveCommandTest {
             run.setSpeed(Double.POSITIVE_INFINITY);
             run.play();
             until(() -> run.status().step() > 100);
-            run.change(List.of(new Assignment("slider", "muscle_stiffness_n_per_m", "450.5")));
+            run.change(List.of(Assignment.read("slider", "muscle_stiffness_n_per_m", "450.5")));
             until(() -> run.status().step() > 250);
-            run.change(List.of(new Assignment("button", "trace", trace.toString())));
-            run.change(List.of(new Assignment("field", "time_step_s", "7.5E-4")));
+            run.change(List.of(Assignment.read("button", "trace", trace.toString())));
+            run.change(List.of(Assignment.read("field", "time_step_s", "7.5E-4")));
             until(() -> run.status().step() > 400);
             run.pause();
             until(() -> !run.status().playing());

@@ -8,8 +8,9 @@ import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.SceneSurfaces;
@@ -61,10 +62,9 @@ public final class InspiratoryHold implements AutoCloseable {
                             + ", expected preset deep, quiet or quiet-supine");
         }
         return base.withChanges(List.of())
-                .with(
-                        "rate_per_min=" + 60 * INSPIRATORY_FRACTION / INSPIRATION_S,
-                        "inspiratory_fraction=" + INSPIRATORY_FRACTION,
-                        "duration_s=" + OBSERVED_AT_S);
+                .with(Breathing.RATE, 60 * INSPIRATORY_FRACTION / INSPIRATION_S)
+                .with(Breathing.INSPIRATORY_FRACTION, INSPIRATORY_FRACTION)
+                .with(RunSettings.DURATION, OBSERVED_AT_S);
     }
 
     /** The scenario that {@code phrenic run} takes to the same state with these values, each within its bounds. */
@@ -76,11 +76,11 @@ public final class InspiratoryHold implements AutoCloseable {
     private static List<ScheduledChange> changes(Scenario held, List<FitParameter> parameters, double[] values) {
         List<ScheduledChange> changes = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
-            Parameter parameter = parameters.get(i).parameter();
-            changes.add(new ScheduledChange(0, new Assignment("fit", parameter.key(), Double.toString(values[i]))));
+            changes.add(new ScheduledChange(
+                    0, Assignment.of("fit", parameters.get(i).parameter(), values[i])));
         }
         long stop = Math.round((INSPIRATION_S - STOPPING_S) / held.timeStepS());
-        changes.add(new ScheduledChange(stop, new Assignment("fit", "hold", "true")));
+        changes.add(new ScheduledChange(stop, Assignment.of("fit", Breathing.HOLD, true)));
         return changes;
     }
 

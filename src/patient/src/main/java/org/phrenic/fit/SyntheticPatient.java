@@ -4,6 +4,7 @@ import java.util.List;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
@@ -29,8 +30,8 @@ public record SyntheticPatient(
 
     /** Five of both sexes, of several sizes and shapes. */
     public static List<SyntheticPatient> five() {
-        String male = Scenario.VIRTUAL_BODIES.get(0);
-        String female = Scenario.VIRTUAL_BODIES.get(1);
+        String male = RunSettings.VIRTUAL_BODIES.get(0);
+        String female = RunSettings.VIRTUAL_BODIES.get(1);
         return List.of(
                 new SyntheticPatient(
                         "man of middle size",

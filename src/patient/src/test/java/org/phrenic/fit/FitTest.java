@@ -19,7 +19,8 @@ import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.RibRotation;
 import org.phrenic.scenario.Scenario;
 
 /**
@@ -60,9 +61,9 @@ class FitTest {
 
     private static FitSetup setup(int evaluations, int threads) {
         List<FitParameter> parameters = List.of(
-                FitParameter.of(Parameter.MUSCLE_ACTIVATION, base),
-                FitParameter.of(Parameter.LEFT_OVER_RIGHT, base),
-                FitParameter.of(Parameter.RIB_ROTATION, base));
+                FitParameter.of(Muscle.MUSCLE_ACTIVATION, base),
+                FitParameter.of(Muscle.LEFT_OVER_RIGHT, base),
+                FitParameter.of(RibRotation.RIB_ROTATION, base));
         return new FitSetup(
                 base,
                 body,

@@ -1,13 +1,12 @@
 package org.phrenic.study;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -59,22 +58,22 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
      * @param threads runs at a time
      */
     public static Sensitivity of(Scenario scenario, int threads, ProgressListener progress) {
-        Scenario single = scenario.with("threads=1");
+        Scenario single = scenario.with(Numerics.THREADS, 1);
         Thorax thorax = SimulationRun.loadThorax(single);
-        List<Parameter> parameters = Arrays.stream(Parameter.values())
-                .filter(p -> p.isUsedBy(scenario.material()) && value(single, p) != 0)
+        List<Parameter> parameters = scenario.material().parameters().stream()
+                .filter(p -> single.get(p) != 0)
                 .toList();
         List<double[]> ends = new ArrayList<>();
         List<BatchRunner.Job<double[]>> jobs = new ArrayList<>();
         jobs.add(new BatchRunner.Job<>("nothing altered", () -> breathChanges(single, thorax)));
         for (Parameter parameter : parameters) {
-            double value = value(single, parameter);
+            double value = single.get(parameter);
             double[] pair = {
                 Math.max(parameter.minimum(), value * (1 - STEP)), Math.min(parameter.maximum(), value * (1 + STEP))
             };
             ends.add(pair);
             for (double end : pair) {
-                Scenario altered = single.with(parameter.key() + "=" + end);
+                Scenario altered = single.with(parameter, end);
                 jobs.add(new BatchRunner.Job<>(
                         String.format(Locale.ROOT, "%s %.4g", parameter.key(), end),
                         () -> breathChanges(altered, thorax)));
@@ -85,7 +84,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
         List<Row> rows = new ArrayList<>();
         for (int i = 0; i < parameters.size(); i++) {
             double[] pair = ends.get(i);
-            double share = (pair[1] - pair[0]) / value(single, parameters.get(i));
+            double share = (pair[1] - pair[0]) / single.get(parameters.get(i));
             rows.add(new Row(
                     parameters.get(i),
                     pair[0],
@@ -102,20 +101,6 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
             effects[i] = reference[i] == 0 ? Double.NaN : (high[i] - low[i]) / (reference[i] * share);
         }
         return effects;
-    }
-
-    private static double value(Scenario scenario, Parameter parameter) {
-        double value = scenario.value(parameter);
-        if (!Double.isNaN(value)) {
-            return value;
-        }
-        BreathingParameters breathing = scenario.breathing().parameters();
-        return switch (parameter) {
-            case RATE -> breathing.ratePerMin();
-            case INSPIRATORY_FRACTION -> breathing.inspiratoryFraction();
-            case CHEST_SHARE -> breathing.chestShare();
-            default -> 0;
-        };
     }
 
     private static double[] breathChanges(Scenario scenario, Thorax thorax) {

@@ -1,163 +1,48 @@
 package org.phrenic.scenario;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.engine.integrator.IntegratorKind;
-import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
-import org.phrenic.simulation.organ.LungModel;
-import org.phrenic.simulation.organ.SternumModel;
-import org.phrenic.simulation.organ.TendonRule;
+import org.phrenic.parameter.Setting;
+import org.phrenic.parameter.SettingValues;
 
 /**
- * What is to be simulated: a body, a way to breathe, a material and how to compute it. Read from YAML; every key has a
- * default, so that an empty scenario is a quiet breath of the virtual adult male. Two scenarios are equal if they
- * resolve to the same {@link #toMap}.
- *
- * @param givenName name, null for that of the preset
- * @param preset breathing preset
- * @param trace recorded breathing whose curve replaces that of the preset
- * @param material what the springs stand for
- * @param anatomy {@code virtual/adult-male}, {@code virtual/adult-female} or the path of a thorax folder
- * @param resolution how finely to mesh
- * @param givenDurationS simulated time, s; NaN for as long as the breathing pattern takes, two breaths or a whole hold
- *     or recording
- * @param givenTimeStepS step, s; NaN for that of the material
- * @param givenIntegrator scheme; empty for that of the material
- * @param stepPolicy what to do with a step beyond the stability limit
- * @param givenProjectionSweeps sweeps over all constraints a step; 0 for those of the material
- * @param givenRefreshS time after which anchors and wall planes are taken anew, s; NaN for that of material and step
- * @param massScalingS step, s, that velocity Verlet bears after the lightest nodes were made heavier; only in the
- *     physical material
- * @param threads threads to compute on; results do not depend on it
- * @param recordEveryS time between samples of the observables, s
- * @param meshesEveryS time between meshes that are written, s; 0 for none
- * @param muscle whether the diaphragm's muscle is driven
- * @param pressure whether transdiaphragmatic pressure acts
- * @param ribs whether the ribs turn
- * @param tensegrity whether rigid links hold the two faces of the sheet apart
- * @param contact whether the diaphragm slides on the chest wall
- * @param sternum what moves the sternum
- * @param lungs what moves the lungs
- * @param liver whether the liver moves along
- * @param linksPerNode rigid links a node of the sheet, 1 to 3
- * @param tendon which part of the sheet is tendon
- * @param given tunable numbers that the scenario states
- * @param hold whether the breath is held where it is
- * @param givenSteps steps to run instead of the duration; -1 where none are given
- * @param changes made while it runs, in order
+ * What is to be simulated: values for some of the {@link Settings}; all others have defaults, so that an empty scenario
+ * is a quiet breath of the virtual adult male. Immutable. Two scenarios are equal if they resolve to the same
+ * {@link #toMap}.
  */
-public record Scenario(
-        String givenName,
-        String preset,
-        Optional<Path> trace,
-        TissueMaterial material,
-        String anatomy,
-        Resolution resolution,
-        double givenDurationS,
-        double givenTimeStepS,
-        Optional<IntegratorKind> givenIntegrator,
-        StepPolicy stepPolicy,
-        int givenProjectionSweeps,
-        double givenRefreshS,
-        double massScalingS,
-        int threads,
-        double recordEveryS,
-        double meshesEveryS,
-        boolean muscle,
-        boolean pressure,
-        boolean ribs,
-        boolean tensegrity,
-        boolean contact,
-        SternumModel sternum,
-        LungModel lungs,
-        boolean liver,
-        int linksPerNode,
-        TendonRule tendon,
-        Map<Parameter, Double> given,
-        boolean hold,
-        long givenSteps,
-        List<ScheduledChange> changes) {
+public final class Scenario implements SettingValues {
+    private static final Scenario DEFAULTS = new Scenario(Map.of());
 
-    /** Bodies that come with the program. */
-    public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
+    private final Map<Setting<?>, Object> stated;
 
-    /** Greatest number of threads that may be asked for, wherever it is asked. */
-    public static final int MAX_THREADS = 256;
-
-    private static final int MAX_DEFAULT_THREADS = 2;
-    private static final double RECORD_EVERY_S = 0.02;
-    private static final double MASS_SCALING_S = 0.00125;
-    /**
-     * Contact and the order of the faces share nodes: what is left of their quarrel after three sweeps is below a
-     * thousandth of an excursion.
-     */
-    private static final int PHYSICAL_SWEEPS = 3;
-
-    private static final double REFRESH_S = 0.02;
-    private static final double REFRESH_STEPS = 4;
-    /** After 0.08 s the wall is 10 % of a breath's excursion from where it should be. */
-    private static final double MAX_REFRESH_S = 0.04;
-
-    public Scenario {
-        Map<Parameter, Double> copy = new EnumMap<>(Parameter.class);
-        copy.putAll(given);
-        given = Collections.unmodifiableMap(copy);
-        changes = List.copyOf(changes);
+    private Scenario(Map<Setting<?>, Object> stated) {
+        this.stated = Collections.unmodifiableMap(stated);
     }
 
     /** A quiet breath of the virtual adult male. */
     public static Scenario defaults() {
-        return new Scenario(
-                null,
-                "quiet",
-                Optional.empty(),
-                TissueMaterial.PHYSICAL,
-                VIRTUAL_BODIES.get(0),
-                Resolution.MEDIUM,
-                Double.NaN,
-                Double.NaN,
-                Optional.empty(),
-                StepPolicy.SUBSTEP,
-                0,
-                Double.NaN,
-                MASS_SCALING_S,
-                Math.min(MAX_DEFAULT_THREADS, Runtime.getRuntime().availableProcessors()),
-                RECORD_EVERY_S,
-                0,
-                true,
-                true,
-                true,
-                true,
-                true,
-                SternumModel.SPRINGS,
-                LungModel.SPRINGS,
-                true,
-                1,
-                TendonRule.TREFOIL,
-                Map.of(),
-                false,
-                -1,
-                List.of());
-    }
-
-    /** The keys of a scenario file: those of this class, then those of {@link Parameter}. */
-    public static List<String> keys() {
-        return ScenarioReader.KEYS;
+        return DEFAULTS;
     }
 
     /**
@@ -170,33 +55,72 @@ public record Scenario(
         if (yaml.keys().isEmpty()) {
             throw new BadInputException(file + ": found no keys, expected 'key: value' lines such as 'preset: quiet'");
         }
+        yaml.requireOnly(Settings.keys());
         Path folder = file.toAbsolutePath().getParent();
-        String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        return ScenarioReader.read(defaults(), yaml, folder, stem);
+        Map<Setting<?>, Object> values = new LinkedHashMap<>();
+        values.put(RunSettings.NAME, file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+        for (Setting<?> setting : Settings.all()) {
+            if (yaml.has(setting.key())) {
+                values.put(setting, setting.read(yaml, folder));
+            }
+        }
+        Scenario scenario = new Scenario(values);
+        scenario.requireUsed(values.keySet(), setting -> problem -> yaml.bad(setting.key(), problem));
+        scenario.requireStepWithinDuration(problem -> yaml.bad(
+                yaml.has(RunSettings.DURATION.key()) ? RunSettings.DURATION.key() : Numerics.TIME_STEP.key(), problem));
+        return scenario.requireValidChanges();
     }
 
     /**
-     * This scenario with other values of some keys; of two values for a key the later counts. Paths are taken from the
-     * working folder.
+     * This scenario with other values; of two values for a setting the later counts.
      *
      * @throws BadInputException with one sentence that names where the value was given and the key
      */
     public Scenario with(List<Assignment> assignments) {
-        try {
-            YamlMap changes = YamlDocument.parse("", "");
-            for (Assignment assignment : assignments) {
-                changes = changes.overlaidWith(assignment.toYaml());
-            }
-            return ScenarioReader.read(this, changes, Path.of(""), givenName);
-        } catch (BadInputException e) {
-            // A value that comes from no file stands in no line.
-            throw new BadInputException(e.getMessage().replaceFirst(": line 1, key", ": key"), e);
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        Map<Setting<?>, String> origins = new LinkedHashMap<>();
+        for (Assignment assignment : assignments) {
+            values.put(assignment.setting(), assignment.value());
+            origins.put(assignment.setting(), assignment.origin());
         }
+        Scenario scenario = new Scenario(values);
+        scenario.requireUsed(
+                origins.keySet(),
+                setting -> problem -> new BadInputException(at(origins.getOrDefault(setting, ""), setting) + problem));
+        scenario.requireStepWithinDuration(problem -> {
+            Setting<?> setting = origins.containsKey(RunSettings.DURATION) ? RunSettings.DURATION : Numerics.TIME_STEP;
+            return new BadInputException(at(origins.getOrDefault(setting, ""), setting) + problem);
+        });
+        return scenario.requireValidChanges();
+    }
+
+    private static String at(String origin, Setting<?> setting) {
+        return (origin.isEmpty() ? "" : origin + ": ") + "key '" + setting.key() + "': ";
     }
 
     /** This scenario with other values, each as {@code key=value}. */
     public Scenario with(String... assignments) {
         return with(Arrays.stream(assignments).map(Assignment::parse).toList());
+    }
+
+    /** This scenario with another value of a setting. */
+    public <T> Scenario with(Setting<T> setting, T value) {
+        return with(List.of(Assignment.of("", setting, value)));
+    }
+
+    /** This scenario without a stated value of a setting: it is as by default. */
+    public Scenario without(Setting<?> setting) {
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        values.remove(setting);
+        return new Scenario(values);
+    }
+
+    /** The same of another material: all that is stated stays, but for the parameters that the other does not use. */
+    public Scenario withMaterial(TissueMaterial material) {
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        values.keySet().removeIf(setting -> setting instanceof Parameter p && !material.uses(p));
+        values.put(Materials.MATERIAL, material);
+        return new Scenario(values);
     }
 
     /**
@@ -205,59 +129,61 @@ public record Scenario(
      * @throws BadInputException with one sentence, if one cannot be made or they are not in order
      */
     public Scenario withChanges(List<ScheduledChange> others) {
-        return with(givenSteps, others).requireValidChanges();
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        values.put(RunSettings.CHANGES, List.copyOf(others));
+        return new Scenario(values).requireValidChanges();
     }
 
     /** This scenario for so many steps. */
     public Scenario withSteps(long steps) {
-        return with(steps, changes);
+        Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
+        values.put(RunSettings.STEPS, steps);
+        return new Scenario(values);
     }
 
-    private Scenario with(long steps, List<ScheduledChange> others) {
-        return new Scenario(
-                givenName,
-                preset,
-                trace,
-                material,
-                anatomy,
-                resolution,
-                givenDurationS,
-                givenTimeStepS,
-                givenIntegrator,
-                stepPolicy,
-                givenProjectionSweeps,
-                givenRefreshS,
-                massScalingS,
-                threads,
-                recordEveryS,
-                meshesEveryS,
-                muscle,
-                pressure,
-                ribs,
-                tensegrity,
-                contact,
-                sternum,
-                lungs,
-                liver,
-                linksPerNode,
-                tendon,
-                given,
-                hold,
-                steps,
-                others);
+    /** Refuses parameters that the material does not use. */
+    private void requireUsed(Set<Setting<?>> given, Function<Setting<?>, Function<String, BadInputException>> bad) {
+        for (Setting<?> setting : Settings.all()) {
+            if (setting instanceof Parameter parameter
+                    && states(parameter)
+                    && !material().uses(parameter)) {
+                String other = Materials.ALL.stream()
+                        .filter(m -> m.uses(parameter))
+                        .findFirst()
+                        .orElseThrow()
+                        .label();
+                throw given.contains(parameter)
+                        ? bad.apply(parameter)
+                                .apply("found it with material " + material().label()
+                                        + ", which does not use it; expected it with material " + other + " alone")
+                        : bad.apply(Materials.MATERIAL)
+                                .apply("found " + material().label() + ", expected " + other + " beside the key '"
+                                        + parameter.key() + "' of the scenario");
+            }
+        }
+    }
+
+    private void requireStepWithinDuration(Function<String, BadInputException> bad) {
+        if (durationS() < timeStepS()) {
+            throw bad.apply("found a duration of " + durationS() + " s with a step of " + timeStepS()
+                    + " s, expected at least one step");
+        }
     }
 
     /** Makes sure that every change can be made after those before it. */
-    Scenario requireValidChanges() {
-        Scenario now = changes.isEmpty() ? this : with(givenSteps, List.of());
+    private Scenario requireValidChanges() {
+        if (changes().isEmpty()) {
+            return this;
+        }
+        Scenario now = without(RunSettings.CHANGES);
         long before = 0;
-        for (ScheduledChange change : changes) {
+        for (ScheduledChange change : changes()) {
             if (change.step() < before) {
                 throw new BadInputException(change.assignment().origin() + ": found step " + change.step()
                         + " after step " + before + ", expected changes in the order of their steps");
             }
             before = change.step();
-            LiveKeys.requireLive(change.assignment());
+            change.assignment().requireLive();
             now = now.with(List.of(change.assignment()));
         }
         return this;
@@ -265,84 +191,145 @@ public record Scenario(
 
     /** The settings after all changes, without them. */
     public Scenario afterChanges() {
-        return with(givenSteps, List.of())
-                .with(changes.stream().map(ScheduledChange::assignment).toList());
+        return without(RunSettings.CHANGES)
+                .with(changes().stream().map(ScheduledChange::assignment).toList());
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // a value of the setting's type was put there
+    public <T> T get(Setting<T> setting) {
+        Object value = stated.get(setting);
+        if (value != null) {
+            return (T) value;
+        }
+        return defaultOf(setting);
+    }
+
+    /** The value of a setting where this scenario states none: that of the material or the breathing preset. */
+    @SuppressWarnings("unchecked") // a parameter is a setting of Double
+    public <T> T defaultOf(Setting<T> setting) {
+        return setting instanceof Parameter parameter
+                ? (T) (Double) material().defaultOf(parameter, this)
+                : setting.defaultValue(this);
+    }
+
+    @Override
+    public boolean states(Setting<?> setting) {
+        return stated.containsKey(setting);
+    }
+
+    /**
+     * What leads from this scenario to another while it runs; empty if that takes another scene. Name, steps and
+     * changes do not count.
+     *
+     * @param origin of the assignments
+     */
+    public Optional<List<Assignment>> liveChangesTo(Scenario other, String origin) {
+        List<Assignment> list = new ArrayList<>();
+        for (Setting<?> setting : Settings.all()) {
+            boolean counts =
+                    setting != RunSettings.NAME && setting != RunSettings.STEPS && setting != RunSettings.CHANGES;
+            if (counts && !text(setting).equals(other.text(setting))) {
+                if (!setting.isLive()) {
+                    return Optional.empty();
+                }
+                list.add(new Assignment(origin, setting, other.get(setting)));
+            }
+        }
+        return Optional.of(list);
     }
 
     /** What to call it. */
     public String name() {
-        return givenName == null ? preset : givenName;
-    }
-
-    /** Time step, s: that of the file or of the material. */
-    public double timeStepS() {
-        if (!Double.isNaN(givenTimeStepS)) {
-            return givenTimeStepS;
-        }
-        return material == TissueMaterial.PHYSICAL ? MASS_SCALING_S : 0.01;
-    }
-
-    /** Sweeps over all constraints a step: those of the file or of the material. */
-    public int projectionSweeps() {
-        if (givenProjectionSweeps > 0) {
-            return givenProjectionSweeps;
-        }
-        return material == TissueMaterial.PHYSICAL ? PHYSICAL_SWEEPS : 1;
-    }
-
-    /** Scheme: that of the file, else that of the material. */
-    public IntegratorKind integrator() {
-        return givenIntegrator.orElse(material.integrator());
-    }
-
-    /**
-     * Time after which anchors and wall planes are taken anew, s: that of the file, else 0.02 s and at least four
-     * steps, but no more than 0.04 s.
-     */
-    public double refreshS() {
-        return Double.isNaN(givenRefreshS)
-                ? Math.min(MAX_REFRESH_S, Math.max(REFRESH_S, REFRESH_STEPS * timeStepS()))
-                : givenRefreshS;
-    }
-
-    /** Simulated time, s; NaN where none is given. */
-    public double durationS() {
-        return givenDurationS;
-    }
-
-    /**
-     * Simulated time, s: that of the file or as long as it takes to see all of the breathing
-     * ({@link BreathingPattern#fullDurationS}).
-     */
-    public double durationS(BreathingPattern pattern) {
-        return Double.isNaN(givenDurationS) ? pattern.fullDurationS() : givenDurationS;
-    }
-
-    /** Whether the body comes with the program; else {@link #anatomy} is a folder. */
-    public boolean isVirtual() {
-        return VIRTUAL_BODIES.contains(anatomy);
-    }
-
-    /**
-     * Value of a parameter: that of the file or the material's default; NaN where the breathing preset gives it or the
-     * material does not use it.
-     */
-    public double value(Parameter parameter) {
-        return given.getOrDefault(parameter, parameter.defaultFor(material));
-    }
-
-    /** Whether the scenario states the parameter. */
-    public boolean states(Parameter parameter) {
-        return given.containsKey(parameter);
+        return get(RunSettings.NAME);
     }
 
     /** The breathing preset as it comes with the program, before this scenario's rate, depth and the rest. */
     public BreathingPreset breathing() {
-        try {
-            return BreathingPreset.named(preset);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return get(Breathing.PRESET);
+    }
+
+    /** Name of the breathing preset. */
+    public String preset() {
+        return breathing().name();
+    }
+
+    /** Recorded breathing whose curve replaces that of the preset. */
+    public Optional<Path> trace() {
+        return get(Breathing.TRACE);
+    }
+
+    /** Whether the breath is held where it is. */
+    public boolean hold() {
+        return get(Breathing.HOLD);
+    }
+
+    /** What the springs stand for. */
+    public TissueMaterial material() {
+        return get(Materials.MATERIAL);
+    }
+
+    /** A virtual body, or the path of a thorax folder. */
+    public String anatomy() {
+        return get(RunSettings.ANATOMY);
+    }
+
+    /** Whether the body comes with the program; else {@link #anatomy} is a folder. */
+    public boolean isVirtual() {
+        return RunSettings.VIRTUAL_BODIES.contains(anatomy());
+    }
+
+    /** How finely to mesh. */
+    public Resolution resolution() {
+        return get(OrganSettings.RESOLUTION);
+    }
+
+    /** Threads to compute on; results do not depend on it. */
+    public int threads() {
+        return get(Numerics.THREADS);
+    }
+
+    /** Time step, s. */
+    public double timeStepS() {
+        return get(Numerics.TIME_STEP);
+    }
+
+    /** Scheme. */
+    public IntegratorKind integrator() {
+        return get(Numerics.INTEGRATOR);
+    }
+
+    /** Simulated time, s; NaN where none is given. */
+    public double durationS() {
+        return get(RunSettings.DURATION);
+    }
+
+    /**
+     * Simulated time, s: the one given, or as long as it takes to see all of the breathing
+     * ({@link BreathingPattern#fullDurationS}).
+     */
+    public double durationS(BreathingPattern pattern) {
+        return Double.isNaN(durationS()) ? pattern.fullDurationS() : durationS();
+    }
+
+    /** Steps to run instead of the duration; -1 where none are given. */
+    public long steps() {
+        return get(RunSettings.STEPS);
+    }
+
+    /** Changes made while it runs, in order. */
+    public List<ScheduledChange> changes() {
+        return get(RunSettings.CHANGES);
+    }
+
+    /** Value of a setting as a scenario file has it; null where the file leaves it out. */
+    public <T> Object plain(Setting<T> setting) {
+        return setting.toPlain(get(setting));
+    }
+
+    /** Value of a setting as text. */
+    public <T> String text(Setting<T> setting) {
+        return setting.format(get(setting));
     }
 
     /**
@@ -350,7 +337,22 @@ public record Scenario(
      * value the preset gives are left out.
      */
     public Map<String, Object> toMap() {
-        return ScenarioWriter.map(this);
+        Map<String, Object> map = new LinkedHashMap<>();
+        for (Setting<?> setting : Settings.all()) {
+            boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset() && !states(p);
+            Object plain =
+                    ofPreset || setting == RunSettings.CHANGES || setting == RunSettings.STEPS ? null : plain(setting);
+            if (plain != null) {
+                map.put(setting.key(), plain);
+            }
+            if (setting == RunSettings.DURATION && steps() >= 0) {
+                map.put(RunSettings.STEPS.key(), steps());
+            }
+        }
+        if (!changes().isEmpty()) {
+            map.put(RunSettings.CHANGES.key(), plain(RunSettings.CHANGES));
+        }
+        return map;
     }
 
     @Override
@@ -361,5 +363,10 @@ public record Scenario(
     @Override
     public int hashCode() {
         return toMap().hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return toMap().toString();
     }
 }

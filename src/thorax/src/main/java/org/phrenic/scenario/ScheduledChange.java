@@ -1,22 +1,35 @@
 package org.phrenic.scenario;
 
+import java.nio.file.Path;
+import java.util.function.Function;
 import org.phrenic.file.BadInputException;
 
 /**
- * A live change of a running simulation: from which step on which key has another value. As text
+ * A live change of a running simulation: from which step on a setting has another value. As text
  * {@code 1234:depth=1.5}.
  *
  * @param step steps done when it is made; it ramps in from there on
- * @param assignment key and new value
+ * @param assignment setting and new value
  */
 public record ScheduledChange(long step, Assignment assignment) {
 
     /**
-     * Reads {@code STEP:key=value}.
+     * Reads {@code STEP:key=value}, as {@code --change} takes it.
      *
-     * @throws BadInputException with one sentence, if it is none
+     * @throws BadInputException with one sentence, if it is none or the value cannot be
      */
     public static ScheduledChange parse(String text) {
+        return parse(text, "--change " + text, problem -> new BadInputException("--change: " + problem), Path.of(""));
+    }
+
+    /**
+     * Reads {@code STEP:key=value}.
+     *
+     * @param origin where it was given
+     * @param bad what to throw of a text that is none
+     * @param folder from which paths are taken
+     */
+    static ScheduledChange parse(String text, String origin, Function<String, BadInputException> bad, Path folder) {
         int colon = text.indexOf(':');
         int equals = text.indexOf('=');
         long step = -1;
@@ -26,15 +39,16 @@ public record ScheduledChange(long step, Assignment assignment) {
             step = -1;
         }
         if (step < 0 || equals < colon + 2) {
-            throw new BadInputException("--change: found '" + text
-                    + "', expected STEP:key=value with a step of 0 or more, such as 1234:depth=1.5");
+            throw bad.apply(
+                    "found '" + text + "', expected STEP:key=value with a step of 0 or more, such as 1234:depth=1.5");
         }
-        Assignment plain = Assignment.parse(text.substring(colon + 1));
-        return new ScheduledChange(step, new Assignment("--change " + text, plain.key(), plain.value()));
+        String key = text.substring(colon + 1, equals).strip();
+        return new ScheduledChange(
+                step, Assignment.read(origin, key, text.substring(equals + 1).strip(), folder));
     }
 
     /** As it is written in a scenario and on the command line. */
     public String text() {
-        return step + ":" + assignment.key() + "=" + assignment.value();
+        return step + ":" + assignment.key() + "=" + assignment.text();
     }
 }

@@ -18,6 +18,7 @@ import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.PvdSeries;
 import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
@@ -43,7 +44,7 @@ final class RunRecorder {
         this.scenario = scenario;
         this.simulation = simulation;
         this.out = out;
-        boolean meshes = out != null && scenario.meshesEveryS() > 0;
+        boolean meshes = out != null && scenario.get(RunSettings.MESHES_EVERY) > 0;
         series = meshes ? new PvdSeries(out.resolve("scene.pvd")) : null;
         if (out != null) {
             deleteStaleSummary(out.resolve(SUMMARY));
@@ -61,7 +62,7 @@ final class RunRecorder {
 
     /** Told after steps; writes meshes if it is time. */
     void recordMeshes(double time) {
-        if (series == null || time < frame * scenario.meshesEveryS() * (1 - ROUNDING)) {
+        if (series == null || time < frame * scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING)) {
             return;
         }
         if (surfaces == null) {

@@ -9,7 +9,8 @@ import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.simulation.assembly.Scene;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.LungMeasure;
 import org.phrenic.simulation.observe.Observation;
@@ -18,7 +19,6 @@ import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.simulation.observe.SceneOverlays;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.simulation.organ.DiaphragmPart;
 
 /** Every surface of a simulation, and where it is now. Used by the simulation's thread alone. */
 public final class SceneSurfaces {

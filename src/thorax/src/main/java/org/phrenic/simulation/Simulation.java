@@ -17,19 +17,18 @@ import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.Hashes;
+import org.phrenic.model.assembly.BreathDrive;
+import org.phrenic.model.assembly.LiveBreathing;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.material.SceneAssembly;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.model.organ.SternumModel;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.parameter.RampedValues;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.LiveKeys;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
-import org.phrenic.simulation.assembly.BreathDrive;
-import org.phrenic.simulation.assembly.LiveBreathing;
-import org.phrenic.simulation.assembly.LiveTuning;
-import org.phrenic.simulation.assembly.RampedValues;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.assembly.SceneAssembly;
-import org.phrenic.simulation.organ.SternumModel;
 
 /**
  * A thorax that breathes: a scenario and a body put together, settled at end-expiration, and stepped. Positions are
@@ -50,11 +49,6 @@ public final class Simulation implements AutoCloseable {
      * damped.
      */
     private static final double SETTLE_DAMPING = 6;
-    /**
-     * Nothing in a trunk goes so far. A soft sheet under the greatest pressure without a wall to lean on would, for
-     * nothing in its law ends that. The paper's action lines have no end by their law.
-     */
-    private static final double REACH_MM = 200;
 
     private final Scene scene;
     private final Stepper stepper;
@@ -70,7 +64,6 @@ public final class Simulation implements AutoCloseable {
             Scenario scenario,
             Scene scene,
             Stepper stepper,
-            RampedValues dials,
             Workers workers,
             StabilityLimit firstLimit,
             double settledBy) {
@@ -81,7 +74,8 @@ public final class Simulation implements AutoCloseable {
         this.settlingDisplacementMm = settledBy;
         scheduled = scenario.changes();
         start = scenario.withChanges(List.of());
-        tuning = new LiveTuning(start, scene, stepper, dials);
+        scene.tuning().settled();
+        tuning = new LiveTuning(start, scene, stepper);
     }
 
     /**
@@ -91,26 +85,30 @@ public final class Simulation implements AutoCloseable {
      * @param thorax the body, already at hand
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
-        RampedValues dials = new RampedValues(scenario);
-        BreathDrive drive = new BreathDrive(new LiveBreathing(scenario), dials);
+        BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
         RibCage cage;
         try {
             cage = RibCage.of(
-                    thorax, RibAxisTable.preset(RibAxisTable.WILSON_CT), scenario.sternum() != SternumModel.OFF);
+                    thorax,
+                    RibAxisTable.preset(RibAxisTable.WILSON_CT),
+                    scenario.get(OrganSettings.STERNUM) != SternumModel.OFF);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         Workers workers = Workers.of(scenario.threads());
         try {
-            Scene scene = SceneAssembly.assemble(scenario, thorax, drive, cage, workers);
+            Scene scene = SceneAssembly.assemble(scenario, thorax, new RampedValues(scenario), drive, cage, workers);
             StabilityLimit limit = StabilityLimit.of(scene.system());
             double moved = settle(scenario, scene, limit);
             Stepper stepper = new Stepper(
-                    scenario.integrator().create(scene.system()), scenario.timeStepS(), scenario.stepPolicy(), limit);
-            if (scenario.material() == TissueMaterial.PHYSICAL) {
-                stepper.boundDisplacement(REACH_MM);
+                    scenario.integrator().create(scene.system()),
+                    scenario.timeStepS(),
+                    scenario.get(Numerics.STEP_POLICY),
+                    limit);
+            if (Double.isFinite(scenario.material().maxDisplacementMm())) {
+                stepper.boundDisplacement(scenario.material().maxDisplacementMm());
             }
-            return new Simulation(scenario, scene, stepper, dials, workers, limit, moved);
+            return new Simulation(scenario, scene, stepper, workers, limit, moved);
         } catch (RuntimeException e) {
             workers.close();
             throw e;
@@ -165,8 +163,8 @@ public final class Simulation implements AutoCloseable {
     /**
      * Makes a live change now, with a ramp of 0.2 s where it is a number, and logs it.
      *
-     * @throws org.phrenic.format.BadInputException with one sentence, if the key is none or not live, or the value
-     *     cannot be; nothing has changed then
+     * @throws org.phrenic.file.BadInputException with one sentence, if the key is none or not live, or the value cannot
+     *     be; nothing has changed then
      * @throws IllegalArgumentException with one sentence, if no time step is stable after it, or the one set is
      *     refused; nothing has changed then
      */
@@ -182,11 +180,6 @@ public final class Simulation implements AutoCloseable {
     /** What was changed since the start, in order. */
     public List<ScheduledChange> changes() {
         return tuning.log();
-    }
-
-    /** Whether a key of a scenario can be changed while it runs. */
-    public static boolean isLive(String key) {
-        return LiveKeys.ALL.contains(key);
     }
 
     /** What is set now. */
@@ -205,8 +198,8 @@ public final class Simulation implements AutoCloseable {
 
     /** Simulated time that all of the scenario takes, s. */
     public double durationS() {
-        return settings().givenSteps() >= 0
-                ? settings().givenSteps() * stepper.dt()
+        return settings().steps() >= 0
+                ? settings().steps() * stepper.dt()
                 : settings().durationS(scene.drive().pattern());
     }
 
@@ -270,7 +263,6 @@ public final class Simulation implements AutoCloseable {
     public void rerun(List<ScheduledChange> changes) {
         LiveTuning.requireParameters(tuning.log());
         LiveTuning.requireParameters(changes);
-        tuning.restoreAssembled();
         scheduled = start.withChanges(changes).changes();
         nextScheduled = 0;
         restartFrom();
@@ -279,8 +271,8 @@ public final class Simulation implements AutoCloseable {
     private void restartFrom() {
         // The cage keeps the pose of the last time it was asked for: none that comes again.
         scene.pose().update(-1);
-        RampedValues dials = new RampedValues(start);
-        scene.drive().restart(new LiveBreathing(start), dials);
+        scene.tuning().restart(start, system());
+        scene.drive().restart(new LiveBreathing(start));
         System.arraycopy(
                 system().layout().toInternal(scene.restPositions()),
                 0,
@@ -290,7 +282,7 @@ public final class Simulation implements AutoCloseable {
         Arrays.fill(system().velocities(), 0);
         system().invalidate();
         stepper.restart(start.integrator().create(system()), firstLimit);
-        tuning = new LiveTuning(start, scene, stepper, dials);
+        tuning = new LiveTuning(start, scene, stepper);
     }
 
     /**

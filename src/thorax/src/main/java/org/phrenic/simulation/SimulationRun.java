@@ -10,8 +10,9 @@ import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.assembly.Scene;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
 
@@ -85,7 +86,7 @@ public final class SimulationRun {
             Progress progress) {
         double total = scenario.durationS(simulation.scene().drive().pattern());
         double dt = simulation.stepper().dt();
-        long end = scenario.givenSteps() >= 0 ? scenario.givenSteps() : Math.max(1, Math.round(total / dt));
+        long end = scenario.steps() >= 0 ? scenario.steps() : Math.max(1, Math.round(total / dt));
         SceneObserver observer = new SceneObserver(simulation.scene());
         samples.add(observer.observe(0));
         recorder.recordMeshes(0);
@@ -93,7 +94,8 @@ public final class SimulationRun {
         long told = System.nanoTime();
         String finer = "";
         while (simulation.steps() < end) {
-            long chunk = Math.min(Math.max(1, Math.round(scenario.recordEveryS() / dt)), end - simulation.steps());
+            long chunk = Math.min(
+                    Math.max(1, Math.round(scenario.get(RunSettings.RECORD_EVERY) / dt)), end - simulation.steps());
             long start = System.nanoTime();
             for (long i = 0; i < chunk; i++) {
                 simulation.step();
@@ -107,7 +109,7 @@ public final class SimulationRun {
             if (simulation.stepper().dt() != dt) {
                 // Changed on the way: other steps make up the time that is left.
                 dt = simulation.stepper().dt();
-                end = scenario.givenSteps() >= 0
+                end = scenario.steps() >= 0
                         ? end
                         : simulation.steps() + Math.max(0, Math.round((total - simulation.time()) / dt));
             }

@@ -15,7 +15,8 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.SheetSprings;
 
 class ScenarioTest {
     @TempDir
@@ -46,12 +47,14 @@ class ScenarioTest {
         assertThat(scenario.anatomy()).isEqualTo("virtual/adult-male");
         assertThat(scenario.resolution()).isEqualTo(Resolution.MEDIUM);
         assertThat(scenario.durationS()).isNaN();
-        assertThat(scenario.durationS(ScenarioBreathing.patternOf(scenario))).isEqualTo(8);
+        assertThat(scenario.durationS(Breathing.patternOf(scenario))).isEqualTo(8);
         assertThat(scenario.timeStepS()).isEqualTo(0.00125);
-        assertThat(scenario.value(Parameter.MUSCLE_STIFFNESS)).isEqualTo(300);
-        assertThat(scenario.value(Parameter.RATE)).isNaN();
+        assertThat(scenario.get(SheetSprings.MUSCLE_STIFFNESS)).isEqualTo(300);
+        assertThat(scenario.states(Breathing.RATE)).isFalse();
+        assertThat(scenario.get(Breathing.RATE)).isEqualTo(15);
+        assertThat(scenario.toMap()).doesNotContainKey("rate_per_min");
         assertThat(scenario.breathing().parameters().ratePerMin()).isEqualTo(15);
-        assertThat(scenario.states(Parameter.DEPTH)).isFalse();
+        assertThat(scenario.states(Breathing.DEPTH)).isFalse();
     }
 
     @Test
@@ -92,10 +95,10 @@ class ScenarioTest {
         assertThat(scenario.trace()).contains(folder.resolve("curve.csv").toAbsolutePath());
         assertThat(scenario.integrator()).isEqualTo(IntegratorKind.RK4);
         assertThat(scenario.timeStepS()).isEqualTo(0.002);
-        assertThat(scenario.durationS(ScenarioBreathing.patternOf(scenario))).isEqualTo(3.5);
-        assertThat(scenario.value(Parameter.SPRING_STIFFNESS)).isEqualTo(20);
-        assertThat(scenario.value(Parameter.RATE)).isEqualTo(12);
-        assertThat(scenario.toMap().keySet()).containsAll(Scenario.keys().subList(0, 23));
+        assertThat(scenario.durationS(Breathing.patternOf(scenario))).isEqualTo(3.5);
+        assertThat(scenario.get(SheetSprings.SPRING_STIFFNESS)).isEqualTo(20);
+        assertThat(scenario.get(Breathing.RATE)).isEqualTo(12);
+        assertThat(scenario.toMap().keySet()).containsAll(Settings.keys().subList(0, 23));
         Path resolved = folder.resolve("resolved/scenario.yaml");
         YamlWriter.write(resolved, scenario.toMap());
         assertThat(Scenario.read(resolved)).isEqualTo(scenario);
@@ -104,12 +107,12 @@ class ScenarioTest {
     @Test
     void assignmentsTakeTheKeysOfTheFileAndTheLaterOfTwoCounts() {
         Scenario scenario = Scenario.defaults().with("depth=1.2", "preset=deep", "depth=0.5", "name=a b #1: 'c'");
-        assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(0.5);
+        assertThat(scenario.get(Breathing.DEPTH)).isEqualTo(0.5);
         assertThat(scenario.preset()).isEqualTo("deep");
         assertThat(scenario.name()).isEqualTo("a b #1: 'c'");
         assertThat(Scenario.defaults().with("material=paper").timeStepS()).isEqualTo(0.01);
-        assertThat(scenario.states(Parameter.DEPTH)).isTrue();
-        assertThat(scenario.states(Parameter.RATE)).isFalse();
+        assertThat(scenario.states(Breathing.DEPTH)).isTrue();
+        assertThat(scenario.states(Breathing.RATE)).isFalse();
     }
 
     @Test

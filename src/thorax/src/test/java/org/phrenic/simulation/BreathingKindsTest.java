@@ -12,8 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.scenario.ScenarioBreathing;
 
 /** Other ways to breathe, and the other body; the sheet alone is stepped. */
 class BreathingKindsTest {
@@ -55,7 +55,7 @@ class BreathingKindsTest {
     void aHeldBreathHasAnEndWhenNobodySaysHowLong() {
         Scenario hold = Runs.scenario("preset=hold-inspiration");
         // Two breaths of 4 s, a breath of 8 s held for 24 s, one more breath.
-        assertThat(hold.durationS(ScenarioBreathing.patternOf(hold))).isCloseTo(44, within(1e-9));
+        assertThat(hold.durationS(Breathing.patternOf(hold))).isCloseTo(44, within(1e-9));
     }
 
     @Test

@@ -8,9 +8,9 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.organ.DiaphragmPart;
-import org.phrenic.simulation.organ.MassSpringBuilder;
 
 /**
  * The sheet on the lumbar vertebrae and at the rim of its openings: where it folded to one side or the other, or shook,

@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,12 +18,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Muscle;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.LiveKeys;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
+import org.phrenic.scenario.Settings;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
 
@@ -62,7 +65,7 @@ class LiveChangeTest {
                 "contact", List.of("false", "true"),
                 "integrator", List.of("rk4", "symplectic-euler"),
                 "time_step_s", List.of("0.0005", "0.0013")));
-        for (Parameter p : Parameter.values()) {
+        for (Parameter p : Materials.parameters()) {
             double low = p.minimum() + 0.1 * (p.maximum() - p.minimum());
             double high = p.minimum() + 0.2 * (p.maximum() - p.minimum());
             values.put(p.key(), List.of(Double.toString(low), Double.toString(high)));
@@ -72,16 +75,18 @@ class LiveChangeTest {
 
     /** Keys that the material has a use for. */
     private static List<String> liveKeys(TissueMaterial material) {
-        return LiveKeys.ALL.stream()
-                .filter(key ->
-                        Stream.of(Parameter.values()).noneMatch(p -> p.key().equals(key) && !p.isUsedBy(material)))
+        return Settings.all().stream()
+                .filter(Setting::isLive)
+                .filter(setting -> !(setting instanceof Parameter p) || material.uses(p))
+                .map(Setting::key)
                 .toList();
     }
 
     @ParameterizedTest
-    @CsvSource({"PHYSICAL, 1", "PAPER, 2"})
-    void theSameChangesAtTheSameStepsGiveTheSameBitsFromAScenarioAndLiveOnAnyThreads(
-            TissueMaterial material, int threads) throws IOException {
+    @CsvSource({"physical, 1", "paper, 2"})
+    void theSameChangesAtTheSameStepsGiveTheSameBitsFromAScenarioAndLiveOnAnyThreads(String name, int threads)
+            throws IOException {
+        TissueMaterial material = Materials.MATERIAL.named(name);
         String[] set = {"material=" + material.label(), "duration_s=9", "threads=2"};
         Scenario start = Runs.scenario(Runs.sheetAlone(set));
         List<ScheduledChange> changes = new ArrayList<>();
@@ -100,7 +105,7 @@ class LiveChangeTest {
                 steps(live, BETWEEN);
                 assertThat(live.stateHash()).as("before %s", change.text()).isEqualTo(scheduled.stateHash());
                 // What is changed and changed again before a step was never there.
-                live.change(new Assignment("a slider", change.assignment().key(), firstOf(change)));
+                live.change(Assignment.read("a slider", change.assignment().key(), firstOf(change)));
                 live.change(change.assignment());
             }
             steps(scheduled, BETWEEN);
@@ -248,8 +253,8 @@ class LiveChangeTest {
             simulation.change(Assignment.parse("depth=0.5"));
             steps(simulation, 3);
             assertThat(simulation.undoLastChange()).isTrue();
-            assertThat(simulation.settings().value(Parameter.DEPTH)).isEqualTo(2);
-            assertThat(simulation.settings().muscle()).isFalse();
+            assertThat(simulation.settings().get(Breathing.DEPTH)).isEqualTo(2);
+            assertThat(simulation.settings().get(Muscle.MUSCLE)).isFalse();
             steps(simulation, 3);
             assertThat(simulation.undoLastChange()).isTrue();
             assertThat(simulation.settings()).isEqualTo(start.with("depth=1"));
@@ -258,7 +263,7 @@ class LiveChangeTest {
             steps(simulation, 3);
             simulation.change(Assignment.parse("muscle=false"));
             assertThat(simulation.undoLastChange()).isTrue();
-            assertThat(simulation.settings().muscle()).isTrue();
+            assertThat(simulation.settings().get(Muscle.MUSCLE)).isTrue();
         }
     }
 

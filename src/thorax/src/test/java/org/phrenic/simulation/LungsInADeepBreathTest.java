@@ -9,9 +9,9 @@ import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.organ.DiaphragmPart;
 
 /** Where the base of the lungs is when the recess is open. */
 class LungsInADeepBreathTest {
@@ -44,7 +44,7 @@ class LungsInADeepBreathTest {
             TriangleTree closed = new TriangleTree(new TriangleMesh(sheetNow, sheet.triangles()));
             TriangleTree thoracic = new TriangleTree(new TriangleMesh(sheetNow, face));
             TriangleTree.Hit hit = new TriangleTree.Hit();
-            int[] base = scene.forces().lungBase().orElseThrow().callerNodes();
+            int[] base = scene.lungBase().orElseThrow().callerNodes();
             int count = 0;
             for (int node : base) {
                 double x = now[3 * node];

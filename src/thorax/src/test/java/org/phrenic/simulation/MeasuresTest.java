@@ -12,16 +12,16 @@ import org.phrenic.anatomy.DomeSheet;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.TissueLaw;
 import org.phrenic.simulation.observe.CageMeasure;
 import org.phrenic.simulation.observe.FibreShortening;
 import org.phrenic.simulation.observe.LungMeasure;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.simulation.observe.SheetPatch;
-import org.phrenic.simulation.organ.DiaphragmPart;
-import org.phrenic.simulation.organ.MassSpringBuilder;
-import org.phrenic.simulation.organ.TissueLaw;
 
 /**
  * What the observables say of motions whose answer is known: of a synthetic dome, and of the virtual body pushed about
@@ -37,16 +37,10 @@ class MeasuresTest {
     static void make() {
         simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
         Diaphragm sheet = Diaphragm.withTrefoilTendon(DomeSheet.adult(12));
-        dome = new DiaphragmPart(
-                new MassSpringBuilder(),
-                sheet,
-                new double[sheet.sheet().vertexCount()],
-                TissueLaw.membrane(300, 60),
-                10,
-                true,
-                1,
-                1,
-                1);
+        dome = DiaphragmPart.builder(sheet, TissueLaw.membrane(300, 60))
+                .tendonRatio(10)
+                .withStruts()
+                .addTo(new MassSpringBuilder());
     }
 
     @AfterAll
@@ -135,6 +129,7 @@ class MeasuresTest {
                 assertThat(rest.get(column)).as(column).isCloseTo(0, within(1e-9));
             }
         }
-        assertThat(rest.get("pressure_kpa")).isCloseTo(Runs.scenario().value(Parameter.REST_PRESSURE), within(1e-12));
+        assertThat(rest.get("pressure_kpa"))
+                .isCloseTo(Runs.scenario().get(TransdiaphragmaticPressure.REST_PRESSURE), within(1e-12));
     }
 }

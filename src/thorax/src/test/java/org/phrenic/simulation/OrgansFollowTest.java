@@ -10,8 +10,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.kinematics.HelicalAxis;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.organ.DiaphragmPart;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.DiaphragmPart;
 
 /** How liver and base of the lungs go with a diaphragm that is moved by hand. */
 class OrgansFollowTest {
@@ -82,7 +82,7 @@ class OrgansFollowTest {
 
     @Test
     void theBorderOfTheLungComesDownAsTheSheetLeavesTheWallAndGoesBackWithIt() {
-        Attachments base = scene.forces().lungBase().orElseThrow();
+        Attachments base = scene.lungBase().orElseThrow();
         int[] nodes = base.callerNodes();
         double[] atRest = base.anchorsAt(0);
         for (int i = 0; i < atRest.length; i++) {

@@ -8,8 +8,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.assembly.Scene;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
 

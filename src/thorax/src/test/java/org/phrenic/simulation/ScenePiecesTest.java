@@ -12,12 +12,12 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.Remesher;
-import org.phrenic.simulation.organ.MassSpringBuilder;
-import org.phrenic.simulation.organ.NearestVertex;
-import org.phrenic.simulation.organ.Remeshing;
-import org.phrenic.simulation.organ.SpringList;
-import org.phrenic.simulation.organ.TieSprings;
-import org.phrenic.simulation.organ.TissueLaw;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.NearestVertex;
+import org.phrenic.model.organ.Remeshing;
+import org.phrenic.model.organ.SpringList;
+import org.phrenic.model.organ.TieSprings;
+import org.phrenic.model.organ.TissueLaw;
 
 /** The pieces a scene is put together from. */
 class ScenePiecesTest {

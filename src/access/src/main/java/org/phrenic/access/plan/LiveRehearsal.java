@@ -16,6 +16,7 @@ import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.StepListener;
@@ -174,7 +175,7 @@ public final class LiveRehearsal implements StepListener {
     }
 
     private void hold(boolean on, String origin) {
-        run.change(List.of(new Assignment(origin, "hold", Boolean.toString(on))));
+        run.change(List.of(Assignment.of(origin, Breathing.HOLD, on)));
     }
 
     private void held(boolean on) {

@@ -20,6 +20,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -115,7 +116,7 @@ public record Rehearsal(
                 plan,
                 needle,
                 study.map(),
-                (held, origin) -> simulation.change(new Assignment(origin, "hold", Boolean.toString(held))));
+                (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held)));
         NeedleSnapshots views = new NeedleSnapshots();
         boolean done = false;
         long begun = System.nanoTime();

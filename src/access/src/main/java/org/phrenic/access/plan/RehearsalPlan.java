@@ -175,7 +175,7 @@ public record RehearsalPlan(
         YamlMap set = yaml.mapOrEmpty("set");
         List<Assignment> assignments = new ArrayList<>();
         for (String key : set.keys()) {
-            assignments.add(new Assignment(file + ": set " + key, key, set.text(key)));
+            assignments.add(Assignment.read(file + ": set " + key, key, set.text(key)));
         }
         return base.with(assignments);
     }

@@ -85,7 +85,7 @@ public final class ScenarioOptions {
 
     private static void add(List<Assignment> list, String option, String key, String value) {
         if (value != null) {
-            list.add(new Assignment(option + " " + value, key, value));
+            list.add(Assignment.read(option + " " + value, key, value));
         }
     }
 }

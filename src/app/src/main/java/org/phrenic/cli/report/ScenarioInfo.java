@@ -1,56 +1,51 @@
 package org.phrenic.cli.report;
 
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.document.YamlDocument;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.Setting;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
 
 /** What a scenario comes to: every key with its value, and whether the file, the preset or the program says so. */
 public final class ScenarioInfo {
-    private static final Map<String, Parameter> BY_KEY =
-            Arrays.stream(Parameter.values()).collect(Collectors.toMap(Parameter::key, p -> p));
-
-    private static final String DURATION = "duration_s";
-
     private ScenarioInfo() {}
 
     public static Map<String, Object> of(Path file) {
         Scenario scenario = Scenario.read(file);
         Set<String> stated = YamlDocument.read(file).keys();
-        Map<String, Object> resolved = scenario.toMap();
-        BreathingParameters breath = scenario.breathing().parameters();
-        resolved.putIfAbsent(Parameter.RATE.key(), breath.ratePerMin());
-        resolved.putIfAbsent(Parameter.INSPIRATORY_FRACTION.key(), breath.inspiratoryFraction());
-        resolved.putIfAbsent(Parameter.CHEST_SHARE.key(), breath.chestShare());
-        if (scenario.trace().isEmpty()) {
-            BreathingParameters changed =
-                    scenario.states(Parameter.RATE) ? breath.withRatePerMin(scenario.value(Parameter.RATE)) : breath;
-            resolved.putIfAbsent(
-                    DURATION, scenario.durationS(scenario.breathing().pattern(changed)));
-        }
         Map<String, Object> info = new LinkedHashMap<>();
         info.put("file", file.toString());
         info.put("kind", "scenario");
-        for (String key : Scenario.keys()) {
-            if (resolved.containsKey(key)) {
-                info.put(key, value(key, resolved.get(key), stated.contains(key)));
+        for (Setting<?> setting : Settings.all()) {
+            Object value = setting == RunSettings.DURATION ? duration(scenario) : scenario.plain(setting);
+            if (value != null) {
+                info.put(setting.key(), entry(setting, value, stated.contains(setting.key())));
             }
         }
         return info;
     }
 
-    private static Map<String, Object> value(String key, Object value, boolean stated) {
-        Parameter parameter = BY_KEY.get(key);
-        boolean ofPreset = key.equals(DURATION) || (parameter != null && parameter.isGivenByPreset());
+    /** Simulated time, s; null where a recording says it. */
+    private static Object duration(Scenario scenario) {
+        if (!Double.isNaN(scenario.durationS()) || scenario.trace().isPresent()) {
+            return scenario.plain(RunSettings.DURATION);
+        }
+        BreathingParameters breath = scenario.breathing().parameters().withRatePerMin(scenario.get(Breathing.RATE));
+        return scenario.durationS(scenario.breathing().pattern(breath));
+    }
+
+    private static Map<String, Object> entry(Setting<?> setting, Object value, boolean stated) {
+        boolean ofPreset = setting == RunSettings.DURATION || (setting instanceof Parameter p && p.isGivenByPreset());
         Map<String, Object> entry = new LinkedHashMap<>();
         entry.put("value", value);
-        entry.put("unit", parameter != null ? parameter.unit() : key.endsWith("_s") ? "s" : "");
+        entry.put("unit", setting instanceof Parameter || !setting.unit().equals("1") ? setting.unit() : "");
         entry.put("from", stated ? "file" : ofPreset ? "preset" : "default");
         return entry;
     }

@@ -1,6 +1,7 @@
 package org.phrenic.ui.access;
 
 import java.util.List;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.ui.session.Session;
@@ -27,7 +28,7 @@ final class ObservedRun {
 
     private void restart(StepListener.Trigger when, StepListener watch) {
         if (session.scenario().hold()) {
-            session.live().change(List.of(new Assignment("window", "hold", "false")));
+            session.live().change(List.of(Assignment.of("window", Breathing.HOLD, false)));
         }
         session.live().restart(when, watch);
         session.live().play();

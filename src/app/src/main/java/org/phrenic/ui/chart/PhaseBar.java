@@ -11,12 +11,11 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import org.phrenic.breathing.RespiratoryPhase;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
-import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.widget.Controls;
 
 /**
@@ -56,7 +55,7 @@ public final class PhaseBar extends JComponent {
 
     /** Takes the durations of the phases from a scenario. */
     public void setPattern(Scenario scenario) {
-        inspiration = ScenarioValues.value(scenario, Parameter.INSPIRATORY_FRACTION);
+        inspiration = scenario.get(Breathing.INSPIRATORY_FRACTION);
         pause = scenario.breathing().parameters().pauseFraction();
         threePhases = scenario.trace().isEmpty() && THREE_PHASE_PRESETS.contains(scenario.preset());
         repaint();

@@ -19,9 +19,9 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.breathing.BreathingTraceReader;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
@@ -30,7 +30,6 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.chart.PhaseBar;
 import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.session.EditName;
-import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
@@ -44,7 +43,7 @@ import org.phrenic.ui.widget.ScrollablePanel;
 public final class BreathDock extends JPanel implements Session.Listener {
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
     private static final List<Parameter> PRESET_PARAMETERS =
-            List.of(Parameter.RATE, Parameter.INSPIRATORY_FRACTION, Parameter.CHEST_SHARE);
+            List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE);
 
     private final transient Session session;
     private final PhaseBar bar = new PhaseBar();
@@ -64,8 +63,8 @@ public final class BreathDock extends JPanel implements Session.Listener {
         body.add(phasePanel());
         body.add(presetButtons());
         for (Parameter p :
-                List.of(Parameter.RATE, Parameter.DEPTH, Parameter.INSPIRATORY_FRACTION, Parameter.CHEST_SHARE)) {
-            SliderRow row = SliderRow.of(session, p);
+                List.of(Breathing.RATE, Breathing.DEPTH, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE)) {
+            SliderRow row = new SliderRow(session, p);
             rows.add(row);
             body.add(row);
         }
@@ -97,7 +96,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
         hold.setMnemonic('H');
         hold.addActionListener(e -> session.change(
                 hold.isSelected() ? "Hold of the breath" : "End of the hold",
-                new Assignment("window", "hold", String.valueOf(hold.isSelected()))));
+                Assignment.of("window", Breathing.HOLD, hold.isSelected())));
         panel.add(hold);
         return panel;
     }
@@ -125,26 +124,26 @@ public final class BreathDock extends JPanel implements Session.Listener {
         }
         Scenario next = scenario.with("preset=" + name);
         List<Assignment> list = new ArrayList<>();
-        list.add(new Assignment("window", Choice.PRESET.key(), name));
+        list.add(Assignment.of("window", Breathing.PRESET, next.breathing()));
         if (scenario.hold()) {
-            list.add(new Assignment("window", "hold", "false"));
+            list.add(Assignment.of("window", Breathing.HOLD, false));
         }
         for (Parameter parameter : PRESET_PARAMETERS) {
             if (scenario.states(parameter)) {
-                list.add(ScenarioValues.assignment(parameter, ScenarioValues.defaultOf(next, parameter)));
+                list.add(Assignment.of("window", parameter, next.defaultOf(parameter)));
             }
         }
         EditName change =
                 new EditName("Breathing", ChoiceRow.displayName(scenario.preset()), ChoiceRow.displayName(name));
         if (scenario.trace().isPresent()) {
-            session.open(change, ScenarioValues.withoutTrace(scenario).with(list));
+            session.open(change, scenario.without(Breathing.TRACE).with(list));
         } else {
             session.changeSeparately(change, list);
         }
     }
 
     private void removeTrace() {
-        session.open("End of the recorded breath", ScenarioValues.withoutTrace(session.scenario()));
+        session.open("End of the recorded breath", session.scenario().without(Breathing.TRACE));
     }
 
     /** Breathes by a recorded trace; a file that is none is refused with a message. */
@@ -153,7 +152,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
             BreathingTraceReader.read(file);
             session.change(
                     "Breath recorded in " + file.getFileName(),
-                    new Assignment("window", "trace", file.toAbsolutePath().toString()));
+                    Assignment.of("window", Breathing.TRACE, Optional.of(file.toAbsolutePath())));
         } catch (IOException e) {
             session.refuse(e.getMessage());
         }

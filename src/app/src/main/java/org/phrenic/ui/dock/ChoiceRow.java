@@ -11,13 +11,12 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
-import org.phrenic.scenario.Choice;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.Simulation;
 
 /** A choice among names. One that cannot be changed while the scene runs says that the scene starts anew. */
 final class ChoiceRow extends SettingRow {
-    private final transient Choice choice;
+    private final transient Setting<?> choice;
     private final JComboBox<String> comboBox = new JComboBox<>();
     private final transient Predicate<Scenario> applies;
     private String shownValue = "";
@@ -27,7 +26,7 @@ final class ChoiceRow extends SettingRow {
      * @param options to choose from, as a scenario has them
      * @param chosen told the old and the new value
      */
-    ChoiceRow(Choice choice, List<String> options, Predicate<Scenario> applies, BiConsumer<String, String> chosen) {
+    ChoiceRow(Setting<?> choice, List<String> options, Predicate<Scenario> applies, BiConsumer<String, String> chosen) {
         super(choice.key(), choice.label(), tip(choice.description(), details(choice)));
         this.choice = choice;
         this.applies = applies;
@@ -46,12 +45,11 @@ final class ChoiceRow extends SettingRow {
         finish(comboBox, choice.label());
     }
 
-    private static String details(Choice choice) {
-        return (Simulation.isLive(choice.key()) ? "changes while it breathes" : "starts the scene anew") + "; key "
-                + choice.key();
+    private static String details(Setting<?> choice) {
+        return (choice.isLive() ? "changes while it breathes" : "starts the scene anew") + "; key " + choice.key();
     }
 
-    Choice choice() {
+    Setting<?> choice() {
         return choice;
     }
 
@@ -61,7 +59,7 @@ final class ChoiceRow extends SettingRow {
 
     @Override
     void show(Scenario scenario) {
-        shownValue = choice.valueIn(scenario);
+        shownValue = scenario.text(choice);
         updating = true;
         List<String> options = new ArrayList<>();
         for (int i = 0; i < comboBox.getItemCount(); i++) {
@@ -81,7 +79,7 @@ final class ChoiceRow extends SettingRow {
 
     @Override
     boolean isOffDefault(Scenario scenario) {
-        return !choice.valueIn(scenario).equals(choice.valueIn(Scenario.defaults()));
+        return !scenario.text(choice).equals(Scenario.defaults().text(choice));
     }
 
     /** The name of an option for people: a folder by its own name, {@code backward-euler} as {@code Backward Euler}. */

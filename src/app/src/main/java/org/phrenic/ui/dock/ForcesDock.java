@@ -8,10 +8,16 @@ import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.RigidTendon;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.model.material.WallContact;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.parameter.Setting;
+import org.phrenic.parameter.SwitchSetting;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.Session;
@@ -22,36 +28,39 @@ import org.phrenic.ui.widget.ScrollablePanel;
  * be changed while it breathes starts the scene anew, and says so.
  */
 public final class ForcesDock extends JPanel implements Session.Listener {
-    private static final List<Choice> SWITCHES =
-            List.of(Choice.MUSCLE, Choice.PRESSURE, Choice.RIBS, Choice.TENSEGRITY, Choice.CONTACT, Choice.LIVER);
-    private static final List<Choice> MODELS = List.of(Choice.STERNUM, Choice.LUNGS);
+    private static final List<Setting<?>> SWITCHES = List.of(
+            Muscle.MUSCLE,
+            TransdiaphragmaticPressure.PRESSURE,
+            RibRotation.RIBS,
+            RigidTendon.TENSEGRITY,
+            WallContact.CONTACT,
+            OrganSettings.LIVER);
+    private static final List<Setting<?>> MODELS = List.of(OrganSettings.STERNUM, OrganSettings.LUNGS);
 
     private final transient Session session;
-    private final transient Map<Choice, JCheckBox> boxes = new LinkedHashMap<>();
-    private final transient Map<Choice, ChoiceRow> rows = new LinkedHashMap<>();
+    private final transient Map<Setting<?>, JCheckBox> boxes = new LinkedHashMap<>();
+    private final transient Map<Setting<?>, ChoiceRow> rows = new LinkedHashMap<>();
 
     public ForcesDock(Session session) {
         super(new BorderLayout());
         this.session = session;
         JPanel body = new ScrollablePanel();
         JPanel switches = new JPanel(new MigLayout("insets 8 8 4 8, fillx, wrap 2", "[grow,fill,0::][]"));
-        for (Choice choice : SWITCHES) {
+        for (Setting<?> choice : SWITCHES) {
             JCheckBox box = new JCheckBox(choice.label());
             box.setToolTipText(SettingRow.tip(choice.description(), "key " + choice.key()));
             box.addActionListener(
                     e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
             boxes.put(choice, box);
-            JLabel when = new JLabel(Simulation.isLive(choice.key()) ? "" : "starts anew");
+            JLabel when = new JLabel(choice.isLive() ? "" : "starts anew");
             when.setEnabled(false);
             switches.add(box);
             switches.add(when);
         }
         body.add(switches);
-        for (Choice choice : MODELS) {
+        for (Setting<?> choice : MODELS) {
             ChoiceRow row = new ChoiceRow(choice, choice.options(), s -> true, (from, to) -> change(choice, from, to));
-            row.hint(
-                    SettingRow.Hint.NOTE,
-                    Simulation.isLive(choice.key()) ? "" : "Another model starts the scene anew.");
+            row.hint(SettingRow.Hint.NOTE, choice.isLive() ? "" : "Another model starts the scene anew.");
             rows.put(choice, row);
             body.add(row);
         }
@@ -60,12 +69,12 @@ public final class ForcesDock extends JPanel implements Session.Listener {
         session.addListener(this);
     }
 
-    private void change(Choice choice, String from, String to) {
-        EditName name = choice.isSwitch()
+    private void change(Setting<?> choice, String from, String to) {
+        EditName name = choice instanceof SwitchSetting
                 ? EditName.of(choice.label() + (Boolean.parseBoolean(to) ? " on" : " off"))
                 : new EditName(choice.label(), from, to);
-        session.changeSeparately(name, List.of(new Assignment("window", choice.key(), to)));
-        if (!Simulation.isLive(choice.key())) {
+        session.changeSeparately(name, List.of(Assignment.read("window", choice.key(), to)));
+        if (!choice.isLive()) {
             session.note(name.text() + ": the scene starts anew; the present one goes on until it is there.");
         }
     }
@@ -78,11 +87,11 @@ public final class ForcesDock extends JPanel implements Session.Listener {
     @Override
     public void onChange() {
         Scenario scenario = session.scenario();
-        boxes.forEach((choice, box) -> box.setSelected(Boolean.parseBoolean(choice.valueIn(scenario))));
+        boxes.forEach((choice, box) -> box.setSelected(Boolean.parseBoolean(scenario.text(choice))));
         rows.values().forEach(row -> row.show(scenario));
     }
 
-    JCheckBox checkBox(Choice choice) {
+    JCheckBox checkBox(Setting<?> choice) {
         return boxes.get(choice);
     }
 }

@@ -6,7 +6,6 @@ import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -19,31 +18,32 @@ import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
-import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
- * All that can be tuned, made from the tables {@link Parameter} and {@link Choice}: rows that the present material
- * uses, in groups, with a search. Where the time step is beyond the stability limit, the rows that could mend it say
- * so.
+ * All that can be tuned, made from the declarations of the parameters: rows that the present material uses, in groups,
+ * with a search. Where the time step is beyond the stability limit, the rows that could mend it say so.
  */
 public final class ParameterDock extends JPanel implements Session.Listener {
     private static final int MOST_OFFERED_THREADS = 16;
     private static final Pattern NUMBER = Pattern.compile("\\d+\\.\\d+(e-?\\d+)?");
 
     private final transient Session session;
-    private final transient Map<ParameterGroup, CollapsibleGroup> groups = new EnumMap<>(ParameterGroup.class);
+    private final transient Map<Group, CollapsibleGroup> groups = new EnumMap<>(Group.class);
     private final transient List<SettingRow> limiting = new ArrayList<>();
     private final JTextField search = new JTextField();
     private String limit = "";
@@ -52,16 +52,16 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         super(new BorderLayout());
         this.session = session;
         JPanel body = new ScrollablePanel();
-        for (ParameterGroup group : ParameterGroup.values()) {
+        for (Group group : Group.values()) {
             CollapsibleGroup rows = new CollapsibleGroup(group.label());
             groups.put(group, rows);
             body.add(rows);
         }
         addChoices();
-        for (Parameter parameter : Parameter.values()) {
-            SliderRow row = SliderRow.of(session, parameter);
-            groups.get(ParameterGroup.of(parameter)).addRow(row);
-            if (ParameterGroup.limitsStep(parameter)) {
+        for (Parameter parameter : Materials.parameters()) {
+            SliderRow row = new SliderRow(session, parameter);
+            groups.get(parameter.group()).addRow(row);
+            if (parameter.limitsStep()) {
                 limiting.add(row);
             }
         }
@@ -72,45 +72,37 @@ public final class ParameterDock extends JPanel implements Session.Listener {
     }
 
     private void addChoices() {
-        CollapsibleGroup model = groups.get(ParameterGroup.MODEL);
+        CollapsibleGroup model = groups.get(Group.MODEL);
         model.addRow(new ChoiceRow(
-                Choice.MATERIAL,
-                Choice.MATERIAL.options(),
+                Materials.MATERIAL,
+                Materials.MATERIAL.options(),
                 s -> true,
                 (from, to) -> session.open(
-                        new EditName(Choice.MATERIAL.label(), from, to),
-                        ScenarioValues.ofMaterial(
-                                session.scenario(), TissueMaterial.valueOf(to.toUpperCase(Locale.ROOT))))));
-        model.addRow(choice(Choice.ANATOMY, Choice.ANATOMY.options()));
-        model.addRow(choice(Choice.RESOLUTION, Choice.RESOLUTION.options()));
-        CollapsibleGroup numerics = groups.get(ParameterGroup.NUMERICS);
-        SliderRow step = SliderRow.of(session, Choice.TIME_STEP, ParameterDock::defaultStep);
+                        new EditName(Materials.MATERIAL.label(), from, to),
+                        session.scenario().withMaterial(Materials.MATERIAL.named(to)))));
+        model.addRow(choice(RunSettings.ANATOMY, RunSettings.ANATOMY.options()));
+        model.addRow(choice(OrganSettings.RESOLUTION, OrganSettings.RESOLUTION.options()));
+        CollapsibleGroup numerics = groups.get(Group.NUMERICS);
+        SliderRow step = new SliderRow(session, Numerics.TIME_STEP);
         numerics.addRow(step);
-        ChoiceRow integrator = choice(Choice.INTEGRATOR, Choice.INTEGRATOR.options());
+        ChoiceRow integrator = choice(Numerics.INTEGRATOR, Numerics.INTEGRATOR.options());
         numerics.addRow(integrator);
         int threads = Math.min(MOST_OFFERED_THREADS, Runtime.getRuntime().availableProcessors());
         numerics.addRow(choice(
-                Choice.THREADS,
+                Numerics.THREADS,
                 IntStream.rangeClosed(1, threads).mapToObj(Integer::toString).toList()));
         limiting.add(step);
         limiting.add(integrator);
     }
 
-    private ChoiceRow choice(Choice choice, List<String> options) {
+    private ChoiceRow choice(Setting<?> choice, List<String> options) {
         return new ChoiceRow(
                 choice,
                 options,
                 s -> true,
                 (from, to) -> session.change(
                         new EditName(choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
-                        new Assignment("window", choice.key(), to)));
-    }
-
-    /** Step of the material, s. */
-    private static double defaultStep(Scenario scenario) {
-        return Scenario.defaults()
-                .with("material=" + scenario.material().label())
-                .timeStepS();
+                        Assignment.read("window", choice.key(), to)));
     }
 
     private JComponent tools() {
@@ -155,18 +147,13 @@ public final class ParameterDock extends JPanel implements Session.Listener {
     void resetAll() {
         Scenario scenario = session.scenario();
         List<Assignment> list = new ArrayList<>();
-        for (Parameter parameter : Parameter.values()) {
-            double standard = ScenarioValues.defaultOf(scenario, parameter);
-            if (parameter.isUsedBy(scenario.material()) && ScenarioValues.value(scenario, parameter) != standard) {
-                list.add(ScenarioValues.assignment(parameter, standard));
+        List<Setting<?>> settings = new ArrayList<>(scenario.material().parameters());
+        settings.add(Numerics.TIME_STEP);
+        settings.add(Numerics.INTEGRATOR);
+        for (Setting<?> setting : settings) {
+            if (!scenario.get(setting).equals(scenario.defaultOf(setting))) {
+                list.add(new Assignment("window", setting, scenario.defaultOf(setting)));
             }
-        }
-        if (scenario.timeStepS() != defaultStep(scenario)) {
-            list.add(new Assignment("window", Choice.TIME_STEP.key(), ScenarioValues.plain(defaultStep(scenario))));
-        }
-        IntegratorKind integrator = scenario.material().integrator();
-        if (scenario.integrator() != integrator) {
-            list.add(new Assignment("window", Choice.INTEGRATOR.key(), integrator.label()));
         }
         if (!list.isEmpty()) {
             session.changeSeparately(EditName.of("Reset of all parameters"), list);
@@ -218,7 +205,7 @@ public final class ParameterDock extends JPanel implements Session.Listener {
      * their defaults.
      */
     private static boolean isCause(SettingRow row, Scenario scenario) {
-        return row.isOffDefault(scenario) || row.isFor(Choice.TIME_STEP.key());
+        return row.isOffDefault(scenario) || row.isFor(Numerics.TIME_STEP.key());
     }
 
     /** Rows by their order, for tests. */

@@ -19,7 +19,6 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
-import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Theme;
 
@@ -133,7 +132,8 @@ public final class SettingsDock extends JPanel {
             Scenario stored = store.load(name);
             EditName change = EditName.of("Settings '" + name + "'");
             // What can change while it breathes does: the two can be seen one after the other without a pause.
-            ScenarioValues.liveDifference(session.scenario(), stored)
+            session.scenario()
+                    .liveChangesTo(stored, "window")
                     .ifPresentOrElse(
                             list -> session.changeSeparately(change, list), () -> session.open(change, stored));
         });

@@ -4,20 +4,17 @@ import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.OptionalDouble;
-import java.util.function.ToDoubleFunction;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.SwingConstants;
-import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.model.material.Materials;
+import org.phrenic.parameter.NumberSetting;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Choice;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
-import org.phrenic.ui.session.ScenarioValues;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.RateLimiter;
@@ -32,13 +29,10 @@ final class SliderRow extends SettingRow {
     private static final int PAGE = SliderScale.POSITIONS / 10;
 
     private final transient Session session;
-    private final String key;
+    private final transient NumberSetting setting;
     private final String name;
     private final String unit;
-    private final String meaning;
     private final transient SliderScale scale;
-    private final transient ToDoubleFunction<Scenario> valueOf;
-    private final transient ToDoubleFunction<Scenario> defaultOf;
     private final JSlider slider = new JSlider(0, SliderScale.POSITIONS);
     private final JTextField field = new JTextField();
     private final JButton reset = new JButton(Icons.RESET);
@@ -48,52 +42,17 @@ final class SliderRow extends SettingRow {
     private double byDefault = Double.NaN;
     private boolean showing;
 
-    /** A row for a tunable number. */
-    static SliderRow of(Session session, Parameter p) {
-        double physical = p.defaultFor(TissueMaterial.PHYSICAL);
-        double usual = Double.isNaN(physical) ? p.defaultFor(TissueMaterial.PAPER) : physical;
-        return new SliderRow(
-                session,
-                p.key(),
-                p.label(),
-                p.unit(),
-                SliderScale.of(p.minimum(), p.maximum(), usual),
-                p.description(),
-                scenario -> ScenarioValues.value(scenario, p),
-                scenario -> ScenarioValues.defaultOf(scenario, p));
-    }
-
-    /** A row for a choice that is a number. */
-    static SliderRow of(Session session, Choice c, ToDoubleFunction<Scenario> defaultOf) {
-        return new SliderRow(
-                session,
-                c.key(),
-                c.label(),
-                c.unit(),
-                SliderScale.of(c.minimum(), c.maximum(), Double.NaN),
-                c.description(),
-                scenario -> Double.parseDouble(c.valueIn(scenario)),
-                defaultOf);
-    }
-
-    private SliderRow(
-            Session session,
-            String key,
-            String name,
-            String unit,
-            SliderScale scale,
-            String meaning,
-            ToDoubleFunction<Scenario> valueOf,
-            ToDoubleFunction<Scenario> defaultOf) {
-        super(key, name, tip(meaning, key));
+    SliderRow(Session session, NumberSetting setting) {
+        super(setting.key(), setting.label(), tip(setting.description(), setting.key()));
         this.session = session;
-        this.key = key;
-        this.name = name;
-        this.unit = unit;
-        this.scale = scale;
-        this.meaning = meaning;
-        this.valueOf = valueOf;
-        this.defaultOf = defaultOf;
+        this.setting = setting;
+        name = setting.label();
+        unit = setting.unit();
+        double physical = Scenario.defaults().get(setting);
+        double usual = Double.isNaN(physical)
+                ? Scenario.defaults().withMaterial(Materials.PAPER).get(setting)
+                : physical;
+        scale = SliderScale.of(setting.minimum(), setting.maximum(), usual);
         slider.setMinimumSize(new Dimension(40, slider.getPreferredSize().height));
         slider.getAccessibleContext().setAccessibleName(name);
         slider.setMajorTickSpacing(PAGE);
@@ -183,7 +142,7 @@ final class SliderRow extends SettingRow {
         if (value != sent) {
             EditName change = EditName.of(name, sent, value, unit);
             sent = value;
-            session.change(change, new Assignment("window", key, ScenarioValues.plain(value)));
+            session.change(change, Assignment.of("window", setting, value));
         }
         if (!slider.getValueIsAdjusting()) {
             session.edits().endMerging();
@@ -207,15 +166,15 @@ final class SliderRow extends SettingRow {
 
     @Override
     void show(Scenario scenario) {
-        byDefault = defaultOf.applyAsDouble(scenario);
+        byDefault = scenario.defaultOf(setting);
         String standard = "default " + NumberFormats.withUnit(byDefault, unit);
         reset.setToolTipText("Reset to " + NumberFormats.withUnit(byDefault, unit));
-        setTip(tip(meaning, range() + ", " + standard + "; key " + key), slider, field);
+        setTip(tip(setting.description(), range() + ", " + standard + "; key " + setting.key()), slider, field);
         boolean unfinished = slider.getValueIsAdjusting()
                 || throttle.isPending()
                 || (field.hasFocus() && !field.getText().equals(NumberFormats.format(value)));
         if (!unfinished) {
-            sent = valueOf.applyAsDouble(scenario);
+            sent = scenario.get(setting);
             if (sent != value) {
                 answered("");
             }
@@ -225,12 +184,12 @@ final class SliderRow extends SettingRow {
 
     @Override
     boolean applies(Scenario scenario) {
-        return !Double.isNaN(valueOf.applyAsDouble(scenario));
+        return !Double.isNaN(scenario.get(setting));
     }
 
     @Override
     boolean isOffDefault(Scenario scenario) {
-        return valueOf.applyAsDouble(scenario) != defaultOf.applyAsDouble(scenario);
+        return !scenario.get(setting).equals(scenario.defaultOf(setting));
     }
 
     JSlider slider() {

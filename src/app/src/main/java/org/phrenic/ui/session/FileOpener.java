@@ -41,10 +41,10 @@ public final class FileOpener {
         }
         String place = file.toAbsolutePath().normalize().toString();
         if (Files.isDirectory(file)) {
-            return present.with(List.of(new Assignment(file.toString(), "anatomy", place)));
+            return present.with(List.of(Assignment.read(file.toString(), "anatomy", place)));
         }
         if (hasSuffix(file, ".csv")) {
-            return present.with(List.of(new Assignment(file.toString(), "trace", place)));
+            return present.with(List.of(Assignment.read(file.toString(), "trace", place)));
         }
         if (isYaml(file)) {
             return Scenario.read(file);

@@ -125,12 +125,10 @@ public final class Session implements AutoCloseable {
             reportRefusal(e.getMessage());
             return;
         }
-        Optional<List<Assignment>> inverse = ScenarioValues.valuesOf(before, list);
-        edits.add(
-                name,
-                list.stream().map(Assignment::key).toList(),
-                () -> inverse.ifPresentOrElse(this::setValues, () -> loadScenario(before)),
-                () -> setValues(list));
+        List<Assignment> inverse = list.stream()
+                .map(a -> new Assignment("undo", a.setting(), before.get(a.setting())))
+                .toList();
+        edits.add(name, list.stream().map(Assignment::key).toList(), () -> setValues(inverse), () -> setValues(list));
     }
 
     /** As {@link #change(EditName, Assignment...)}, undone on its own however soon it follows another change. */

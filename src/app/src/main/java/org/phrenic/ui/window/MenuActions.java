@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PickResult;
@@ -187,7 +188,7 @@ final class MenuActions {
         } else {
             session.change(
                     on ? "Hold of the breath" : "End of the hold",
-                    new Assignment("window", "hold", String.valueOf(on)));
+                    Assignment.of("window", Breathing.HOLD, on));
         }
     }
 

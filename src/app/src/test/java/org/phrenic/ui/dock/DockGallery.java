@@ -75,8 +75,8 @@ final class DockGallery {
         }
         SwingUtilities.invokeAndWait(() -> {
             session[0].change(
-                    "Muscle stiffness 300 -> 420 N/m", new Assignment("gallery", "muscle_stiffness_n_per_m", "420"));
-            session[0].change("Hold of the breath", new Assignment("gallery", "hold", "true"));
+                    "Muscle stiffness 300 -> 420 N/m", Assignment.read("gallery", "muscle_stiffness_n_per_m", "420"));
+            session[0].change("Hold of the breath", Assignment.read("gallery", "hold", "true"));
         });
         Thread.sleep(600);
         SwingUtilities.invokeAndWait(() -> {

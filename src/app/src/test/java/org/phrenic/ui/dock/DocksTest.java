@@ -26,10 +26,17 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.SheetSprings;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.Choice;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.live.RunHistory;
@@ -92,26 +99,44 @@ class DocksTest {
     @Test
     void everyParameterHasARowAndNothingElseHas() {
         ParameterDock dock = on(() -> new ParameterDock(session));
-        List<String> choices = Stream.of(
-                        Choice.MATERIAL,
-                        Choice.ANATOMY,
-                        Choice.RESOLUTION,
-                        Choice.TIME_STEP,
-                        Choice.INTEGRATOR,
-                        Choice.THREADS)
-                .map(Choice::key)
+        List<String> choices = Stream.<Setting<?>>of(
+                        Materials.MATERIAL,
+                        RunSettings.ANATOMY,
+                        OrganSettings.RESOLUTION,
+                        Numerics.TIME_STEP,
+                        Numerics.INTEGRATOR,
+                        Numerics.THREADS)
+                .map(Setting::key)
                 .toList();
-        List<String> keys =
-                Stream.concat(choices.stream(), Parameter.keys().stream()).toList();
+        List<String> keys = Stream.concat(
+                        choices.stream(), Materials.parameters().stream().map(Setting::key))
+                .toList();
         assertThat(dock.rows()).hasSameSizeAs(keys);
         assertThat(keys).allSatisfy(key -> assertThat(dock.rows()).anyMatch(row -> row.isFor(key)));
     }
 
     @Test
+    void theMaterialChosenHereIsThatOfTheCommandLineAndBack() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        ChoiceRow material = (ChoiceRow) dock.rows().stream()
+                .filter(r -> r.isFor("material"))
+                .findFirst()
+                .orElseThrow();
+        EventThread.run(() -> material.comboBox().setSelectedItem("paper"));
+        assertThat(on(() -> session.scenario())).isEqualTo(FIRST.with("material=paper"));
+        EventThread.run(() -> dock.onChange());
+        EventThread.run(() -> material.comboBox().setSelectedItem("physical"));
+        assertThat(on(() -> session.scenario())).isEqualTo(FIRST);
+        EventThread.run(() -> session.edits().undo());
+        EventThread.run(() -> session.edits().undo());
+        assertThat(on(() -> session.scenario())).isEqualTo(FIRST);
+    }
+
+    @Test
     void rowsOfTheMaterialAreShownAndASearchNarrowsThem() {
         ParameterDock dock = on(() -> new ParameterDock(session));
-        for (Parameter parameter : Parameter.values()) {
-            assertThat(row(dock, parameter.key()).isVisible()).isEqualTo(parameter.isUsedBy(TissueMaterial.PHYSICAL));
+        for (Parameter parameter : Materials.parameters()) {
+            assertThat(row(dock, parameter.key()).isVisible()).isEqualTo(Materials.PHYSICAL.uses(parameter));
         }
         EventThread.run(() -> dock.search().setText("tendon stiff"));
         assertThat(dock.rows().stream().filter(SettingRow::isVisible))
@@ -122,7 +147,7 @@ class DocksTest {
     @Test
     void aRowNamesItselfForScreenReaders() {
         ParameterDock dock = on(() -> new ParameterDock(session));
-        for (Parameter parameter : Parameter.values()) {
+        for (Parameter parameter : Materials.parameters()) {
             SliderRow row = row(dock, parameter.key());
             assertThat(row.field().getAccessibleContext().getAccessibleName()).isEqualTo(parameter.label());
             assertThat(row.slider().getAccessibleContext().getAccessibleName()).isEqualTo(parameter.label());
@@ -138,7 +163,7 @@ class DocksTest {
             row.field().setText("9000");
             row.field().postActionEvent();
         });
-        assertThat(on(() -> session.scenario().value(Parameter.MUSCLE_STIFFNESS)))
+        assertThat(on(() -> session.scenario().get(SheetSprings.MUSCLE_STIFFNESS)))
                 .isEqualTo(3000);
         assertThat(row.field().getText()).isEqualTo("3000");
         // So stiff a sheet splits steps, which the row has to say too; what was typed comes first.
@@ -155,7 +180,7 @@ class DocksTest {
         assertThat(row.field().getText()).isEqualTo("3000");
         assertThat(row.hintText()).isEqualTo("Found 'stiff', expected a number from 30 to 3000 N/m.");
         EventThread.run(() -> row.resetButton().doClick());
-        assertThat(on(() -> session.scenario().value(Parameter.MUSCLE_STIFFNESS)))
+        assertThat(on(() -> session.scenario().get(SheetSprings.MUSCLE_STIFFNESS)))
                 .isEqualTo(300);
         assertThat(row.resetButton().isEnabled()).isFalse();
         assertThat(row.hintText()).doesNotContain("stiff'");
@@ -172,10 +197,10 @@ class DocksTest {
             }
             row.slider().setValueIsAdjusting(false);
         });
-        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(2);
+        assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(2);
         assertThat(on(() -> session.edits().undoPresentationName())).hasValue("Undo Depth 1 -> 2");
         EventThread.run(() -> session.edits().undo());
-        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1);
+        assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1);
         EventThread.until("the row shows it", () -> row.field().getText().equals("1"));
     }
 
@@ -183,14 +208,16 @@ class DocksTest {
     void resetAllIsOneChange() {
         ParameterDock dock = on(() -> new ParameterDock(session));
         EventThread.run(() -> session.change(
-                "Two at once", new Assignment("test", "depth", "1.5"), new Assignment("test", "rib_rotation", "0.5")));
+                "Two at once",
+                Assignment.read("test", "depth", "1.5"),
+                Assignment.read("test", "rib_rotation", "0.5")));
         EventThread.run(dock::resetAll);
         Scenario now = on(() -> session.scenario());
-        assertThat(now.value(Parameter.DEPTH)).isEqualTo(1);
-        assertThat(now.value(Parameter.RIB_ROTATION)).isEqualTo(1);
-        assertThat(now.value(Parameter.RATE)).isEqualTo(15);
+        assertThat(now.get(Breathing.DEPTH)).isEqualTo(1);
+        assertThat(now.get(RibRotation.RIB_ROTATION)).isEqualTo(1);
+        assertThat(now.get(Breathing.RATE)).isEqualTo(15);
         EventThread.run(() -> session.edits().undo());
-        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1.5);
+        assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1.5);
     }
 
     /** Deepest that the right dome goes in the next two breaths after half a second, mm. */
@@ -211,7 +238,7 @@ class DocksTest {
     @Test
     void undoRestoresHowTheDomeMoves() {
         double before = excursion();
-        EventThread.run(() -> session.change("Depth 1 -> 0.3", new Assignment("test", "depth", "0.3")));
+        EventThread.run(() -> session.change("Depth 1 -> 0.3", Assignment.read("test", "depth", "0.3")));
         double shallow = excursion();
         EventThread.run(() -> session.edits().undo());
         double after = excursion();
@@ -230,7 +257,7 @@ class DocksTest {
         Scenario deep = on(() -> session.scenario());
         assertThat(deep.preset()).isEqualTo("deep");
         // The rate that was set by hand gives way to that of the preset.
-        assertThat(deep.value(Parameter.RATE))
+        assertThat(deep.get(Breathing.RATE))
                 .isEqualTo(deep.breathing().parameters().ratePerMin());
         EventThread.run(() -> dock.holdButton().doClick());
         assertThat(on(() -> session.scenario().hold())).isTrue();
@@ -262,12 +289,12 @@ class DocksTest {
     @Test
     void aForceIsSwitchedOffAndOn() {
         ForcesDock dock = on(() -> new ForcesDock(session));
-        EventThread.run(() -> dock.checkBox(Choice.MUSCLE).doClick());
-        assertThat(on(() -> session.scenario().muscle())).isFalse();
+        EventThread.run(() -> dock.checkBox(Muscle.MUSCLE).doClick());
+        assertThat(on(() -> session.scenario().get(Muscle.MUSCLE))).isFalse();
         assertThat(on(() -> session.edits().undoPresentationName())).hasValue("Undo Muscle off");
         EventThread.run(() -> session.edits().undo());
         EventThread.until(
-                "the box is ticked", () -> dock.checkBox(Choice.MUSCLE).isSelected());
+                "the box is ticked", () -> dock.checkBox(Muscle.MUSCLE).isSelected());
     }
 
     @Test
@@ -326,14 +353,14 @@ class DocksTest {
         SettingsDock dock = on(() -> new SettingsDock(session, store, () -> Optional.of(name[0])));
         EventThread.run(dock::save);
         long scene = on(() -> session.scene().orElseThrow().id());
-        EventThread.run(() -> session.change("Depth", new Assignment("test", "depth", "1.3")));
+        EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
         name[0] = "deeper";
         EventThread.run(dock::save);
         assertThat(store.names()).containsExactly("as it was", "deeper");
         EventThread.run(dock::swap);
-        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1);
+        assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1);
         EventThread.run(dock::swap);
-        assertThat(on(() -> session.scenario().value(Parameter.DEPTH))).isEqualTo(1.3);
+        assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1.3);
         assertThat(on(() -> session.scene().orElseThrow().id())).isEqualTo(scene);
     }
 

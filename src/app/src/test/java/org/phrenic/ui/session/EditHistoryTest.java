@@ -4,10 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.SheetSprings;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
@@ -21,12 +22,14 @@ class EditHistoryTest {
     private void change(EditName name, String... texts) {
         List<Assignment> list = Arrays.stream(texts).map(Assignment::parse).toList();
         Scenario before = scenario;
-        Optional<List<Assignment>> inverse = ScenarioValues.valuesOf(before, list);
+        List<Assignment> inverse = list.stream()
+                .map(a -> new Assignment("undo", a.setting(), before.get(a.setting())))
+                .toList();
         scenario = before.with(list);
         history.add(
                 name,
                 list.stream().map(Assignment::key).toList(),
-                () -> scenario = inverse.map(values -> scenario.with(values)).orElse(before),
+                () -> scenario = scenario.with(inverse),
                 () -> scenario = scenario.with(list));
     }
 
@@ -43,7 +46,7 @@ class EditHistoryTest {
         assertThat(history.undoPresentationName()).isEmpty();
         assertThat(history.redoPresentationName()).hasValue("Redo Muscle stiffness 300 -> 450 N/m");
         history.redo();
-        assertThat(scenario.value(Parameter.MUSCLE_STIFFNESS)).isEqualTo(450);
+        assertThat(scenario.get(SheetSprings.MUSCLE_STIFFNESS)).isEqualTo(450);
     }
 
     @Test
@@ -53,9 +56,9 @@ class EditHistoryTest {
         change(new EditName("Depth", "1.1", "1.4"), "depth=1.4");
         assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.4");
         history.undo();
-        assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(1);
+        assertThat(scenario.get(Breathing.DEPTH)).isEqualTo(1);
         history.redo();
-        assertThat(scenario.value(Parameter.DEPTH)).isEqualTo(1.4);
+        assertThat(scenario.get(Breathing.DEPTH)).isEqualTo(1.4);
     }
 
     @Test
@@ -70,14 +73,14 @@ class EditHistoryTest {
         history.undo();
         history.undo();
         assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.1");
-        assertThat(scenario.value(Parameter.RIB_ROTATION)).isEqualTo(1);
+        assertThat(scenario.get(RibRotation.RIB_ROTATION)).isEqualTo(1);
     }
 
     @Test
     void aValueThatThePresetGaveComesBackThoughTheScenarioDidNotStateIt() {
         change(new EditName("Rate", "15", "22 1/min"), "rate_per_min=22");
         history.undo();
-        assertThat(scenario.value(Parameter.RATE)).isEqualTo(15);
+        assertThat(scenario.get(Breathing.RATE)).isEqualTo(15);
     }
 
     @Test

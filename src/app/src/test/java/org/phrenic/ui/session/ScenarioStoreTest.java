@@ -10,8 +10,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
-import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.SheetSprings;
 import org.phrenic.scenario.Scenario;
 
 class ScenarioStoreTest {
@@ -28,7 +30,7 @@ class ScenarioStoreTest {
         assertThat(store.names()).containsExactly("another", "Stiff, deep");
         Scenario back = store.load("Stiff, deep");
         assertThat(back.name()).isEqualTo("Stiff, deep");
-        assertThat(ScenarioValues.liveDifference(back, stiff))
+        assertThat(back.liveChangesTo(stiff, "test"))
                 .hasValueSatisfying(d -> assertThat(d).isEmpty());
         store.delete("another");
         assertThat(store.names()).containsExactly("Stiff, deep");
@@ -60,26 +62,26 @@ class ScenarioStoreTest {
     void anotherMaterialKeepsWhatItUses() {
         Scenario physical = Scenario.defaults()
                 .with("muscle_stiffness_n_per_m=450", "rib_rotation=0.5", "rate_per_min=20", "resolution=low");
-        Scenario paper = ScenarioValues.ofMaterial(physical, TissueMaterial.PAPER);
-        assertThat(paper.material()).isEqualTo(TissueMaterial.PAPER);
-        assertThat(paper.states(Parameter.MUSCLE_STIFFNESS)).isFalse();
-        assertThat(paper.value(Parameter.RIB_ROTATION)).isEqualTo(0.5);
-        assertThat(paper.value(Parameter.RATE)).isEqualTo(20);
+        Scenario paper = physical.withMaterial(Materials.PAPER);
+        assertThat(paper.material()).isEqualTo(Materials.PAPER);
+        assertThat(paper.states(SheetSprings.MUSCLE_STIFFNESS)).isFalse();
+        assertThat(paper.get(RibRotation.RIB_ROTATION)).isEqualTo(0.5);
+        assertThat(paper.get(Breathing.RATE)).isEqualTo(20);
         assertThat(paper.resolution()).isEqualTo(physical.resolution());
         // The step goes to that of the paper, 0.01 s, for the scenario stated none.
         assertThat(paper.timeStepS()).isEqualTo(0.01);
-        assertThat(paper.pressure()).isFalse();
-        assertThat(ScenarioValues.ofMaterial(paper, TissueMaterial.PHYSICAL).timeStepS())
-                .isEqualTo(0.00125);
+        assertThat(paper)
+                .isEqualTo(Scenario.defaults()
+                        .with("material=paper", "rib_rotation=0.5", "rate_per_min=20", "resolution=low"));
+        assertThat(paper.withMaterial(Materials.PHYSICAL).timeStepS()).isEqualTo(0.00125);
     }
 
     @Test
     void onlyWhatCanChangeWhileItBreathesIsALiveDifference() {
         Scenario quiet = Scenario.defaults();
-        assertThat(ScenarioValues.liveDifference(quiet, quiet.with("depth=1.2", "rate_per_min=20")))
+        assertThat(quiet.liveChangesTo(quiet.with("depth=1.2", "rate_per_min=20"), "test"))
                 .hasValueSatisfying(
                         list -> assertThat(list).extracting("key").containsExactlyInAnyOrder("depth", "rate_per_min"));
-        assertThat(ScenarioValues.liveDifference(quiet, quiet.with("resolution=low")))
-                .isEmpty();
+        assertThat(quiet.liveChangesTo(quiet.with("resolution=low"), "test")).isEmpty();
     }
 }

@@ -5,21 +5,25 @@ import static org.assertj.core.data.Percentage.withPercentage;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.SheetSprings;
+import org.phrenic.model.material.TissueMass;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Scenario;
 
 class SliderScaleTest {
     private static SliderScale scaleOf(Parameter parameter) {
-        double usual = parameter.defaultFor(TissueMaterial.PHYSICAL);
+        double usual = Materials.PHYSICAL.defaultOf(parameter, Scenario.defaults());
         return SliderScale.of(
                 parameter.minimum(),
                 parameter.maximum(),
-                Double.isNaN(usual) ? parameter.defaultFor(TissueMaterial.PAPER) : usual);
+                Double.isNaN(usual) ? Materials.PAPER.defaultOf(parameter, Scenario.defaults()) : usual);
     }
 
     @ParameterizedTest
-    @EnumSource(Parameter.class)
+    @MethodSource("org.phrenic.model.material.Materials#parameters")
     void everyPlaceOfTheSliderIsTheOneItsValueGoesBackTo(Parameter parameter) {
         SliderScale scale = scaleOf(parameter);
         double before = Double.NEGATIVE_INFINITY;
@@ -37,9 +41,9 @@ class SliderScaleTest {
 
     @Test
     void wideRangesAreLogarithmic() {
-        assertThat(scaleOf(Parameter.MUSCLE_STIFFNESS).isLogarithmic()).isTrue();
-        assertThat(scaleOf(Parameter.MUSCLE_STIFFNESS).positionOf(300)).isEqualTo(SliderScale.POSITIONS / 2);
-        assertThat(scaleOf(Parameter.LEFT_OVER_RIGHT).isLogarithmic()).isFalse();
+        assertThat(scaleOf(SheetSprings.MUSCLE_STIFFNESS).isLogarithmic()).isTrue();
+        assertThat(scaleOf(SheetSprings.MUSCLE_STIFFNESS).positionOf(300)).isEqualTo(SliderScale.POSITIONS / 2);
+        assertThat(scaleOf(Muscle.LEFT_OVER_RIGHT).isLogarithmic()).isFalse();
         SliderScale step = SliderScale.of(1e-5, 0.1, 0.001);
         assertThat(step.positionOf(1e-3)).isEqualTo(SliderScale.POSITIONS / 2);
     }
@@ -47,7 +51,7 @@ class SliderScaleTest {
     @Test
     void aSmallValueInUseOfARangeFromZeroCanBeReached() {
         // Damping of the paper: 0.02 of 0 to 100; on a linear slider it would be all but zero.
-        SliderScale damping = scaleOf(Parameter.DAMPING);
+        SliderScale damping = scaleOf(TissueMass.DAMPING);
         assertThat(damping.valueAt(0)).isZero();
         assertThat(damping.positionOf(0.02)).isBetween(100, 300);
         assertThat(damping.valueAt(damping.positionOf(0.02))).isCloseTo(0.02, withPercentage(2));

@@ -29,7 +29,7 @@ class CopyCommandActionTest {
             EventThread.until(
                     "some steps are done", () -> session.live().status().timeS() > 0.2);
             EventThread.run(
-                    () -> session.change("Stiffness", new Assignment("test", "muscle_stiffness_n_per_m", "400")));
+                    () -> session.change("Stiffness", Assignment.read("test", "muscle_stiffness_n_per_m", "400")));
             EventThread.until(
                     "some more are done", () -> session.live().status().timeS() > 0.4);
             session.live().pause();

@@ -73,7 +73,7 @@ public final class WindowGallery {
                 most.setText("60");
                 most.postActionEvent();
                 control(window, JCheckBox.class, "Shape at rest").doClick();
-                session.change("Muscle stiffness", new Assignment("gallery", "muscle_stiffness_n_per_m", "450"));
+                session.change("Muscle stiffness", Assignment.read("gallery", "muscle_stiffness_n_per_m", "450"));
             }
         });
         waitFor(window, BREATHE_S);

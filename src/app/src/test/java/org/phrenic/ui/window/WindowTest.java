@@ -31,7 +31,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Theme;
@@ -92,10 +91,10 @@ class WindowTest {
             Map<String, Object> wanted = first.toMap();
             List<Assignment> back = wanted.keySet().stream()
                     .filter(key -> !wanted.get(key).equals(has.get(key)))
-                    .map(key -> new Assignment("test", key, String.valueOf(wanted.get(key))))
+                    .map(key -> Assignment.read("test", key, String.valueOf(wanted.get(key))))
                     .toList();
-            boolean live =
-                    has.keySet().equals(wanted.keySet()) && back.stream().allMatch(a -> Simulation.isLive(a.key()));
+            boolean live = has.keySet().equals(wanted.keySet())
+                    && back.stream().allMatch(a -> a.setting().isLive());
             if (!live) {
                 window.session().open("Start", first);
             } else if (!back.isEmpty()) {

@@ -3,8 +3,17 @@ package org.phrenic.fit.search;
 import java.util.List;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Lungs;
+import org.phrenic.model.material.Mediastinum;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.SheetSprings;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.parameter.FitRange;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
 
 /**
  * A number that a fit may tune, and how far. The search sees it as a place from 0 to 1 between its bounds, by its
@@ -18,8 +27,6 @@ import org.phrenic.scenario.Scenario;
 public record FitParameter(Parameter parameter, double minimum, double maximum, double start) {
     /** Bounds farther apart than by this factor are searched by the logarithm. */
     private static final double WIDE = 4;
-    /** Of those that only bend what the three main ones do. */
-    private static final double NARROW = 0.4;
 
     public FitParameter {
         if (!(minimum < maximum) || !(start >= minimum && start <= maximum)) {
@@ -36,15 +43,13 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
      * @throws BadInputException if the scenario does not use it, or it says how fast is breathed
      */
     public static FitParameter of(Parameter parameter, Scenario scenario) {
-        double start = parameter == Parameter.CHEST_SHARE && !scenario.states(parameter)
-                ? scenario.breathing().parameters().chestShare()
-                : scenario.value(parameter);
-        if (Double.isNaN(start) || parameter == Parameter.RATE || parameter == Parameter.INSPIRATORY_FRACTION) {
+        double start = scenario.get(parameter);
+        if (Double.isNaN(start) || parameter == Breathing.RATE || parameter == Breathing.INSPIRATORY_FRACTION) {
             throw new BadInputException("--tune " + parameter.key()
                     + ": found a parameter that the breath which is held does not use, expected another");
         }
-        double[] usual = defaultBounds(parameter);
-        return new FitParameter(parameter, Math.min(usual[0], start), Math.max(usual[1], start), start);
+        FitRange usual = parameter.fitRange();
+        return new FitParameter(parameter, Math.min(usual.minimum(), start), Math.max(usual.maximum(), start), start);
     }
 
     /**
@@ -55,7 +60,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     public static FitParameter parse(String text, Scenario scenario) {
         int equals = text.indexOf('=');
         try {
-            Parameter parameter = Parameter.named(equals < 0 ? text : text.substring(0, equals));
+            Parameter parameter = Settings.parameter(equals < 0 ? text : text.substring(0, equals));
             FitParameter usual = of(parameter, scenario);
             if (equals < 0) {
                 return usual;
@@ -82,44 +87,23 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
      */
     public static List<FitParameter> defaults(Scenario scenario) {
         return Stream.of(
-                        Parameter.MUSCLE_ACTIVATION,
-                        Parameter.LEFT_OVER_RIGHT,
-                        Parameter.FRONT_OVER_BACK,
-                        Parameter.GREATEST_PRESSURE,
-                        Parameter.PRESSURE_LEFT_OVER_RIGHT,
-                        Parameter.REST_PRESSURE,
-                        Parameter.RIB_ROTATION,
-                        Parameter.UPPER_RIB_ROTATION,
-                        Parameter.LOWER_RIB_ROTATION,
-                        Parameter.RIB_LEFT_OVER_RIGHT,
-                        Parameter.BUCKET_HANDLE,
-                        Parameter.MUSCLE_STIFFNESS,
-                        Parameter.LUNG_STIFFNESS,
-                        Parameter.MEDIASTINUM_RIGHT,
-                        Parameter.MEDIASTINUM_LEFT)
+                        Muscle.MUSCLE_ACTIVATION,
+                        Muscle.LEFT_OVER_RIGHT,
+                        Muscle.FRONT_OVER_BACK,
+                        TransdiaphragmaticPressure.GREATEST_PRESSURE,
+                        TransdiaphragmaticPressure.PRESSURE_LEFT_OVER_RIGHT,
+                        TransdiaphragmaticPressure.REST_PRESSURE,
+                        RibRotation.RIB_ROTATION,
+                        RibRotation.UPPER_RIB_ROTATION,
+                        RibRotation.LOWER_RIB_ROTATION,
+                        RibRotation.RIB_LEFT_OVER_RIGHT,
+                        RibRotation.BUCKET_HANDLE,
+                        SheetSprings.MUSCLE_STIFFNESS,
+                        Lungs.LUNG_STIFFNESS,
+                        Mediastinum.MEDIASTINUM_RIGHT,
+                        Mediastinum.MEDIASTINUM_LEFT)
                 .map(p -> of(p, scenario))
                 .toList();
-    }
-
-    /** Narrower than what a scenario may ask for where that would cost substeps or mean nothing in a person. */
-    private static double[] defaultBounds(Parameter parameter) {
-        return switch (parameter) {
-            case MUSCLE_ACTIVATION -> new double[] {0.1, 0.8};
-            case LEFT_OVER_RIGHT -> new double[] {0.5, 2};
-            case GREATEST_PRESSURE -> new double[] {0, 8};
-            case REST_PRESSURE -> new double[] {0.05, 1};
-            case FRONT_OVER_BACK, PRESSURE_LEFT_OVER_RIGHT -> new double[] {0.4, 2.5};
-            case CHEST_SHARE -> new double[] {0.3, 0.7};
-            case UPPER_RIB_ROTATION, LOWER_RIB_ROTATION -> new double[] {0.3, 1.7};
-            case RIB_LEFT_OVER_RIGHT -> new double[] {0.6, 1.6};
-            case BUCKET_HANDLE -> new double[] {0, 2};
-            case MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT -> new double[] {0, 40};
-            case MUSCLE_STIFFNESS -> new double[] {100, 450};
-            case TENDON_RATIO -> new double[] {2, 20};
-            case LUNG_STIFFNESS -> new double[] {1, 20};
-            case STERNUM_COUPLING -> new double[] {0.3, 3};
-            default -> new double[] {parameter.minimum(), parameter.maximum()};
-        };
     }
 
     /**
@@ -127,10 +111,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
      * widely, what only bends that less so, or its scatter would drown the rest in the first generations.
      */
     public double relativeSigma() {
-        return switch (parameter) {
-            case MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, RIB_ROTATION -> 1;
-            default -> NARROW;
-        };
+        return parameter.fitRange().spread();
     }
 
     private boolean isLogarithmic() {

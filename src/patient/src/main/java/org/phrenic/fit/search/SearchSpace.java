@@ -2,6 +2,9 @@ package org.phrenic.fit.search;
 
 import java.util.List;
 import java.util.Map;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
 import org.phrenic.parameter.Parameter;
 
 /**
@@ -13,9 +16,9 @@ import org.phrenic.parameter.Parameter;
 public record SearchSpace(List<FitParameter> parameters) {
     /** Ratios that share out a strength. */
     private static final Map<Parameter, List<Parameter>> SHARED = Map.of(
-            Parameter.MUSCLE_ACTIVATION, List.of(Parameter.LEFT_OVER_RIGHT, Parameter.FRONT_OVER_BACK),
-            Parameter.GREATEST_PRESSURE, List.of(Parameter.PRESSURE_LEFT_OVER_RIGHT),
-            Parameter.RIB_ROTATION, List.of(Parameter.RIB_LEFT_OVER_RIGHT));
+            Muscle.MUSCLE_ACTIVATION, List.of(Muscle.LEFT_OVER_RIGHT, Muscle.FRONT_OVER_BACK),
+            TransdiaphragmaticPressure.GREATEST_PRESSURE, List.of(TransdiaphragmaticPressure.PRESSURE_LEFT_OVER_RIGHT),
+            RibRotation.RIB_ROTATION, List.of(RibRotation.RIB_LEFT_OVER_RIGHT));
 
     public SearchSpace {
         parameters = List.copyOf(parameters);

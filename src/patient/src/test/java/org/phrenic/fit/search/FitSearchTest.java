@@ -13,15 +13,17 @@ import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.SheetSprings;
 
 /** A search that is killed and gone on with, and one on several threads, are the same search. */
 class FitSearchTest {
     private static final int EVALUATIONS = 120;
     private static final List<FitParameter> PARAMETERS = List.of(
-            new FitParameter(Parameter.MUSCLE_ACTIVATION, 0.1, 0.8, 0.6),
-            new FitParameter(Parameter.MUSCLE_STIFFNESS, 100, 450, 300),
-            new FitParameter(Parameter.RIB_ROTATION, 0, 1.5, 1));
+            new FitParameter(Muscle.MUSCLE_ACTIVATION, 0.1, 0.8, 0.6),
+            new FitParameter(SheetSprings.MUSCLE_STIFFNESS, 100, 450, 300),
+            new FitParameter(RibRotation.RIB_ROTATION, 0, 1.5, 1));
 
     @TempDir
     Path folder;

@@ -7,7 +7,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.SheetSprings;
 
 /** The search that goes down by what each parameter does, on shapes that need no breath. */
 class GaussNewtonSearchTest {
@@ -109,9 +110,9 @@ class GaussNewtonSearchTest {
     @Test
     void aStrengthGoesWithTheMeanOfItsSides() {
         SearchSpace space = new SearchSpace(List.of(
-                new FitParameter(Parameter.MUSCLE_ACTIVATION, 0.1, 0.8, 0.6),
-                new FitParameter(Parameter.LEFT_OVER_RIGHT, 0.5, 2, 1.12),
-                new FitParameter(Parameter.MUSCLE_STIFFNESS, 100, 450, 300)));
+                new FitParameter(Muscle.MUSCLE_ACTIVATION, 0.1, 0.8, 0.6),
+                new FitParameter(Muscle.LEFT_OVER_RIGHT, 0.5, 2, 1.12),
+                new FitParameter(SheetSprings.MUSCLE_STIFFNESS, 100, 450, 300)));
         double[] start = space.values(space.startPoint());
         assertThat(start[0]).isCloseTo(0.6, offset(1e-9));
         assertThat(start[1]).isCloseTo(1.12, offset(1e-9));

@@ -44,7 +44,7 @@ final class DrawingBenchmark {
         int height = arguments.length > 1 ? Integer.parseInt(arguments[1]) : 800;
         int samples = arguments.length > 2 ? Integer.parseInt(arguments[2]) : 0;
         String anatomy = arguments.length > 3 ? arguments[3] : "virtual/adult-male";
-        Scenario scenario = Scenario.defaults().with(List.of(new Assignment("benchmark", "anatomy", anatomy)));
+        Scenario scenario = Scenario.defaults().with(List.of(Assignment.read("benchmark", "anatomy", anatomy)));
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario));
                 OffscreenContext offscreen = OffscreenContext.open()) {
             new DrawingBenchmark().run(simulation, offscreen, width, height, samples);

@@ -10,7 +10,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.ProgressListener;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
@@ -105,7 +105,7 @@ public record ErrorStudy(
                 }
                 progress.done(points.size() + 2, total, settings.label());
             }
-            List<EquilibriumLag> equilibrium = scenario.material() == TissueMaterial.PHYSICAL && !quick
+            List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && !quick
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
                     : List.of();
             return new ErrorStudy(

@@ -5,7 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.phrenic.engine.integrator.IntegratorKind;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Scenario;
 
 /**
@@ -28,7 +29,7 @@ public record SolverGrid(
     /** All that a material's front is chosen from. */
     public static SolverGrid of(TissueMaterial material) {
         List<IntegratorKind> all = List.of(IntegratorKind.values());
-        return material == TissueMaterial.PHYSICAL
+        return material == Materials.PHYSICAL
                 ? new SolverGrid(
                         all,
                         List.of(0.0005, 0.001, 0.00125, 0.002, 0.005, 0.01, 0.02),
@@ -45,7 +46,7 @@ public record SolverGrid(
     public static SolverGrid quick(TissueMaterial material) {
         return new SolverGrid(
                 List.of(IntegratorKind.VERLET, IntegratorKind.SYMPLECTIC_EULER),
-                material == TissueMaterial.PHYSICAL ? List.of(0.00125) : List.of(0.005, 0.01),
+                material == Materials.PHYSICAL ? List.of(0.00125) : List.of(0.005, 0.01),
                 List.of(1, 2),
                 List.of(0.02));
     }
@@ -83,6 +84,6 @@ public record SolverGrid(
 
     /** Step of the finest reference of a material, s. */
     static double referenceStepS(TissueMaterial material) {
-        return material == TissueMaterial.PHYSICAL ? 0.0005 : 0.001;
+        return material == Materials.PHYSICAL ? 0.0005 : 0.001;
     }
 }

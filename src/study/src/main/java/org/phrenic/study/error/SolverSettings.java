@@ -3,6 +3,7 @@ package org.phrenic.study.error;
 import java.util.List;
 import java.util.Locale;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
@@ -20,16 +21,19 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
     /** Those of a scenario. */
     public static SolverSettings of(Scenario scenario) {
         return new SolverSettings(
-                scenario.integrator(), scenario.timeStepS(), scenario.projectionSweeps(), scenario.refreshS());
+                scenario.integrator(),
+                scenario.timeStepS(),
+                scenario.get(Numerics.PROJECTION_SWEEPS),
+                scenario.get(Numerics.REFRESH));
     }
 
     /** As keys of a scenario. */
     public List<Assignment> assignments(String origin) {
         return List.of(
-                new Assignment(origin, "integrator", integrator.label()),
-                new Assignment(origin, "time_step_s", Double.toString(timeStepS)),
-                new Assignment(origin, "projection_sweeps", Integer.toString(sweeps)),
-                new Assignment(origin, "refresh_s", Double.toString(refreshS)));
+                Assignment.of(origin, Numerics.INTEGRATOR, integrator),
+                Assignment.of(origin, Numerics.TIME_STEP, timeStepS),
+                Assignment.of(origin, Numerics.PROJECTION_SWEEPS, sweeps),
+                Assignment.of(origin, Numerics.REFRESH, refreshS));
     }
 
     /** In words, for progress and sentences. */

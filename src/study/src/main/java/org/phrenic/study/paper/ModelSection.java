@@ -7,8 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.SheetSprings;
+import org.phrenic.model.material.TissueMass;
 import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.scenario.Scenario;
 
 /** The paper's model part by part and its parameters, with what stands here in their place. */
 final class ModelSection {
@@ -148,20 +152,20 @@ final class ModelSection {
                         List.of(
                                 "Stiffness",
                                 "15",
-                                value(Parameter.SPRING_STIFFNESS, TissueMaterial.PAPER),
-                                value(Parameter.MUSCLE_STIFFNESS, TissueMaterial.PHYSICAL) + ", membrane",
+                                value(SheetSprings.SPRING_STIFFNESS, Materials.PAPER),
+                                value(SheetSprings.MUSCLE_STIFFNESS, Materials.PHYSICAL) + ", membrane",
                                 "The paper prints no units; N/m, kg, N s/m and s are taken."),
                         List.of(
                                 "Mass of a node",
                                 "0.1",
-                                value(Parameter.NODE_MASS, TissueMaterial.PAPER),
-                                value(Parameter.AREA_DENSITY, TissueMaterial.PHYSICAL),
+                                value(TissueMass.NODE_MASS, Materials.PAPER),
+                                value(TissueMass.AREA_DENSITY, Materials.PHYSICAL),
                                 "One mass a node makes a finer mesh heavier and its waves slower."),
                         List.of(
                                 "Damping",
                                 "-0.02",
-                                value(Parameter.DAMPING, TissueMaterial.PAPER),
-                                value(Parameter.DAMPING_RATE, TissueMaterial.PHYSICAL) + ", over mass",
+                                value(TissueMass.DAMPING, Materials.PAPER),
+                                value(TissueMass.DAMPING_RATE, Materials.PHYSICAL) + ", over mass",
                                 "The sign is that of the force, F = -γ v."),
                         List.of(
                                 "Time step",
@@ -178,7 +182,7 @@ final class ModelSection {
     }
 
     private static String value(Parameter parameter, TissueMaterial material) {
-        double value = parameter.defaultFor(material);
+        double value = material.defaultOf(parameter, Scenario.defaults());
         String number = value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
         return number + " " + parameter.unit();
     }

@@ -11,7 +11,8 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Figure;
 import org.phrenic.document.report.ReportDocument.Picture;
-import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.Materials;
+import org.phrenic.scenario.Settings;
 import org.phrenic.study.paper.Claim.Verdict;
 
 /** The report: every table, figure and claim of the paper in its order, as printed and as found here. */
@@ -151,7 +152,7 @@ public final class ReproductionReport {
                                 keys("muscle_activation", "muscle_force_mn", "left_over_right")),
                         List.of(
                                 "damping, stiffness, mass, step",
-                                "these and more: " + Parameter.values().length
+                                "these and more: " + Materials.parameters().size()
                                         + " parameters, the time step and the integrator")));
         report.table(
                 "What is displayed.",
@@ -167,7 +168,7 @@ public final class ReproductionReport {
 
     private static String keys(String... keys) {
         return Arrays.stream(keys)
-                .map(Parameter::named)
+                .map(Settings::parameter)
                 .map(p -> p.label() + " (" + p.key() + ")")
                 .collect(Collectors.joining(", "));
     }

@@ -1,11 +1,18 @@
 package org.phrenic.study.stability;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.SwitchSetting;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.RigidTendon;
+import org.phrenic.model.material.WallContact;
+import org.phrenic.model.material.TissueMass;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
@@ -19,11 +26,17 @@ final class RandomSliders implements Consumer<Simulation> {
     private static final double MIN_INTERVAL_S = 0.05;
     private static final double SPREAD_S = 1;
     private static final int MAX_CHANGES = 4;
-    private static final List<String> SWITCHES = List.of("muscle", "pressure", "ribs", "tensegrity", "contact", "hold");
+    private static final List<SwitchSetting> SWITCHES = List.of(
+            Muscle.MUSCLE,
+            TransdiaphragmaticPressure.PRESSURE,
+            RibRotation.RIBS,
+            RigidTendon.TENSEGRITY,
+            WallContact.CONTACT,
+            Breathing.HOLD);
     private static final List<String> PRESETS = List.of("quiet", "deep", "sniff", "cough", "rapid-shallow");
     private final Random random = new Random(SEED);
     private final Scenario initialScenario;
-    private final Parameter[] parameters;
+    private final List<Parameter> parameters;
     private final double untilS;
     private double next = MIN_INTERVAL_S;
     private boolean restored;
@@ -35,9 +48,7 @@ final class RandomSliders implements Consumer<Simulation> {
     RandomSliders(Scenario start, double durationS) {
         untilS = durationS - ThoraxScene.SETTLING_S;
         initialScenario = start;
-        parameters = Arrays.stream(Parameter.values())
-                .filter(p -> p.isUsedBy(start.material()))
-                .toArray(Parameter[]::new);
+        parameters = start.material().parameters();
     }
 
     @Override
@@ -63,14 +74,14 @@ final class RandomSliders implements Consumer<Simulation> {
         List<Assignment> list = new ArrayList<>();
         int count = 1 + random.nextInt(MAX_CHANGES);
         for (int i = 0; i < count; i++) {
-            int which = random.nextInt(parameters.length + SWITCHES.size() + 1);
-            if (which < parameters.length) {
-                Parameter p = parameters[which];
-                list.add(ThoraxScene.assignment(p.key(), random.nextBoolean() ? p.minimum() : p.maximum()));
-            } else if (which < parameters.length + SWITCHES.size()) {
-                list.add(ThoraxScene.assignment(SWITCHES.get(which - parameters.length), random.nextBoolean()));
+            int which = random.nextInt(parameters.size() + SWITCHES.size() + 1);
+            if (which < parameters.size()) {
+                Parameter p = parameters.get(which);
+                list.add(ThoraxScene.assignment(p, random.nextBoolean() ? p.minimum() : p.maximum()));
+            } else if (which < parameters.size() + SWITCHES.size()) {
+                list.add(ThoraxScene.assignment(SWITCHES.get(which - parameters.size()), random.nextBoolean()));
             } else {
-                list.add(ThoraxScene.assignment("preset", PRESETS.get(random.nextInt(PRESETS.size()))));
+                list.add(Assignment.read("slider preset", "preset", PRESETS.get(random.nextInt(PRESETS.size()))));
             }
         }
         return list;
@@ -79,25 +90,18 @@ final class RandomSliders implements Consumer<Simulation> {
     /** The initial values, with the breath stopped. */
     private List<Assignment> restoringChanges() {
         List<Assignment> list = new ArrayList<>();
-        list.add(ThoraxScene.assignment("preset", initialScenario.preset()));
-        for (String key : SWITCHES) {
-            list.add(ThoraxScene.assignment(key, initialScenario.toMap().get(key)));
+        list.add(ThoraxScene.assignment(Breathing.PRESET, initialScenario.breathing()));
+        for (SwitchSetting setting : SWITCHES) {
+            list.add(ThoraxScene.assignment(setting, initialScenario.get(setting)));
         }
-        var breath = initialScenario.breathing().parameters();
         for (Parameter p : parameters) {
-            double value = initialScenario.value(p);
-            if (p == Parameter.RATE) {
-                value = breath.ratePerMin();
-            } else if (p == Parameter.INSPIRATORY_FRACTION) {
-                value = breath.inspiratoryFraction();
-            } else if (p == Parameter.CHEST_SHARE) {
-                value = breath.chestShare();
-            } else if (p == Parameter.DEPTH) {
+            double value = initialScenario.get(p);
+            if (p == Breathing.DEPTH) {
                 value = 0;
-            } else if (p == Parameter.DAMPING) {
+            } else if (p == TissueMass.DAMPING) {
                 value = ThoraxScene.SETTLING_DAMPING;
             }
-            list.add(ThoraxScene.assignment(p.key(), value));
+            list.add(ThoraxScene.assignment(p, value));
         }
         return list;
     }

@@ -14,6 +14,7 @@ import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.model.material.RibRotation;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -148,8 +149,8 @@ final class StabilityCases {
             long due = (long) Math.floor(simulation.time() / RIB_STEP_INTERVAL_S + 1e-9);
             if (due > done) {
                 done = due;
-                Parameter p = Parameter.RIB_ROTATION;
-                simulation.change(List.of(ThoraxScene.assignment(p.key(), due % 2 == 1 ? p.maximum() : p.minimum())));
+                Parameter p = RibRotation.RIB_ROTATION;
+                simulation.change(List.of(ThoraxScene.assignment(p, due % 2 == 1 ? p.maximum() : p.minimum())));
             }
         }
     }

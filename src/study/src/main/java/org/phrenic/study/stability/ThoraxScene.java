@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.Stepper;
-import org.phrenic.parameter.Parameter;
-import org.phrenic.parameter.TissueMaterial;
+import org.phrenic.parameter.Setting;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.TissueMass;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
@@ -31,8 +33,8 @@ final class ThoraxScene implements StabilityScene {
         this.beforeStep = beforeStep;
     }
 
-    static Assignment assignment(String key, Object value) {
-        return new Assignment("slider " + key, key, String.valueOf(value));
+    static <T> Assignment assignment(Setting<T> setting, T value) {
+        return Assignment.of("slider " + setting.key(), setting, value);
     }
 
     @Override
@@ -58,9 +60,9 @@ final class ThoraxScene implements StabilityScene {
 
     @Override
     public void stopBreathing() {
-        List<Assignment> changes = new ArrayList<>(List.of(assignment(Parameter.DEPTH.key(), 0.0)));
-        if (simulation.start().material() == TissueMaterial.PAPER) {
-            changes.add(assignment(Parameter.DAMPING.key(), SETTLING_DAMPING));
+        List<Assignment> changes = new ArrayList<>(List.of(assignment(Breathing.DEPTH, 0.0)));
+        if (simulation.start().material() == Materials.PAPER) {
+            changes.add(assignment(TissueMass.DAMPING, SETTLING_DAMPING));
         }
         simulation.change(changes);
     }

@@ -94,7 +94,7 @@ public record LiverMotion(List<Row> rows) {
         List<BatchRunner.Job<Row>> jobs = new ArrayList<>();
         for (String anatomy : anatomies) {
             Scenario on = settings.with("threads=1")
-                    .with(List.of(new Assignment("--anatomy " + anatomy, "anatomy", anatomy)));
+                    .with(List.of(Assignment.read("--anatomy " + anatomy, "anatomy", anatomy)));
             Thorax thorax = SimulationRun.loadThorax(on);
             for (String preset : PRESETS) {
                 Scenario run = on.with("preset=" + preset);

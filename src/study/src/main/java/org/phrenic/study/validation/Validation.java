@@ -71,7 +71,7 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         List<Thorax> thoraxes = new ArrayList<>();
         List<BatchRunner.Job<BreathSeries>> jobs = new ArrayList<>();
         for (String anatomy : anatomies) {
-            Scenario on = single.with(List.of(new Assignment("--anatomy " + anatomy, "anatomy", anatomy)));
+            Scenario on = single.with(List.of(Assignment.read("--anatomy " + anatomy, "anatomy", anatomy)));
             Thorax thorax = SimulationRun.loadThorax(on);
             thorax.notes().forEach(progress::note);
             thoraxes.add(thorax);

@@ -4,16 +4,17 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.Simulation;
+import org.phrenic.scenario.Settings;
 
 /**
- * What is set now, as whoever tunes sees it at once, and which live changes the simulation has yet to make. Safe to use
+ * What is set, as whoever tunes sees it at once, and which live changes the simulation has yet to make. Safe to use
  * from any thread.
  */
 final class RequestedSettings {
-    private final Map<String, Assignment> pending = new LinkedHashMap<>();
+    private final Map<Setting<?>, Assignment> pending = new LinkedHashMap<>();
     private Scenario current;
     private boolean loading;
 
@@ -29,21 +30,21 @@ final class RequestedSettings {
      * Takes changes.
      *
      * @return whether all of them can be made while the scene runs; then they are waiting for the simulation
-     * @throws org.phrenic.format.BadInputException if they cannot be; nothing has changed then
+     * @throws org.phrenic.file.BadInputException if they cannot be; nothing has changed then
      */
     synchronized boolean request(List<Assignment> assignments) {
         current = current.with(assignments);
-        if (!assignments.stream().allMatch(a -> Simulation.isLive(a.key()))) {
+        if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
             return false;
         }
         for (Assignment assignment : assignments) {
-            pending.remove(assignment.key());
-            pending.put(assignment.key(), assignment);
+            pending.remove(assignment.setting());
+            pending.put(assignment.setting(), assignment);
         }
         return true;
     }
 
-    /** The changes that wait, each key once with its last value; they wait no more. */
+    /** The changes that wait, each setting once with its last value; they wait no more. */
     synchronized List<Assignment> takePending() {
         if (pending.isEmpty()) {
             return List.of();
@@ -63,12 +64,11 @@ final class RequestedSettings {
     synchronized void sceneStarted(Scenario running) {
         loading = false;
         pending.clear();
-        Map<String, Object> has = running.toMap();
-        current.toMap().forEach((key, value) -> {
-            if (Simulation.isLive(key) && !value.equals(has.get(key))) {
-                pending.put(key, new Assignment("change", key, String.valueOf(value)));
+        for (Setting<?> setting : Settings.all()) {
+            if (setting.isLive() && !current.text(setting).equals(running.text(setting))) {
+                pending.put(setting, new Assignment("change", setting, current.get(setting)));
             }
-        });
+        }
     }
 
     /** Told that loading was called off or failed. */

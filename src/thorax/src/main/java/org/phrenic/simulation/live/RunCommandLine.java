@@ -1,9 +1,8 @@
 package org.phrenic.simulation.live;
 
-import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
@@ -17,20 +16,18 @@ final class RunCommandLine {
     static String of(Scenario scenario) {
         StringBuilder line = new StringBuilder("phrenic run");
         // What else a material brings comes by itself.
-        Map<String, Object> usual = Scenario.defaults()
-                .with(List.of(new Assignment(
-                        "material", "material", scenario.material().label())))
-                .toMap();
+        Map<String, Object> usual =
+                Scenario.defaults().withMaterial(scenario.material()).toMap();
         usual.put("material", Scenario.defaults().material().label());
         scenario.toMap().forEach((key, value) -> {
-            boolean own = key.equals("name") && scenario.givenName() == null;
+            boolean own = key.equals("name") && !scenario.states(RunSettings.NAME);
             boolean told = key.equals("changes") || key.equals("steps");
             if (!own && !told && !value.equals(usual.get(key))) {
                 option(line, "--set", key + "=" + value);
             }
         });
-        if (scenario.givenSteps() >= 0) {
-            option(line, "--steps", Long.toString(scenario.givenSteps()));
+        if (scenario.steps() >= 0) {
+            option(line, "--steps", Long.toString(scenario.steps()));
         }
         for (ScheduledChange change : scenario.changes()) {
             option(line, "--change", change.text());

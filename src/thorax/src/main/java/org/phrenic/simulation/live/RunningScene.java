@@ -3,6 +3,7 @@ package org.phrenic.simulation.live;
 import java.util.List;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -99,7 +100,8 @@ final class RunningScene implements AutoCloseable {
     private void sample() {
         history.add(surfaces.observe());
         Stepper stepper = simulation.stepper();
-        nextSample = stepper.steps() + Math.max(1, Math.round(simulation.start().recordEveryS() / stepper.dt()));
+        nextSample = stepper.steps()
+                + Math.max(1, Math.round(simulation.start().get(RunSettings.RECORD_EVERY) / stepper.dt()));
     }
 
     /** Publishes a frame if there is another to see and somebody waits for one, or nobody has for long. */

@@ -2,7 +2,7 @@ package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
 import org.phrenic.anatomy.Diaphragm;
-import org.phrenic.simulation.organ.DiaphragmPart;
+import org.phrenic.model.organ.DiaphragmPart;
 
 /**
  * Mean length of the muscle's fibres against rest: the stretch |F f| of the fibre direction f in each triangle,

@@ -7,8 +7,8 @@ import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.organ.NearestVertex;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.NearestVertex;
 
 /**
  * Where the lungs are and how much air they take in. Stepped lungs are read off the nodes; embedded ones are carried:

@@ -2,8 +2,8 @@ package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
 import org.phrenic.breathing.BreathState;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.organ.LiverPart;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.LiverPart;
 
 /** Looks at a scene and writes down what there is to see. */
 public final class SceneObserver {

@@ -7,9 +7,8 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.engine.parallel.NodeLayout;
-import org.phrenic.simulation.assembly.Scene;
-import org.phrenic.simulation.assembly.SceneForces;
-import org.phrenic.simulation.organ.MassSpringBuilder;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.MassSpringBuilder;
 
 /**
  * What the model is made of, as lines and points over the surfaces. A kind of which a scene has nothing is left out.
@@ -24,16 +23,15 @@ public final class SceneOverlays {
     private SceneOverlays() {}
 
     public static List<Overlay> of(Scene scene) {
-        SceneForces forces = scene.forces();
         NodeLayout layout = scene.system().layout();
         List<Overlay> all = new ArrayList<>();
-        int[] sheet = forces.sheet().callerPairs(layout);
-        int[] passive = forces.passive().map(s -> s.callerPairs(layout)).orElse(new int[0]);
+        int[] sheet = scene.sheetSprings().callerPairs(layout);
+        int[] passive = scene.passiveSprings().map(s -> s.callerPairs(layout)).orElse(new int[0]);
         addPairs(all, Overlay.Kind.SPRINGS, MassSpringBuilder.concatenate(sheet, passive));
         addPairs(
                 all,
                 Overlay.Kind.RIGID_LINKS,
-                forces.links().map(l -> l.callerPairs(layout)).orElse(new int[0]));
+                scene.links().map(l -> l.callerPairs(layout)).orElse(new int[0]));
         addPairs(
                 all,
                 Overlay.Kind.ATTACHMENTS,
@@ -73,8 +71,7 @@ public final class SceneOverlays {
     private static List<double[]> actionLines(Scene scene) {
         List<double[]> ends = new ArrayList<>();
         double[] box = scene.diaphragm().diaphragm.sheet().bounds();
-        for (int line = 0; line < scene.forces().lines().length; line++) {
-            double[] place = scene.diaphragm().actionLinePosition(line == 0 ? -1 : 1);
+        for (double[] place : scene.actionLines()) {
             ends.add(new double[] {place[0], place[1], box[2] - ABOVE_MM});
             ends.add(new double[] {place[0], place[1], box[5] + ABOVE_MM});
         }

@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.simulation.organ.DiaphragmPart;
+import org.phrenic.model.organ.DiaphragmPart;
 
 /**
  * A small patch of the thoracic face of the roof of the diaphragm whose mean motion stands for its place: the posterior

@@ -7,7 +7,7 @@ import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.simulation.assembly.Scene;
+import org.phrenic.model.assembly.Scene;
 
 /**
  * How the skin moves: for display only, nothing is driven or measured by it.

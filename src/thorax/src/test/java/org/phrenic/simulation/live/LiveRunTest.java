@@ -13,6 +13,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.RigidTendon;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
@@ -173,16 +174,16 @@ class LiveRunTest {
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
         change("links_per_node=2");
-        assertThat(run.scenario().linksPerNode()).isEqualTo(2);
+        assertThat(run.scenario().get(RigidTendon.LINKS_PER_NODE)).isEqualTo(2);
         run.cancelLoading();
-        until(() -> run.scenario().linksPerNode() == 1);
+        until(() -> run.scenario().get(RigidTendon.LINKS_PER_NODE) == 1);
         steps(20);
         change("links_per_node=3");
         change("depth=1.5");
         long before = run.status().step();
         LiveScene second = next(scenes);
         assertThat(second.id()).isGreaterThan(first.id());
-        assertThat(second.scenario().linksPerNode()).isEqualTo(3);
+        assertThat(second.scenario().get(RigidTendon.LINKS_PER_NODE)).isEqualTo(3);
         assertThat(before).as("went on meanwhile").isPositive();
         assertThat(run.scenario().toMap()).containsEntry("depth", 1.5);
         until(() -> run.recordedScenario().afterChanges().toMap().get("depth").equals(1.5));
@@ -220,10 +221,10 @@ class LiveRunTest {
         // The way there leads through the bad change: it is repeated bit by bit, up to the state that was restored.
         start(recorded).setSpeed(Double.POSITIVE_INFINITY);
         next(scenes);
-        for (long i = 0; i < recorded.givenSteps(); i++) {
+        for (long i = 0; i < recorded.steps(); i++) {
             run.stepOnce();
         }
-        until(() -> run.status().step() == recorded.givenSteps());
+        until(() -> run.status().step() == recorded.steps());
         assertThat(run.commandHash()).isEqualTo(hash);
     }
 

@@ -1,0 +1,130 @@
+package org.phrenic.model.assembly;
+
+import org.phrenic.engine.math.DenseVectors;
+
+/**
+ * Spring tensions that hold a given shape against a given load: the least change of a first guess t0 that solves, in
+ * the sense of least squares, Σ_e t_e d_e + load = 0 at every node, by conjugate gradients on the normal equations.
+ * Rest lengths then follow as l - t / k, and the scan's shape is the equilibrium at rest.
+ */
+public final class Prestress {
+    private final int[] nodeA;
+    private final int[] nodeB;
+    private final double[] direction;
+    private final int nodes;
+    private final boolean[] free;
+    private final double[] wallNormal;
+
+    /**
+     * @param positions at rest, three numbers a node, mm
+     * @param nodeA one end of each spring
+     * @param nodeB the other end
+     * @param free whether forces at a node must balance (not so where bone holds it)
+     * @param wallNormal unit normal of the wall at a node that leans on it, zero elsewhere: only forces along the wall
+     *     must balance there
+     */
+    Prestress(double[] positions, int[] nodeA, int[] nodeB, boolean[] free, double[] wallNormal) {
+        this.nodeA = nodeA;
+        this.nodeB = nodeB;
+        this.nodes = positions.length / 3;
+        this.free = free;
+        this.wallNormal = wallNormal;
+        direction = new double[3 * nodeA.length];
+        for (int e = 0; e < nodeA.length; e++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = positions[3 * nodeB[e] + axis] - positions[3 * nodeA[e] + axis];
+                direction[3 * e + axis] = d;
+                squared += d * d;
+            }
+            double inverse = 1 / Math.sqrt(squared);
+            for (int axis = 0; axis < 3; axis++) {
+                direction[3 * e + axis] *= inverse;
+            }
+        }
+    }
+
+    /**
+     * @param load force on each node, mN
+     * @param tension first guess in, result out, mN
+     * @param iterations of conjugate gradients
+     * @return what remains unbalanced as a share of the load (root mean square); 0 without load
+     */
+    double solve(double[] load, double[] tension, int iterations) {
+        double[] residual = load.clone();
+        projectOutConstraints(residual);
+        double norm = Math.sqrt(DenseVectors.dot(residual, residual));
+        residual = unbalancedForce(load, tension);
+        double[] gradient = new double[tension.length];
+        transpose(residual, gradient);
+        double[] step = gradient.clone();
+        double[] image = new double[3 * nodes];
+        double rho = DenseVectors.dot(gradient, gradient);
+        for (int i = 0; i < iterations && rho > 0; i++) {
+            java.util.Arrays.fill(image, 0);
+            addForces(step, image);
+            projectOutConstraints(image);
+            double alpha = rho / DenseVectors.dot(image, image);
+            DenseVectors.addScaled(tension, -alpha, step);
+            DenseVectors.addScaled(residual, -alpha, image);
+            transpose(residual, gradient);
+            double next = DenseVectors.dot(gradient, gradient);
+            DenseVectors.scaleAndAdd(step, next / rho, gradient);
+            rho = next;
+        }
+        return norm > 0 ? Math.sqrt(DenseVectors.dot(residual, residual)) / norm : 0;
+    }
+
+    /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */
+    double[] unbalancedForce(double[] load, double[] tension) {
+        double[] out = load.clone();
+        addForces(tension, out);
+        projectOutConstraints(out);
+        return out;
+    }
+
+    private void addForces(double[] tension, double[] force) {
+        for (int e = 0; e < tension.length; e++) {
+            addTension(tension[e], 3 * e, 3 * nodeA[e], 3 * nodeB[e], force);
+        }
+    }
+
+    private void addTension(double tension, int at, int a, int b, double[] force) {
+        for (int axis = 0; axis < 3; axis++) {
+            double f = tension * direction[at + axis];
+            force[a + axis] += f;
+            force[b + axis] -= f;
+        }
+    }
+
+    private void transpose(double[] force, double[] out) {
+        for (int e = 0; e < out.length; e++) {
+            out[e] = dotDirection(3 * e, 3 * nodeA[e], 3 * nodeB[e], force);
+        }
+    }
+
+    private double dotDirection(int at, int a, int b, double[] force) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            sum += direction[at + axis] * (force[a + axis] - force[b + axis]);
+        }
+        return sum;
+    }
+
+    private void projectOutConstraints(double[] force) {
+        for (int n = 0; n < nodes; n++) {
+            int i = 3 * n;
+            if (!free[n]) {
+                force[i] = 0;
+                force[i + 1] = 0;
+                force[i + 2] = 0;
+                continue;
+            }
+            double across =
+                    force[i] * wallNormal[i] + force[i + 1] * wallNormal[i + 1] + force[i + 2] * wallNormal[i + 2];
+            for (int axis = 0; axis < 3; axis++) {
+                force[i + axis] -= across * wallNormal[i + axis];
+            }
+        }
+    }
+}

@@ -1,0 +1,145 @@
+package org.phrenic.model.assembly;
+
+import java.util.Arrays;
+import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.engine.force.FacePressure;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.SpringList;
+
+/**
+ * What holds the sheet in its given shape against the pressure at rest: tensions of its springs ({@link Prestress}) and
+ * a dead load for what they leave. All three are in proportion to each other, so that the shape stays whatever the
+ * pressure at rest is.
+ */
+public final class RestPressure {
+    /** Conjugate-gradient iterations: beyond, tensions grow and the residual hardly falls. */
+    private static final int ITERATIONS = 40;
+    /** Nodes nearer than this to the wall lean on it at rest. */
+    private static final double WALL_CONTACT_MM = 1;
+
+    private static final double MIN_REST_SHARE = 0.3;
+    private static final double DOME_RADIUS_MM = 70;
+
+    private final double nominal;
+    private final double shareAtAssembly;
+    private final double[] tension;
+    private final ConstantLoad load;
+    private final double residual;
+
+    /**
+     * Gives the sheet's springs the rest lengths that go with the pressure at rest, and adds the dead load to the
+     * scene.
+     *
+     * @param pressure on the abdominal face; is left at a pressure above 0
+     * @param atRest kPa, 0 where none acts
+     * @param usual kPa, for which tensions are worked out where none acts at first
+     * @param leans whether the sheet leans on the chest wall
+     */
+    public RestPressure(SceneBuilder scene, FacePressure pressure, double atRest, double usual, boolean leans) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        SpringList springs = scene.nodes().sheetSprings;
+        // Where none acts at first, tensions are at hand for when it is turned on.
+        nominal = atRest > 0 ? atRest : usual;
+        shareAtAssembly = atRest / nominal;
+        double[] pressing = load(scene, pressure);
+        boolean[] free = new boolean[scene.layout().nodeCount()];
+        int vertices = diaphragm.diaphragm.sheet().vertexCount();
+        for (int i = 0; i < vertices; i++) {
+            free[diaphragm.firstNode + i] = !diaphragm.diaphragm.isInserted(i);
+        }
+        Prestress solver = new Prestress(
+                scene.positions(), springs.nodeA(), springs.nodeB(), free, wallNormals(scene, diaphragm, leans));
+        tension = new double[springs.count()];
+        double spacing = Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices);
+        // Laplace's law for a dome shared by two faces, times the width of tissue that an edge stands for.
+        Arrays.fill(tension, nominal * DOME_RADIUS_MM / 2 / 2 * spacing);
+        solver.solve(pressing, tension, ITERATIONS);
+        setRestLengths(springs);
+        double[] left = solver.unbalancedForce(pressing, tension);
+        residual = shareAtAssembly > 0 ? relativeResidual(left, pressing, free) : 0;
+        for (int i = 0; i < left.length; i++) {
+            left[i] = -left[i];
+        }
+        load = new ConstantLoad(scene.layout(), left);
+        load.setLoadFactor(shareAtAssembly);
+        scene.system().add(load);
+    }
+
+    /** Forces of the nominal pressure, caller's order, mN. */
+    private double[] load(SceneBuilder scene, FacePressure pressure) {
+        NodeLayout layout = scene.layout();
+        double[] internal = new double[3 * layout.nodeCount()];
+        pressure.setPressure(nominal);
+        for (int block = 0; block < layout.blockCount(); block++) {
+            pressure.addForces(scene.system().positions(), scene.system().velocities(), internal, block);
+        }
+        double[] pressing = new double[internal.length];
+        layout.toCaller(internal, pressing);
+        return pressing;
+    }
+
+    private void setRestLengths(SpringList springs) {
+        double[] stiffness = springs.stiffness();
+        double[] length = springs.rest();
+        for (int e = 0; e < tension.length; e++) {
+            double rest = limitedRestLength(length[e], length[e] - tension[e] / stiffness[e]);
+            tension[e] = stiffness[e] * (length[e] - rest);
+            springs.setRest(e, shareAtAssembly == 1 ? rest : length[e] - shareAtAssembly * tension[e] / stiffness[e]);
+        }
+    }
+
+    private static double relativeResidual(double[] left, double[] pressing, boolean[] free) {
+        double squares = 0;
+        double all = 0;
+        for (int i = 0; i < left.length; i++) {
+            squares += left[i] * left[i];
+            all += free[i / 3] ? pressing[i] * pressing[i] : 0;
+        }
+        return all > 0 ? Math.sqrt(squares / all) : 0;
+    }
+
+    /** A rest length that muscle can be shortened from, mm. */
+    public static double limitedRestLength(double length, double rest) {
+        return Math.max(MIN_REST_SHARE * length, rest);
+    }
+
+    /** Normals of the wall at nodes that lean on it at rest, zero elsewhere. */
+    private static double[] wallNormals(SceneBuilder scene, DiaphragmPart diaphragm, boolean leans) {
+        double[] normals = new double[3 * scene.layout().nodeCount()];
+        if (!leans) {
+            return normals;
+        }
+        SlidingSheet sheet = scene.slidingSheet();
+        double[] plane = new double[5];
+        sheet.wall().prepare(0);
+        for (int i = 0; i < sheet.vertices().length; i++) {
+            double x = sheet.restPositions()[3 * i];
+            double y = sheet.restPositions()[3 * i + 1];
+            double z = sheet.restPositions()[3 * i + 2];
+            int vertex = sheet.vertices()[i];
+            sheet.wall().tangentPlane(i, x, y, z, plane, 0);
+            if (diaphragm.diaphragm.isThoracic(vertex)
+                    && plane[0] * x + plane[1] * y + plane[2] * z - plane[3] < WALL_CONTACT_MM) {
+                System.arraycopy(plane, 0, normals, 3 * (diaphragm.firstNode + vertex), 3);
+            }
+        }
+        return normals;
+    }
+
+    /** Share of the load at rest that the dead load carries. */
+    public double residual() {
+        return residual;
+    }
+
+    /** Tension of each spring of the sheet beyond that at the beginning when the pressure at rest is another, mN. */
+    public double additionalTension(int spring, double pressure) {
+        return (pressure / nominal - shareAtAssembly) * tension[spring];
+    }
+
+    /** Scales the dead load with the pressure at rest, kPa. */
+    public void scaleLoad(double pressure) {
+        load.setLoadFactor(pressure / nominal);
+    }
+}

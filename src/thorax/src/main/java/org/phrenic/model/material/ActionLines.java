@@ -1,0 +1,57 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import org.phrenic.engine.force.ActionLine;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.Group;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.RampedValue;
+
+/** Muscle force of Villard, Bourne and Bello 2009: one action line through the middle of each hemidiaphragm. */
+public final class ActionLines implements ScenePart {
+    public static final Parameter MUSCLE_FORCE = Parameter.named("muscle_force_mn", "Muscle force")
+            .unit("mN")
+            .range(0, 1000)
+            .initial(300)
+            .group(Group.MUSCLE)
+            .switchedBy(Muscle.MUSCLE)
+            .describedAs("Force on a node on an action line at full drive (Villard, Bourne and Bello 2009).");
+    public static final Parameter ACTION_RADIUS = Parameter.named("action_line_radius_mm", "Action line radius")
+            .unit("mm")
+            .range(5, 200)
+            .initial(60)
+            .group(Group.MUSCLE)
+            .effect(Effect.SCENE)
+            .describedAs("Distance from an action line at which its force has fallen to nothing.");
+
+    @Override
+    public Stage stage() {
+        return Stage.ACTION_LINES;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(MUSCLE_FORCE, ACTION_RADIUS);
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        int[] nodes = MassSpringBuilder.offset(diaphragm.freeVertices(), diaphragm.firstNode);
+        RampedValue force = scene.ramped(MUSCLE_FORCE);
+        RampedValue radius = scene.ramped(ACTION_RADIUS);
+        for (int side = -1; side <= 1; side += 2) {
+            double[] place = diaphragm.actionLinePosition(side);
+            ActionLine line =
+                    new ActionLine(scene.layout(), nodes, scene.positions(), place[0], place[1], radius.target());
+            scene.system().add(line);
+            scene.drawActionLine(place);
+            scene.beforeForces((time, breath) -> line.setForce(force.at(time) * breath.activation));
+            scene.whileRamping(time -> line.setRadius(radius.at(time)));
+        }
+    }
+}

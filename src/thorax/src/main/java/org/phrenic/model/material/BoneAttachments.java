@@ -1,0 +1,148 @@
+package org.phrenic.model.material;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.cage.LinearBlendSkinning;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.FallOff;
+import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.TunableAttachments;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.parameter.Group;
+import org.phrenic.parameter.Parameter;
+
+/**
+ * What holds the nodes of a scene to bone: the insertion of the diaphragm follows it exactly, the origin of the crura,
+ * sternum, cartilages and lungs by springs to anchors on it.
+ */
+public final class BoneAttachments implements ScenePart {
+    public static final Parameter STERNUM_COUPLING = Parameter.named("sternum_coupling", "Sternum coupling")
+            .range(0, 10)
+            .initial(1)
+            .group(Group.RIBS)
+            .limitsStep()
+            .fitted(0.3, 3)
+            .describedAs("Multiplies the springs that hold sternum and costal cartilages to the ribs.");
+
+    /** Fall-off of the paper's attachments round the insertion, and their low elasticity as a share of a spring's. */
+    private static final double INSERTION_MM = 25;
+
+    private static final double INSERTION_SHARE = 0.1;
+
+    private final List<Parameter> stiffness;
+    private final boolean besideInsertion;
+
+    /** Of a sheet that pressure and crura hold: stiffness of muscle and of the lungs. */
+    BoneAttachments(Parameter muscle, Parameter lungs) {
+        stiffness = List.of(muscle, lungs);
+        besideInsertion = false;
+    }
+
+    /** Of the paper's sheet, which is held beside its insertion too: the one stiffness of all springs. */
+    BoneAttachments(Parameter springs) {
+        stiffness = List.of(springs);
+        besideInsertion = true;
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.BOUNDARY;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(STERNUM_COUPLING);
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        int[] inserted = prescribeInsertion(scene);
+        if (besideInsertion) {
+            attachBesideInsertion(scene);
+        }
+        addCrura(scene);
+        int[] attached = addAnchoredSprings(scene);
+        scene.holdNodes(MassSpringBuilder.concatenate(inserted, attached));
+    }
+
+    private static int[] prescribeInsertion(SceneBuilder scene) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        int[] inserted = diaphragm.insertedVertices();
+        if (inserted.length == 0) {
+            throw new BadInputException(scene.thorax().name()
+                    + ": the diaphragm has no border that bone could hold, expected a"
+                    + " sheet whose two faces meet at its insertion");
+        }
+        double[] rim = MassSpringBuilder.positionsOf(scene.positions(), diaphragm.firstNode, inserted);
+        int[] nodes = MassSpringBuilder.offset(inserted, diaphragm.firstNode);
+        scene.system().prescribe(nodes, onBone(scene, rim));
+        return nodes;
+    }
+
+    private static PrescribedMotion onBone(SceneBuilder scene, double[] points) {
+        return new LinearBlendSkinning(scene.pose(), points, scene.bones().weightsAt(points), scene.workers());
+    }
+
+    private void attachBesideInsertion(SceneBuilder scene) {
+        Diaphragm sheet = scene.diaphragm().diaphragm;
+        for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
+            double fade = FallOff.at(sheet.distanceFromInsertion(i), INSERTION_MM);
+            if (fade > 0 && !sheet.isInserted(i)) {
+                scene.nodes()
+                        .attachToBone(
+                                scene.diaphragm().firstNode + i,
+                                INSERTION_SHARE * scene.settings().get(stiffness.get(0)) * fade);
+            }
+        }
+    }
+
+    /** The crura hang on the spine, which stands still. */
+    private static void addCrura(SceneBuilder scene) {
+        int[] crural = scene.diaphragm().cruralNodes;
+        if (crural.length > 0) {
+            PrescribedMotion still =
+                    PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.positions(), 0, crural));
+            scene.system().add(new Attachments(scene.layout(), crural, scene.diaphragm().cruralStiffnesses, 0, still));
+        }
+    }
+
+    /**
+     * Returns the nodes that springs hold to bone, in the order of memory, so that anchors need not be sorted at every
+     * refresh.
+     */
+    private int[] addAnchoredSprings(SceneBuilder scene) {
+        int[] listed = scene.nodes().attachedNodes();
+        int[] order = scene.layout().inMemoryOrder(listed);
+        int[] attached = Arrays.stream(order).map(i -> listed[i]).toArray();
+        if (attached.length == 0) {
+            return attached;
+        }
+        double[] each = scene.nodes().attachedStiffnesses();
+        double[] anchors = MassSpringBuilder.positionsOf(scene.positions(), 0, attached);
+        Attachments springs = new Attachments(
+                scene.layout(),
+                attached,
+                Arrays.stream(order).mapToDouble(i -> each[i]).toArray(),
+                0,
+                onBone(scene, anchors));
+        springs.setRefreshInterval(scene.refreshS());
+        springs.setStiffnessFactor(scene.settings().get(STERNUM_COUPLING));
+        scene.system().add(springs);
+        List<Parameter> parameters = new ArrayList<>(stiffness);
+        parameters.add(STERNUM_COUPLING);
+        scene.tunes(parameters, () -> {
+            TunableAttachments tunable = scene.tunable(springs);
+            int lung = stiffness.size() - 1;
+            int coupling = stiffness.size();
+            return (value, assembled, asAssembled) ->
+                    tunable.tune(asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], value[coupling]);
+        });
+        return attached;
+    }
+}

@@ -1,0 +1,89 @@
+package org.phrenic.model.material;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.cage.MovingChestWall;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.constraint.SlidingContact;
+import org.phrenic.engine.force.Attachments;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.TunableAttachments;
+import org.phrenic.model.organ.LungBaseMotion;
+import org.phrenic.model.organ.LungPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.NodeFollowers;
+import org.phrenic.parameter.Parameter;
+
+/**
+ * What holds the lungs in the chest: their base to the diaphragm, on which it slides where there is a chest wall, and
+ * the pleura on that wall.
+ */
+public final class Lungs implements ScenePart {
+    public static final Parameter LUNG_STIFFNESS = Parameter.named("lung_stiffness_n_per_m", "Lung stiffness")
+            .unit("N/m")
+            .range(0.1, 100)
+            .initial(5)
+            .limitsStep()
+            .fitted(1, 20)
+            .describedAs("Membrane stiffness of the lungs' surface.");
+
+    private final List<Parameter> stiffness;
+
+    /** @param stiffness of muscle, and of the lungs where they have one of their own */
+    Lungs(Parameter... stiffness) {
+        this.stiffness = List.of(stiffness);
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.LUNGS;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return stiffness.contains(LUNG_STIFFNESS) ? List.of(LUNG_STIFFNESS) : List.of();
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        scene.lungs().ifPresent(lungs -> {
+            attachBase(scene, lungs);
+            scene.wall().ifPresent(wall -> holdToPleura(scene, lungs, wall));
+        });
+    }
+
+    /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */
+    private void attachBase(SceneBuilder scene, LungPart lungs) {
+        int[] nodes = lungs.baseSprings.node();
+        double[] points = MassSpringBuilder.positionsOf(scene.positions(), 0, nodes);
+        PrescribedMotion places = scene.recessTracks()
+                .<PrescribedMotion>map(tracks -> new LungBaseMotion(
+                        scene.system(), scene.diaphragm(), scene.wall().orElseThrow(), points, tracks))
+                .orElseGet(() -> new NodeFollowers(
+                        scene.system(),
+                        MassSpringBuilder.offset(lungs.baseSprings.nearestVertex(), scene.diaphragm().firstNode),
+                        points));
+        Attachments base = new Attachments(scene.layout(), nodes, lungs.baseSprings.stiffnesses(), 0, places);
+        base.setRefreshInterval(scene.refreshS());
+        scene.addLungBase(base);
+        List<Parameter> parameters = new ArrayList<>(stiffness);
+        parameters.add(BoneAttachments.STERNUM_COUPLING);
+        scene.tunes(parameters, () -> {
+            TunableAttachments tunable = scene.tunable(base);
+            int lung = stiffness.size() - 1;
+            return (value, assembled, asAssembled) ->
+                    tunable.tune(asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], 1);
+        });
+    }
+
+    private static void holdToPleura(SceneBuilder scene, LungPart lungs, MovingChestWall wall) {
+        int[] pleural = lungs.pleuralNodes();
+        scene.system()
+                .add(SlidingContact.adhering(
+                        scene.layout(),
+                        pleural,
+                        wall.slidingContact(MassSpringBuilder.positionsOf(scene.positions(), 0, pleural)),
+                        scene.refreshS()));
+    }
+}

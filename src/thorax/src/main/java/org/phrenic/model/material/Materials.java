@@ -1,0 +1,36 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.parameter.ChoiceSetting;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.Parameter;
+
+/** The materials that come with the program. */
+public final class Materials {
+    /** A membrane under transdiaphragmatic pressure. */
+    public static final TissueMaterial PHYSICAL = new PhysicalMaterial();
+    /** The springs of Villard, Bourne and Bello 2009. */
+    public static final TissueMaterial PAPER = new PaperMaterial();
+
+    /** All of them, the default first. */
+    public static final List<TissueMaterial> ALL = List.of(PHYSICAL, PAPER);
+
+    /** Which of them a scenario has. */
+    public static final ChoiceSetting<TissueMaterial> MATERIAL = new ChoiceSetting<>(
+            "material",
+            "Material",
+            Effect.ASSEMBLY,
+            ALL,
+            TissueMaterial::label,
+            values -> PHYSICAL,
+            "physical: a membrane with pressure and muscle that shortens. paper: the springs of Villard, Bourne and Bello"
+                    + " 2009.");
+
+    private Materials() {}
+
+    /** The parameters of all materials. */
+    public static List<Parameter> parameters() {
+        return ALL.stream().flatMap(m -> m.parameters().stream()).distinct().toList();
+    }
+}

@@ -1,0 +1,62 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.organ.LungPart;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.RampedValue;
+
+/**
+ * Pushes the mediastinal surfaces of the lungs out as the breath comes in, for heart and mediastinum, which the model
+ * lacks, then become narrower and longer.
+ */
+public final class Mediastinum implements ScenePart {
+    public static final Parameter MEDIASTINUM_RIGHT = displacement("mediastinum_right_mm", "Mediastinum right")
+            .describedAs(
+                    "How far the mediastinal surface of the right lung is pushed out at full inspiration, where heart"
+                            + " and mediastinum, which the model lacks, become narrower and longer.");
+    public static final Parameter MEDIASTINUM_LEFT =
+            displacement("mediastinum_left_mm", "Mediastinum left").describedAs("The same of the left lung.");
+
+    private static Parameter.Builder displacement(String key, String label) {
+        return Parameter.named(key, label).unit("mm").range(0, 40).initial(0).fitted(0, 40);
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.LUNGS;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT);
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        scene.lungs().ifPresent(lungs -> {
+            addLoad(scene, lungs, false, MEDIASTINUM_RIGHT);
+            addLoad(scene, lungs, true, MEDIASTINUM_LEFT);
+        });
+    }
+
+    /** The load is that of tethers which are neither stiffer nor multiplied, for 1 mm. */
+    private static void addLoad(SceneBuilder scene, LungPart lungs, boolean left, Parameter parameter) {
+        double[] load = lungs.outwardLoad(left, scene.layout().nodeCount());
+        double assembled = scene.settings().get(Lungs.LUNG_STIFFNESS);
+        for (int i = 0; i < load.length; i++) {
+            load[i] /= assembled;
+        }
+        ConstantLoad outward = new ConstantLoad(scene.layout(), load);
+        scene.system().add(outward);
+        RampedValue distance = scene.ramped(parameter);
+        RampedValue stiffness = scene.ramped(Lungs.LUNG_STIFFNESS);
+        RampedValue coupling = scene.ramped(BoneAttachments.STERNUM_COUPLING);
+        scene.beforeForces((time, breath) -> {
+            double inspired = 0.5 * (breath.activation + breath.ribTurn) * stiffness.at(time) * coupling.at(time);
+            outward.setLoadFactor(inspired * distance.at(time));
+        });
+    }
+}

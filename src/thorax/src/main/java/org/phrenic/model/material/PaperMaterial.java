@@ -1,0 +1,97 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.cage.MovingChestWall;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.TissueLaw;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.SettingValues;
+
+/**
+ * The model of Villard, Bourne and Bello 2009: one stiffness for every spring, one mass for every node, muscle force
+ * along action lines.
+ */
+final class PaperMaterial extends TissueMaterial {
+    private static final double TIME_STEP_S = 0.01;
+    private static final double LUNG_TO_MUSCLE = 0.1;
+
+    PaperMaterial() {
+        super(
+                "paper",
+                List.of(
+                        new SheetSprings(SheetSprings.SPRING_STIFFNESS, false),
+                        TissueMass.PER_NODE,
+                        new ActionLines(),
+                        new RibRotation(),
+                        new BoneAttachments(SheetSprings.SPRING_STIFFNESS),
+                        new RestoringSprings(),
+                        new Lungs(SheetSprings.SPRING_STIFFNESS),
+                        new Breathing(),
+                        new PassiveSprings(SheetSprings.SPRING_STIFFNESS),
+                        new RigidTendon()));
+    }
+
+    @Override
+    public double defaultOf(Parameter parameter, SettingValues values) {
+        return parameter == SheetSprings.TENDON_RATIO ? 1 : super.defaultOf(parameter, values);
+    }
+
+    /**
+     * Its springs move smoothly on the scale of a step, so that Störmer's formula errs by a fifth of what Verlet does.
+     */
+    @Override
+    public IntegratorKind integrator() {
+        return IntegratorKind.STORMER;
+    }
+
+    @Override
+    public double timeStepS() {
+        return TIME_STEP_S;
+    }
+
+    @Override
+    public int projectionSweeps() {
+        return 1;
+    }
+
+    /** The action lines have no end by their law. */
+    @Override
+    public double maxDisplacementMm() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public TissueLaw tissueLaw(SettingValues values) {
+        return TissueLaw.uniform(values.get(SheetSprings.SPRING_STIFFNESS), values.get(TissueMass.NODE_MASS));
+    }
+
+    @Override
+    public double lungToMuscleStiffness(SettingValues values) {
+        return LUNG_TO_MUSCLE;
+    }
+
+    @Override
+    public DiaphragmPart diaphragm(SceneBuilder scene, Diaphragm diaphragm, TissueLaw law) {
+        return DiaphragmPart.builder(diaphragm, law)
+                .tendonRatio(scene.settings().get(SheetSprings.TENDON_RATIO))
+                .linksPerNode(scene.settings().get(RigidTendon.LINKS_PER_NODE))
+                .addTo(scene.nodes());
+    }
+
+    @Override
+    public Optional<MovingChestWall> chestWall(SceneBuilder scene, List<Structure> lungs) {
+        return Optional.empty();
+    }
+
+    @Override
+    public double scaleMasses(SceneBuilder scene, double[] positions, double[] masses) {
+        return 0;
+    }
+}

@@ -1,0 +1,132 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.CruralOrigin;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.cage.MovingChestWall;
+import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.mesh.query.SurfaceSamples;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.TissueLaw;
+import org.phrenic.parameter.SettingValues;
+
+/**
+ * A membrane under transdiaphragmatic pressure: stiffness, mass and damping per unit of area, muscle that shortens, and
+ * a chest wall on which diaphragm and lungs slide.
+ */
+final class PhysicalMaterial extends TissueMaterial {
+    private static final double TIME_STEP_S = 0.00125;
+    /**
+     * Contact and the order of the faces share nodes: after three Gauss-Seidel sweeps the residual is below a
+     * thousandth of an excursion.
+     */
+    private static final int SWEEPS = 3;
+    /**
+     * Nothing in a trunk goes so far. A soft sheet under the greatest pressure without a wall would: nothing in its law
+     * ends that.
+     */
+    private static final double MAX_DISPLACEMENT_MM = 200;
+
+    PhysicalMaterial() {
+        super(
+                "physical",
+                List.of(
+                        new SheetSprings(SheetSprings.MUSCLE_STIFFNESS, true),
+                        TissueMass.PER_AREA,
+                        new Muscle(),
+                        new TransdiaphragmaticPressure(),
+                        new RibRotation(),
+                        new BoneAttachments(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
+                        new Lungs(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
+                        new Mediastinum(),
+                        new Breathing(),
+                        new PassiveSprings(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
+                        new RigidTendon(),
+                        new WallContact()));
+    }
+
+    @Override
+    public IntegratorKind integrator() {
+        return IntegratorKind.VERLET;
+    }
+
+    @Override
+    public double timeStepS() {
+        return TIME_STEP_S;
+    }
+
+    @Override
+    public int projectionSweeps() {
+        return SWEEPS;
+    }
+
+    @Override
+    public double maxDisplacementMm() {
+        return MAX_DISPLACEMENT_MM;
+    }
+
+    @Override
+    public TissueLaw tissueLaw(SettingValues values) {
+        return TissueLaw.membrane(values.get(SheetSprings.MUSCLE_STIFFNESS), values.get(TissueMass.AREA_DENSITY));
+    }
+
+    @Override
+    public double lungToMuscleStiffness(SettingValues values) {
+        return values.get(Lungs.LUNG_STIFFNESS) / values.get(SheetSprings.MUSCLE_STIFFNESS);
+    }
+
+    @Override
+    public DiaphragmPart diaphragm(SceneBuilder scene, Diaphragm diaphragm, TissueLaw law) {
+        SettingValues values = scene.settings();
+        return DiaphragmPart.builder(diaphragm, law)
+                .crura(CruralOrigin.attachmentShares(scene.thorax(), diaphragm))
+                .tendonRatio(values.get(SheetSprings.TENDON_RATIO))
+                .linksPerNode(values.get(RigidTendon.LINKS_PER_NODE))
+                .withStruts()
+                .driveRatios(values.get(Muscle.LEFT_OVER_RIGHT), values.get(Muscle.FRONT_OVER_BACK))
+                .addTo(scene.nodes());
+    }
+
+    @Override
+    public Optional<MovingChestWall> chestWall(SceneBuilder scene, List<Structure> lungs) {
+        Diaphragm sheet = scene.diaphragm().diaphragm;
+        SurfaceSamples contents = new SurfaceSamples(MovingChestWall.MAX_SPACING_MM);
+        for (int t = 0; t < sheet.sheet().triangleCount(); t++) {
+            if (sheet.isThoracicTriangle(t)) {
+                contents.add(sheet.sheet(), t);
+            }
+        }
+        lungs.forEach(lung -> contents.add(lung.mesh()));
+        double[] box = sheet.sheet().bounds();
+        return Optional.of(new MovingChestWall(
+                contents.points(),
+                0.5 * (box[0] + box[3]),
+                0.5 * (box[1] + box[4]),
+                scene.bones(),
+                scene.pose(),
+                scene.workers()));
+    }
+
+    @Override
+    public double scaleMasses(SceneBuilder scene, double[] positions, double[] masses) {
+        MassSpringBuilder nodes = scene.nodes();
+        MassScaling scaling = new MassScaling(positions, masses);
+        scaling.addSprings(nodes.sheetSprings);
+        scaling.addSprings(nodes.passiveSprings);
+        scaling.addAttachments(
+                nodes.attachedNodes(),
+                nodes.attachedStiffnesses(),
+                scene.settings().get(BoneAttachments.STERNUM_COUPLING));
+        scaling.addAttachments(scene.diaphragm().cruralNodes, scene.diaphragm().cruralStiffnesses, 1);
+        scene.lungs().ifPresent(l -> scaling.addAttachments(l.baseSprings.node(), l.baseSprings.stiffnesses(), 1));
+        scaling.raiseMassesFor(scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY);
+        return scaling.addedPercent();
+    }
+}

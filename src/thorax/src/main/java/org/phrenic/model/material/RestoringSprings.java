@@ -1,0 +1,47 @@
+package org.phrenic.model.material;
+
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.force.Attachments;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.TunableAttachments;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+
+/**
+ * What brings the paper's sheet back after a breath, as it has no pressure below it and no bending: every node is held
+ * to its place by a spring of low elasticity, soft enough that the action lines move the dome, quick enough (6 1/s) to
+ * follow a breath.
+ */
+final class RestoringSprings implements ScenePart {
+    private static final double SHARE = 0.25;
+
+    @Override
+    public Stage stage() {
+        return Stage.BOUNDARY;
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        int[] free = MassSpringBuilder.offset(diaphragm.freeVertices(), diaphragm.firstNode);
+        double[] stiffness = new double[free.length];
+        Arrays.fill(stiffness, SHARE * scene.settings().get(SheetSprings.SPRING_STIFFNESS));
+        Attachments springs = new Attachments(
+                scene.layout(),
+                free,
+                stiffness,
+                0,
+                PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.positions(), 0, free)));
+        scene.system().add(springs);
+        scene.tunes(List.of(SheetSprings.SPRING_STIFFNESS, BoneAttachments.STERNUM_COUPLING), () -> {
+            TunableAttachments tunable = scene.tunable(springs);
+            return (value, assembled, asAssembled) -> {
+                double factor = value[0] / assembled[0];
+                tunable.tune(asAssembled, factor, factor, 1);
+            };
+        });
+    }
+}

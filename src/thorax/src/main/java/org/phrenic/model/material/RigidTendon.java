@@ -1,0 +1,50 @@
+package org.phrenic.model.material;
+
+import org.phrenic.engine.constraint.RigidLinks;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.SwitchedConstraint;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.SwitchSetting;
+import org.phrenic.parameter.WholeSetting;
+
+/** Rigid links across the central tendon, the tensegrity of Villard, Bourne and Bello 2009. */
+public final class RigidTendon implements ScenePart {
+    public static final SwitchSetting TENSEGRITY = new SwitchSetting(
+            "tensegrity", "Tensegrity", Effect.SCENE, true, "Rigid links hold the two faces of the sheet apart.");
+    private static final int MAX_LINKS = 3;
+
+    public static final WholeSetting LINKS_PER_NODE = new WholeSetting(
+            "links_per_node",
+            "Links per node",
+            Effect.ASSEMBLY,
+            MAX_LINKS,
+            values -> 1,
+            "Rigid links a node of the sheet.");
+
+    private static final double TOLERANCE = 1e-6;
+    private static final int SWEEPS = 50;
+
+    @Override
+    public Stage stage() {
+        return Stage.CONSTRAINTS;
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        if (diaphragm.links.isEmpty()) {
+            return;
+        }
+        int first = diaphragm.firstNode;
+        int[] a = diaphragm.links.stream().mapToInt(p -> first + p.a()).toArray();
+        int[] b = diaphragm.links.stream().mapToInt(p -> first + p.b()).toArray();
+        RigidLinks links = RigidLinks.gaussSeidel(scene.layout(), a, b, scene.positions(), TOLERANCE, SWEEPS);
+        scene.addLinks(links);
+        RampedValue on = scene.ramped(TENSEGRITY);
+        scene.switches(new SwitchedConstraint(on, links, () -> links.captureLengths(scene.system())));
+        scene.whileRamping(time -> links.interpolateLengths(on.at(time)));
+    }
+}

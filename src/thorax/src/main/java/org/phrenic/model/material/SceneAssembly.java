@@ -1,0 +1,187 @@
+package org.phrenic.model.material;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibCage;
+import org.phrenic.anatomy.cage.RibCagePose;
+import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.ConnectedComponents;
+import org.phrenic.mesh.edit.Remesher;
+import org.phrenic.model.assembly.BreathDrive;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.organ.LiverPart;
+import org.phrenic.model.organ.LungModel;
+import org.phrenic.model.organ.LungPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.model.organ.RecessTracks;
+import org.phrenic.model.organ.Remeshing;
+import org.phrenic.model.organ.SternumModel;
+import org.phrenic.model.organ.SternumPart;
+import org.phrenic.model.organ.TendonRule;
+import org.phrenic.model.organ.ThoracicFace;
+import org.phrenic.model.organ.TissueLaw;
+import org.phrenic.parameter.RampedValues;
+import org.phrenic.parameter.SettingValues;
+
+/**
+ * Puts a scene together from settings and a thorax: only what the settings ask for is built. Meshing takes longest and
+ * its parts are independent: they are done side by side.
+ */
+public final class SceneAssembly {
+    private final SettingValues settings;
+    private final TissueMaterial material;
+    private final Resolution resolution;
+    private final Thorax thorax;
+    private final SceneBuilder scene;
+
+    private SceneAssembly(SettingValues settings, SceneBuilder scene) {
+        this.settings = settings;
+        this.scene = scene;
+        thorax = scene.thorax();
+        material = settings.get(Materials.MATERIAL);
+        resolution = settings.get(OrganSettings.RESOLUTION);
+    }
+
+    /** Puts a scene together; {@code values} are those of its parameters from then on. */
+    public static Scene assemble(
+            SettingValues settings,
+            Thorax thorax,
+            RampedValues values,
+            BreathDrive drive,
+            RibCage cage,
+            Workers workers) {
+        RibCagePose pose = new RibCagePose(cage, RibRotation.drive(values, drive));
+        return new SceneAssembly(settings, new SceneBuilder(settings, thorax, values, drive, pose, workers)).build();
+    }
+
+    private Scene build() {
+        RibCage cage = scene.pose().cage();
+        SternumModel sternumModel = settings.get(OrganSettings.STERNUM);
+        LungModel lungModel = settings.get(OrganSettings.LUNGS);
+        TissueLaw law = material.tissueLaw(settings);
+        CompletableFuture<List<Structure>> lungsMeshed = CompletableFuture.supplyAsync(this::lungStructures);
+        CompletableFuture<List<SternumPart.BracedStructure>> sternumMeshed = CompletableFuture.supplyAsync(
+                () -> sternumModel == SternumModel.SPRINGS ? SternumPart.mesh(thorax, resolution) : List.of());
+        CompletableFuture<SkinningWeights> weights =
+                CompletableFuture.supplyAsync(() -> SkinningWeights.of(thorax, cage));
+        Diaphragm tissue = diaphragm();
+        Optional<CompletableFuture<ThoracicFace>> face = lungModel == LungModel.SPRINGS
+                ? Optional.of(CompletableFuture.supplyAsync(() -> new ThoracicFace(tissue)))
+                : Optional.empty();
+        scene.setDiaphragm(material.diaphragm(scene, tissue, law));
+        // The liver hangs on the diaphragm alone and is wanted last.
+        Optional<CompletableFuture<LiverPart>> liver = liver();
+        Optional<SternumPart> sternum = sternumModel == SternumModel.SPRINGS
+                ? Optional.of(new SternumPart(scene.nodes(), SceneBuilder.join(sternumMeshed), cage, law))
+                : Optional.empty();
+        List<Structure> lungs = SceneBuilder.join(lungsMeshed);
+        scene.setBones(SceneBuilder.join(weights));
+        scene.setWall(material.chestWall(scene, lungs));
+        scene.setLungs(face.filter(f -> !lungs.isEmpty())
+                .map(f -> new LungPart(
+                        scene.nodes(),
+                        lungs,
+                        SceneBuilder.join(f),
+                        scene.bones(),
+                        scene.wall().orElse(null),
+                        law,
+                        material.lungToMuscleStiffness(settings))));
+        double massAdded = placeNodes(face);
+        addParts();
+        scene.close();
+        return new Scene(
+                scene,
+                sternum,
+                liver.map(SceneBuilder::join),
+                lungModel == LungModel.EMBEDDED ? lungs : List.of(),
+                massAdded);
+    }
+
+    /** Puts the nodes in place; returns the mass added to the lightest of them, per cent. */
+    private double placeNodes(Optional<CompletableFuture<ThoracicFace>> face) {
+        double[] positions = scene.nodes().positions();
+        // The lines down the sheet are drawn while the system of nodes is put together.
+        scene.setRecessTracks(scene.lungs()
+                .filter(l -> scene.wall().isPresent())
+                .map(l -> MassSpringBuilder.positionsOf(positions, 0, l.baseSprings.node()))
+                .map(points -> CompletableFuture.supplyAsync(
+                        () -> new RecessTracks(SceneBuilder.join(face.orElseThrow()), points))));
+        NodeLayout layout = NodeLayout.morton(positions);
+        double[] masses = scene.nodes().masses();
+        double massAdded = material.scaleMasses(scene, positions, masses);
+        ParticleSystem system = new ParticleSystem(layout, positions, masses, scene.workers());
+        system.setProjectionSweeps(settings.get(Numerics.PROJECTION_SWEEPS));
+        system.add(scene.drive());
+        scene.setSystem(system, positions, settings.get(Numerics.REFRESH));
+        return massAdded;
+    }
+
+    private void addParts() {
+        // Every parameter of the material has a value in the run, whether or not this scene has what it acts on.
+        material.parameters().forEach(scene::ramped);
+        for (ScenePart.Stage stage : ScenePart.Stage.values()) {
+            for (ScenePart part : material.parts()) {
+                if (part.stage() == stage) {
+                    part.addTo(scene);
+                }
+            }
+        }
+    }
+
+    private Optional<CompletableFuture<LiverPart>> liver() {
+        return settings.get(OrganSettings.LIVER)
+                ? thorax.structuresOf(StructureKind.LIVER).stream()
+                        .findFirst()
+                        .map(s -> CompletableFuture.supplyAsync(() -> new LiverPart(s, scene.diaphragm())))
+                : Optional.empty();
+    }
+
+    private List<Structure> lungStructures() {
+        return settings.get(OrganSettings.LUNGS) == LungModel.OFF
+                ? List.of()
+                : Remeshing.toBudget(thorax.structuresOf(StructureKind.LUNG), resolution.lungVertices());
+    }
+
+    /** The closed sheet among the diaphragm's shells, at the resolution asked for. */
+    private Diaphragm diaphragm() {
+        TriangleMesh given = thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
+        TriangleMesh sheet = ConnectedComponents.of(given).stream()
+                .filter(m -> new EdgeTable(m).isClosed() && MeshMeasure.signedVolume(m) > 0)
+                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
+                .orElseThrow(() -> new BadInputException(thorax.name()
+                        + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"
+                        + " its border"));
+        int wanted = resolution.diaphragmVertices();
+        if (!Remeshing.isAdequate(sheet, wanted)) {
+            sheet = Remesher.toVertexCount(sheet, wanted);
+        }
+        if (settings.get(OrganSettings.TENDON) == TendonRule.PLANE) {
+            double[] heights = IntStream.range(0, sheet.vertexCount())
+                    .mapToDouble(sheet::z)
+                    .sorted()
+                    .toArray();
+            return Diaphragm.withTendonAbovePlane(
+                    sheet, heights[(int) (heights.length * (1 - Diaphragm.TENDON_SHARE))]);
+        }
+        return Diaphragm.withTrefoilTendon(sheet);
+    }
+}

@@ -1,0 +1,147 @@
+package org.phrenic.model.material;
+
+import java.util.List;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.TissueTuner;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.Parameter;
+
+/** Masses and viscous damping of all nodes. */
+public abstract class TissueMass implements ScenePart {
+    public static final Parameter AREA_DENSITY = Parameter.named("area_density_kg_per_m2", "Mass per area")
+            .unit("kg/m^2")
+            .range(3, 1000)
+            .initial(60)
+            .limitsStep()
+            .describedAs(
+                    "Mass per area of a face; scaled up from the 3.15 of muscle alone, for a breath is quasi-static"
+                            + " and the abdomen's contents move along.");
+    public static final Parameter NODE_MASS = Parameter.named("node_mass_kg", "Node mass")
+            .unit("kg")
+            .range(0.001, 10)
+            .initial(0.1)
+            .limitsStep()
+            .describedAs("One mass for every node (Villard, Bourne and Bello 2009).");
+    public static final Parameter DAMPING = Parameter.named("damping_ns_per_m", "Damping")
+            .unit("N s/m")
+            .range(0, 100)
+            .initial(0.02)
+            .effect(Effect.TISSUE)
+            .describedAs("Viscous damping of a node (Villard, Bourne and Bello 2009, eq. 4).");
+    public static final Parameter DAMPING_RATE = Parameter.named("damping_rate_per_s", "Damping over mass")
+            .unit("1/s")
+            .range(0, 200)
+            .initial(10)
+            .effect(Effect.TISSUE)
+            .describedAs("Viscous damping over mass.");
+
+    /** Mass by area; tissue of another stiffness is as much heavier, so that all tissue has one wave speed. */
+    static final TissueMass PER_AREA = new TissueMass(AREA_DENSITY, DAMPING_RATE) {
+        @Override
+        void setDamping(ParticleSystem system, double value) {
+            system.setViscosityPerMass(value);
+        }
+
+        @Override
+        List<Parameter> tuningParameters() {
+            return List.of(
+                    AREA_DENSITY,
+                    DAMPING_RATE,
+                    SheetSprings.TENDON_RATIO,
+                    SheetSprings.MUSCLE_STIFFNESS,
+                    Lungs.LUNG_STIFFNESS);
+        }
+
+        @Override
+        double tendonFactor(double[] value, double[] assembled) {
+            return value[0] / assembled[0] * (value[2] / assembled[2]);
+        }
+
+        @Override
+        double lungFactor(double[] value, double[] assembled) {
+            return value[0] / assembled[0] * (value[4] / assembled[4]) / (value[3] / assembled[3]);
+        }
+    };
+
+    /** One mass for every node. */
+    static final TissueMass PER_NODE = new TissueMass(NODE_MASS, DAMPING) {
+        @Override
+        void setDamping(ParticleSystem system, double value) {
+            system.setViscosity(value);
+        }
+
+        @Override
+        List<Parameter> tuningParameters() {
+            return parameters();
+        }
+
+        @Override
+        double tendonFactor(double[] value, double[] assembled) {
+            return value[0] / assembled[0];
+        }
+
+        @Override
+        double lungFactor(double[] value, double[] assembled) {
+            return value[0] / assembled[0];
+        }
+    };
+
+    private final Parameter mass;
+    private final Parameter damping;
+
+    private TissueMass(Parameter mass, Parameter damping) {
+        this.mass = mass;
+        this.damping = damping;
+    }
+
+    abstract void setDamping(ParticleSystem system, double value);
+
+    /** What masses depend on: mass and damping first. */
+    abstract List<Parameter> tuningParameters();
+
+    abstract double tendonFactor(double[] value, double[] assembled);
+
+    abstract double lungFactor(double[] value, double[] assembled);
+
+    @Override
+    public Stage stage() {
+        return Stage.BOUNDARY;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(mass, damping);
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        setDamping(scene.system(), scene.settings().get(damping));
+        scene.tunes(tuningParameters(), () -> tuning(scene));
+    }
+
+    private TissueTuner.Action tuning(SceneBuilder scene) {
+        ParticleSystem system = scene.system();
+        NodeLayout layout = system.layout();
+        DiaphragmPart sheet = scene.diaphragm();
+        int firstLungNode = scene.firstLungNode();
+        int pastSheet = sheet.firstNode + sheet.diaphragm.sheet().vertexCount();
+        double[] masses = system.masses().clone();
+        return (value, assembled, asAssembled) -> {
+            double all = value[0] / assembled[0];
+            double tendon = tendonFactor(value, assembled);
+            double lung = lungFactor(value, assembled);
+            for (int i = 0; i < masses.length; i++) {
+                int node = layout.caller(i);
+                boolean inTendon =
+                        node >= sheet.firstNode && node < pastSheet && sheet.diaphragm.isTendon(node - sheet.firstNode);
+                double f = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : all;
+                system.setMass(i, f * masses[i]);
+            }
+            setDamping(system, value[1]);
+        };
+    }
+}

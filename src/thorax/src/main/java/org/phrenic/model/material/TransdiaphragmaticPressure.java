@@ -1,0 +1,88 @@
+package org.phrenic.model.material;
+
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.engine.force.FacePressure;
+import org.phrenic.model.assembly.RestPressure;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.Group;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.SwitchSetting;
+
+/**
+ * Transdiaphragmatic pressure on the abdominal face: that at rest, which tensions of the sheet hold, and that of the
+ * effort.
+ */
+public final class TransdiaphragmaticPressure implements ScenePart {
+    public static final SwitchSetting PRESSURE =
+            new SwitchSetting("pressure", "Pressure", Effect.SCENE, true, "Transdiaphragmatic pressure acts.");
+    public static final Parameter REST_PRESSURE = Parameter.named("rest_pressure_kpa", "Pressure at rest")
+            .unit("kPa")
+            .range(0, 2)
+            .initial(0.25)
+            .group(Group.BREATHING)
+            .effect(Effect.TISSUE)
+            .switchedBy(PRESSURE)
+            .fitted(0.05, 1)
+            .describedAs("Transdiaphragmatic pressure at end-expiration; about 3 cmH2O (0.3 kPa) in man.");
+    public static final Parameter GREATEST_PRESSURE = Parameter.named("greatest_pressure_kpa", "Pressure of effort")
+            .unit("kPa")
+            .range(0, 20)
+            .initial(1.8)
+            .group(Group.BREATHING)
+            .switchedBy(PRESSURE)
+            .fitted(0, 8)
+            .describedAs(
+                    "Transdiaphragmatic pressure added at the greatest effort, scaled to the model's soft muscle.");
+    public static final Parameter PRESSURE_LEFT_OVER_RIGHT = Parameter.named(
+                    "pressure_left_over_right", "Pressure left over right")
+            .range(0.2, 5)
+            .initial(1)
+            .group(Group.BREATHING)
+            .fitted(0.4, 2.5)
+            .describedAs(
+                    "Pressure of effort under the left hemidiaphragm over that under the right; the greater is what"
+                            + " the effort makes.");
+
+    @Override
+    public Stage stage() {
+        return Stage.PRESSURE;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(REST_PRESSURE, GREATEST_PRESSURE, PRESSURE_LEFT_OVER_RIGHT);
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        DiaphragmPart diaphragm = scene.diaphragm();
+        int[] pressed = diaphragm.abdominalTriangles();
+        double[] weight = new double[pressed.length / 3];
+        Arrays.fill(weight, 1);
+        FacePressure pressure = new FacePressure(scene.layout(), pressed, weight, diaphragm.abdominalLeftShares());
+        scene.system().add(pressure);
+        RampedValue rest = scene.ramped(REST_PRESSURE);
+        RampedValue greatest = scene.ramped(GREATEST_PRESSURE);
+        RampedValue sides = scene.ramped(PRESSURE_LEFT_OVER_RIGHT);
+        scene.balancePressure(new RestPressure(
+                scene,
+                pressure,
+                rest.target(),
+                REST_PRESSURE.defaultValue(scene.settings()),
+                scene.settings().get(WallContact.CONTACT)));
+        scene.measurePressure(
+                (time, breath) -> rest.at(time) + greatest.at(time) * (breath.pressure + breath.abdominalPressure));
+        scene.beforeForces((time, breath) -> {
+            double leftOverRight = sides.at(time);
+            double effort = greatest.at(time) * (breath.pressure + breath.abdominalPressure);
+            double right = Math.min(1, 1 / leftOverRight);
+            pressure.setPressure(rest.at(time) + right * effort);
+            pressure.setSecondaryPressure((Math.min(1, leftOverRight) - right) * effort);
+        });
+    }
+}

@@ -1,0 +1,42 @@
+package org.phrenic.model.material;
+
+import org.phrenic.engine.constraint.SlidingContact;
+import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.assembly.SlidingSheet;
+import org.phrenic.model.assembly.SwitchedConstraint;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.SwitchSetting;
+
+/**
+ * The sheet slides on the chest wall and does not pass through it; its thoracic face stays outside the abdominal one.
+ */
+public final class WallContact implements ScenePart {
+    public static final SwitchSetting CONTACT = new SwitchSetting(
+            "contact",
+            "Contact",
+            Effect.SCENE,
+            true,
+            "The diaphragm slides on the chest wall and does not pass through it.");
+
+    @Override
+    public Stage stage() {
+        return Stage.CONSTRAINTS;
+    }
+
+    @Override
+    public void addTo(SceneBuilder scene) {
+        scene.system().add(scene.diaphragm().orderedPairs(scene.layout(), scene.refreshS()));
+        SlidingSheet sheet = scene.slidingSheet();
+        int[] nodes = MassSpringBuilder.offset(sheet.vertices(), scene.diaphragm().firstNode);
+        SlidingContact contact = new SlidingContact(scene.layout(), nodes, sheet.wall(), scene.refreshS());
+        scene.system().add(contact);
+        RampedValue on = scene.ramped(CONTACT);
+        SwitchedConstraint switched = new SwitchedConstraint(on, contact, () -> {});
+        switched.restart(scene.system());
+        scene.switches(switched);
+        scene.whileRamping(time -> contact.setMaxReturnSpeed(SlidingContact.MAX_RETURN_SPEED * on.at(time)));
+    }
+}

@@ -1,0 +1,284 @@
+package org.phrenic.model.organ;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.cage.MovingChestWall;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.constraint.ContactSurface;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.MeshMeasure;
+
+/**
+ * Where the base of the lungs is held on the thoracic face of the diaphragm, and how it slides there: as the sheet
+ * leaves the chest wall, the costodiaphragmatic recess opens and the border of the lung comes down to where the two
+ * still touch.
+ *
+ * <p>From the point of the face nearest to a vertex of the base a track of points runs down the sheet along its fibres
+ * to its insertion, {@value RecessTracks#SPACING_MM} mm apart at rest ({@link RecessTracks}). As a point leaves the
+ * wall it counts as open, from not at all where it is as near as at rest to wholly at {@value #OPEN_MM} mm more;
+ * {@code S} is how much of the part of the track that lay against the wall at rest has opened. The vertex goes down its
+ * track by {@code S f(a)}, {@code a} the way from the vertex to the upper end of that part and {@code f} falling evenly
+ * from 1 to 0 over {@value #REACH_MM} mm: the border slides wholly, the middle of the base not at all. Anchors are read
+ * off the nodes as they stand and follow them without jumps; the lung pulls on the diaphragm with nothing, as it is two
+ * orders softer.
+ */
+public final class LungBaseMotion implements PrescribedMotion {
+    /**
+     * The sheet lies against the wall where it is nearer to it than this: the pleura is no gap, but given sheets are
+     * smoothed.
+     */
+    private static final double APPOSED_MM = 8;
+
+    private static final double LATERAL = 0.5;
+    private static final double OPEN_MM = 15;
+    private static final double REACH_MM = 140;
+    /** Anchors go on without a jump, and make up for what they are behind in this time. */
+    private static final double RELAXATION_S = 0.04;
+    /** After longer they begin anew. */
+    private static final double LONGEST_S = 0.2;
+
+    /** Numbers of a plane of the wall. */
+    private static final int PLANE = 5;
+
+    private static final int POINTS_A_PIECE = 128;
+
+    private final ParticleSystem system;
+    private final ContactSurface wall;
+    /**
+     * Nodes that the tracks run over, as offsets into positions; and how far each is from the wall, now less at rest.
+     */
+    private final int[] trackNodes;
+
+    private final double[] gapAtRest;
+    private final double[] gapOpening;
+    /** Which of the watched nodes tell how far a track has opened. */
+    private int[] openingNodes;
+
+    private final double[] plane;
+    /**
+     * Of each track: its first point, the point where it comes to the wall, and the share of the sliding that the
+     * vertex takes.
+     */
+    private final int[] start;
+
+    private final int[] firstApposedPoint;
+    private final double[] slidingShare;
+    /** Of each point: three watched nodes and their weights. */
+    private final int[] corner;
+
+    private final double[] weight;
+    /** Of each point: the sheet's normal at rest, which does not shake as that of a moving triangle does. */
+    private final double[] normal;
+    /** Of each vertex: distance from the face along its normal, and what is left. */
+    private final double[] normalOffset;
+
+    private final double[] tangentialOffset;
+    /**
+     * Where the anchors were when last asked for, how fast they went on from there, and where they ought to have been.
+     */
+    private final double[] anchor;
+
+    private final double[] speed;
+    private final double[] target;
+    private double lastTime = Double.NaN;
+    private double elapsedS;
+    private final Workers.Task openTask = this::updateOpening;
+    private final Workers.Task carryTask = this::moveAnchors;
+
+    /**
+     * @param points the base's vertices at rest, three numbers each, mm
+     * @param tracks the lines from these points down the face
+     */
+    public LungBaseMotion(
+            ParticleSystem system, DiaphragmPart part, MovingChestWall chest, double[] points, RecessTracks tracks) {
+        this.system = system;
+        Diaphragm sheet = part.diaphragm;
+        NodeLayout layout = system.layout();
+        int n = points.length / 3;
+        int[] vertices = Arrays.stream(tracks.corner).distinct().sorted().toArray();
+        trackNodes = Arrays.stream(vertices)
+                .map(v -> 3 * layout.internal(part.firstNode + v))
+                .toArray();
+        corner = Arrays.stream(tracks.corner)
+                .map(v -> Arrays.binarySearch(vertices, v))
+                .toArray();
+        weight = tracks.weight;
+        start = tracks.start;
+        wall = chest.limitingContact(
+                MassSpringBuilder.positionsOf(sheet.sheet().positions(), 0, vertices), new double[vertices.length]);
+        gapAtRest = new double[vertices.length];
+        gapOpening = new double[vertices.length];
+        plane = new double[PLANE * vertices.length];
+        double[] rest = sheet.sheet().positions();
+        double[] normals = MeshMeasure.vertexNormals(sheet.sheet());
+        double[] outward = new double[vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            int k = 3 * vertices[i];
+            outward[i] = chest.outwardComponent(rest[k], rest[k + 1], normals[k], normals[k + 1]);
+        }
+        normal = new double[weight.length];
+        for (int p = 0; p < normal.length / 3; p++) {
+            interpolateNormal(p, vertices, normals);
+        }
+        wall.prepare(0);
+        openingNodes = IntStream.range(0, trackNodes.length).toArray();
+        updateOpening();
+        System.arraycopy(gapOpening, 0, gapAtRest, 0, gapOpening.length);
+        firstApposedPoint = new int[n];
+        slidingShare = new double[n];
+        for (int i = 0; i < n; i++) {
+            int p = start[i];
+            while (p < start[i + 1] && !(at(p, gapAtRest) < APPOSED_MM && at(p, outward) > LATERAL)) {
+                p++;
+            }
+            firstApposedPoint[i] = p;
+            slidingShare[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
+        }
+        Arrays.fill(gapOpening, 0);
+        openingNodes = openingNodes();
+        normalOffset = new double[n];
+        anchor = new double[3 * n];
+        speed = new double[3 * n];
+        target = new double[3 * n];
+        tangentialOffset = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            int first = start[i];
+            for (int axis = 0; axis < 3; axis++) {
+                tangentialOffset[3 * i + axis] = points[3 * i + axis] - interpolate(first, axis, system.positions());
+                normalOffset[i] += tangentialOffset[3 * i + axis] * normal[3 * first + axis];
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                tangentialOffset[3 * i + axis] -= normalOffset[i] * normal[3 * first + axis];
+            }
+        }
+    }
+
+    /** The watched nodes about the apposed part of those tracks that a vertex goes down. */
+    private int[] openingNodes() {
+        boolean[] tells = new boolean[trackNodes.length];
+        for (int i = 0; i < slidingShare.length; i++) {
+            for (int c = 3 * firstApposedPoint[i]; c < 3 * start[i + 1] && slidingShare[i] > 0; c++) {
+                tells[corner[c]] = true;
+            }
+        }
+        return IntStream.range(0, tells.length).filter(i -> tells[i]).toArray();
+    }
+
+    private void interpolateNormal(int point, int[] vertices, double[] normals) {
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            for (int c = 3 * point; c < 3 * point + 3; c++) {
+                normal[3 * point + axis] += weight[c] * normals[3 * vertices[corner[c]] + axis];
+            }
+            squared += normal[3 * point + axis] * normal[3 * point + axis];
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            normal[3 * point + axis] /= Math.max(Math.sqrt(squared), Double.MIN_NORMAL);
+        }
+    }
+
+    private double at(int point, double[] values) {
+        return weight[3 * point] * values[corner[3 * point]]
+                + weight[3 * point + 1] * values[corner[3 * point + 1]]
+                + weight[3 * point + 2] * values[corner[3 * point + 2]];
+    }
+
+    /** Forms the distance of the telling nodes from the wall less that at rest. */
+    private void updateOpening() {
+        system.workers().run(pieces(openingNodes.length), openTask);
+    }
+
+    private void updateOpening(int piece) {
+        double[] x = system.positions();
+        int end = Math.min(openingNodes.length, (piece + 1) * POINTS_A_PIECE);
+        for (int t = piece * POINTS_A_PIECE; t < end; t++) {
+            int i = openingNodes[t];
+            int k = trackNodes[i];
+            int p = PLANE * i;
+            wall.tangentPlane(i, x[k], x[k + 1], x[k + 2], plane, p);
+            gapOpening[i] =
+                    plane[p] * x[k] + plane[p + 1] * x[k + 1] + plane[p + 2] * x[k + 2] - plane[p + 3] - gapAtRest[i];
+        }
+    }
+
+    private static int pieces(int points) {
+        return (points + POINTS_A_PIECE - 1) / POINTS_A_PIECE;
+    }
+
+    @Override
+    public int pointCount() {
+        return slidingShare.length;
+    }
+
+    @Override
+    public void at(double time, double[] position, double[] velocity) {
+        wall.prepare(time);
+        updateOpening();
+        elapsedS = time - lastTime;
+        system.workers().run(pieces(slidingShare.length), carryTask);
+        lastTime = time;
+        System.arraycopy(anchor, 0, position, 0, anchor.length);
+        System.arraycopy(speed, 0, velocity, 0, speed.length);
+    }
+
+    private void moveAnchors(int piece) {
+        double[] x = system.positions();
+        boolean anew = !(elapsedS > 0 && elapsedS < LONGEST_S);
+        int end = Math.min(slidingShare.length, (piece + 1) * POINTS_A_PIECE);
+        for (int i = piece * POINTS_A_PIECE; i < end; i++) {
+            double along = slidingShare[i] > 0 ? slidingShare[i] * openedPoints(i) : 0;
+            int last = start[i + 1] - 1;
+            int point = Math.min(start[i] + (int) along, Math.max(start[i], last - 1));
+            double t = last == start[i] ? 0 : Math.min(1, start[i] + along - point);
+            int next = t > 0 ? point + 1 : point;
+            for (int axis = 0; axis < 3; axis++) {
+                int c = 3 * i + axis;
+                double place = (1 - t) * interpolate(point, axis, x) + t * interpolate(next, axis, x);
+                double up = (1 - t) * normal[3 * point + axis] + t * normal[3 * next + axis];
+                double to = place + normalOffset[i] * up + tangentialOffset[c];
+                anchor[c] = anew ? to : anchor[c] + elapsedS * speed[c];
+                speed[c] = anew ? 0 : (to - target[c]) / elapsedS + (to - anchor[c]) / RELAXATION_S;
+                target[c] = to;
+            }
+        }
+    }
+
+    /** How much of a track has opened, in points. */
+    private double openedPoints(int track) {
+        double sum = 0;
+        for (int p = firstApposedPoint[track]; p < start[track + 1]; p++) {
+            double u = Math.max(0, Math.min(1, at(p, gapOpening) / OPEN_MM));
+            sum += u * u * (3 - 2 * u);
+        }
+        return sum;
+    }
+
+    /** Coordinate of a point of a track as the sheet stands. */
+    private double interpolate(int point, int axis, double[] of) {
+        return weight[3 * point] * of[trackNodes[corner[3 * point]] + axis]
+                + weight[3 * point + 1] * of[trackNodes[corner[3 * point + 1]] + axis]
+                + weight[3 * point + 2] * of[trackNodes[corner[3 * point + 2]] + axis];
+    }
+
+    /**
+     * Nodes of the lungs that lie on the base, the diaphragm's node nearest to each, and the stiffness that holds each
+     * to its place there.
+     */
+    public record BaseSprings(List<Integer> nodes, List<Integer> nearest, List<Double> stiffness) {
+        public int[] node() {
+            return nodes.stream().mapToInt(Integer::intValue).toArray();
+        }
+
+        public int[] nearestVertex() {
+            return nearest.stream().mapToInt(Integer::intValue).toArray();
+        }
+
+        public double[] stiffnesses() {
+            return stiffness.stream().mapToDouble(Double::doubleValue).toArray();
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package org.phrenic.model.organ;
+
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
+
+/**
+ * Points that go along with nodes, each at the distance from its node that it has at rest and with that node's
+ * velocity: where the paper's lungs hang on the diaphragm. As nothing pulls back on the nodes, the soft lung cannot
+ * make the sheet snap from one fold into another, which springs between the two did.
+ */
+public final class NodeFollowers implements PrescribedMotion {
+    private final ParticleSystem system;
+    /** Of each point its node, as an offset into positions. */
+    private final int[] node;
+
+    private final double[] offset;
+
+    /**
+     * @param nodes the caller's number of each point's node
+     * @param points at rest, three numbers each, mm
+     */
+    public NodeFollowers(ParticleSystem system, int[] nodes, double[] points) {
+        this.system = system;
+        node = new int[nodes.length];
+        offset = points.clone();
+        double[] x = system.positions();
+        for (int i = 0; i < nodes.length; i++) {
+            node[i] = 3 * system.layout().internal(nodes[i]);
+            for (int axis = 0; axis < 3; axis++) {
+                offset[3 * i + axis] -= x[node[i] + axis];
+            }
+        }
+    }
+
+    @Override
+    public int pointCount() {
+        return node.length;
+    }
+
+    @Override
+    public void at(double time, double[] position, double[] velocity) {
+        double[] x = system.positions();
+        double[] v = system.velocities();
+        for (int i = 0; i < node.length; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                position[3 * i + axis] = x[node[i] + axis] + offset[3 * i + axis];
+                velocity[3 * i + axis] = v[node[i] + axis];
+            }
+        }
+    }
+}

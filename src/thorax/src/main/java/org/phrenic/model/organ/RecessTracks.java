@@ -1,0 +1,129 @@
+package org.phrenic.model.organ;
+
+import java.util.Arrays;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.mesh.query.TriangleTree;
+
+/**
+ * Lines of points down the thoracic face of the diaphragm at rest, from given points to the insertion,
+ * {@value #SPACING_MM} mm from point to point: the ways that the border of the lung can go as the recess opens. They
+ * depend on the body alone, so they can be drawn before there is a system of nodes.
+ *
+ * <p>They follow the muscle's fibres, which fill the sheet side by side. The shortest way to the insertion does not: on
+ * a scanned sheet neighbouring points ran apart, to places behind and in front of the flank, and the base of the lung
+ * was drawn through the dome between them. In the tendon, which has no fibres, they go the shortest way.
+ */
+public final class RecessTracks {
+    static final double SPACING_MM = 6;
+    /** A step along the face with a little slack for rounding. */
+    private static final double MOST_STEP_MM = 1.01 * SPACING_MM;
+    /** Who comes no farther than this has met the border. */
+    private static final double LEAST_STEP_MM = 0.3 * SPACING_MM;
+
+    private static final int MOST_POINTS = 48;
+
+    /** Number of the first point of each track, and behind the last one how many there are. */
+    final int[] start;
+    /** Of each point: three vertices of the sheet and their weights. */
+    int[] corner;
+
+    double[] weight;
+
+    /** @param points where the tracks begin, three numbers each, mm */
+    public RecessTracks(ThoracicFace face, double[] points) {
+        Diaphragm diaphragm = face.diaphragm;
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        int n = points.length / 3;
+        start = new int[n + 1];
+        corner = new int[3 * n * MOST_POINTS];
+        weight = new double[3 * n * MOST_POINTS];
+        double[] down = new double[3];
+        int count = 0;
+        for (int i = 0; i < n; i++) {
+            start[i] = count;
+            double x = points[3 * i];
+            double y = points[3 * i + 1];
+            double z = points[3 * i + 2];
+            double reach = Double.POSITIVE_INFINITY;
+            double fromX = Double.NaN;
+            double fromY = Double.NaN;
+            double fromZ = Double.NaN;
+            for (int k = 0; k < MOST_POINTS; k++) {
+                face.closest(x, y, z, reach, hit);
+                if (squared(hit.x - fromX, hit.y - fromY, hit.z - fromZ) < LEAST_STEP_MM * LEAST_STEP_MM) {
+                    break;
+                }
+                weight[3 * count] = hit.weightA;
+                weight[3 * count + 1] = hit.weightB;
+                weight[3 * count + 2] = hit.weightC;
+                double toInsertion = 0;
+                for (int c = 0; c < 3; c++) {
+                    corner[3 * count + c] = face.vertex(hit, c);
+                    toInsertion += weight[3 * count + c] * diaphragm.distanceFromInsertion(corner[3 * count + c]);
+                }
+                count++;
+                if (toInsertion < SPACING_MM) {
+                    break;
+                }
+                alongFibre(diaphragm, face.triangle(hit), down);
+                fromX = hit.x;
+                fromY = hit.y;
+                fromZ = hit.z;
+                x = fromX + SPACING_MM * down[0];
+                y = fromY + SPACING_MM * down[1];
+                z = fromZ + SPACING_MM * down[2];
+                // No farther than the step taken: that cuts the search short.
+                reach = MOST_STEP_MM;
+            }
+        }
+        start[n] = count;
+        corner = Arrays.copyOf(corner, 3 * count);
+        weight = Arrays.copyOf(weight, 3 * count);
+    }
+
+    private static double squared(double x, double y, double z) {
+        return x * x + y * y + z * z;
+    }
+
+    /** Unit direction in a triangle along the fibres to the insertion. */
+    private static void alongFibre(Diaphragm diaphragm, int triangle, double[] out) {
+        double[] fibre = diaphragm.fibreDirections();
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] = -fibre[3 * triangle + axis];
+        }
+        if (squared(out[0], out[1], out[2]) == 0) {
+            shortest(diaphragm, triangle, out);
+        }
+    }
+
+    /** Unit direction in a triangle in which the insertion comes nearer fastest. */
+    private static void shortest(Diaphragm diaphragm, int triangle, double[] out) {
+        double[] p = diaphragm.sheet().positions();
+        int[] t = diaphragm.sheet().triangles();
+        int a = t[3 * triangle];
+        int b = t[3 * triangle + 1];
+        int c = t[3 * triangle + 2];
+        double db = diaphragm.distanceFromInsertion(b) - diaphragm.distanceFromInsertion(a);
+        double dc = diaphragm.distanceFromInsertion(c) - diaphragm.distanceFromInsertion(a);
+        double uu = 0;
+        double uv = 0;
+        double vv = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double u = p[3 * b + axis] - p[3 * a + axis];
+            double v = p[3 * c + axis] - p[3 * a + axis];
+            uu += u * u;
+            uv += u * v;
+            vv += v * v;
+        }
+        double det = Math.max(uu * vv - uv * uv, Double.MIN_NORMAL);
+        double alongU = (vv * db - uv * dc) / det;
+        double alongV = (uu * dc - uv * db) / det;
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] = -alongU * (p[3 * b + axis] - p[3 * a + axis]) - alongV * (p[3 * c + axis] - p[3 * a + axis]);
+        }
+        double length = Math.max(Math.sqrt(squared(out[0], out[1], out[2])), Double.MIN_NORMAL);
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] /= length;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package org.phrenic.model.organ;
+
+import java.util.Arrays;
+
+/**
+ * Springs as they are collected while a scene is put together: two nodes, a stiffness (N/m), a rest length (mm) and a
+ * contractile share each.
+ */
+public final class SpringList {
+    private int[] nodeA = new int[1024];
+    private int[] nodeB = new int[1024];
+    private double[] stiffness = new double[1024];
+    private double[] rest = new double[1024];
+    private double[] contractileShare = new double[1024];
+    private int count;
+
+    public void add(int a, int b, double k, double length, double contractile) {
+        if (count == nodeA.length) {
+            int more = 2 * count;
+            nodeA = Arrays.copyOf(nodeA, more);
+            nodeB = Arrays.copyOf(nodeB, more);
+            stiffness = Arrays.copyOf(stiffness, more);
+            rest = Arrays.copyOf(rest, more);
+            contractileShare = Arrays.copyOf(contractileShare, more);
+        }
+        nodeA[count] = a;
+        nodeB[count] = b;
+        stiffness[count] = k;
+        rest[count] = length;
+        contractileShare[count] = contractile;
+        count++;
+    }
+
+    public int count() {
+        return count;
+    }
+
+    public int[] nodeA() {
+        return Arrays.copyOf(nodeA, count);
+    }
+
+    public int[] nodeB() {
+        return Arrays.copyOf(nodeB, count);
+    }
+
+    public double[] stiffness() {
+        return Arrays.copyOf(stiffness, count);
+    }
+
+    public double[] rest() {
+        return Arrays.copyOf(rest, count);
+    }
+
+    public double[] contractileShare() {
+        return Arrays.copyOf(contractileShare, count);
+    }
+
+    /** Gives spring i another rest length, mm. */
+    public void setRest(int i, double length) {
+        rest[i] = length;
+    }
+
+    public boolean anyContractile() {
+        for (int i = 0; i < count; i++) {
+            if (contractileShare[i] != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,91 @@
+package org.phrenic.model.organ;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.OpposingVertices;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibCage;
+import org.phrenic.engine.force.FallOff;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Sternum and costal cartilages as a very stiff mass-spring system that follows the ribs (Villard, Bourne and Bello
+ * 2009): springs along the edges of each part and across it, ties where two parts meet, and attachments to the ribs
+ * that are strong at a rib's end and fade along the cartilage to a low elasticity.
+ */
+public final class SternumPart {
+    /**
+     * Against relaxed muscle: as stiff as the paper's step of 0.01 s allows its one mass a node at the finest
+     * resolution, with 5 % to spare.
+     */
+    static final double STIFFNESS = 6.5;
+
+    private static final double REACH_MM = 30;
+    private static final int BRACES = 3;
+
+    /** Attachment stiffness at a rib's end and far from it, as shares of an edge's. */
+    private static final double ATTACHED_SHARE = 0.5;
+
+    private static final double FREE_SHARE = 0.05;
+    private static final double FADE_MM = 40;
+
+    public final List<Structure> structures = new ArrayList<>();
+    public final List<Integer> firstNodes = new ArrayList<>();
+
+    /** A bone or cartilage and the pairs of its vertices that are braced across it. */
+    public record BracedStructure(Structure structure, List<OpposingVertices.Pair> braces) {}
+
+    /**
+     * Sternum and cartilages at a resolution, with their braces: what can be worked out before anything else is known.
+     */
+    public static List<BracedStructure> mesh(Thorax thorax, Resolution resolution) {
+        List<Structure> given = new ArrayList<>(thorax.structuresOf(StructureKind.STERNUM));
+        given.addAll(thorax.structuresOf(StructureKind.COSTAL_CARTILAGE));
+        return Remeshing.toBudget(given, resolution.sternumVertices()).stream()
+                .map(s -> new BracedStructure(
+                        s, OpposingVertices.of(s.mesh(), REACH_MM).nearestPairs(BRACES)))
+                .toList();
+    }
+
+    public SternumPart(MassSpringBuilder parts, List<BracedStructure> meshed, RibCage cage, TissueLaw law) {
+        double edge = law.edgeStiffness(2, STIFFNESS);
+        for (BracedStructure braced : meshed) {
+            Structure s = braced.structure();
+            TriangleMesh mesh = s.mesh();
+            int first = parts.addNodes(mesh, law.masses(mesh, STIFFNESS));
+            structures.add(s);
+            firstNodes.add(first);
+            law.addEdges(parts.passiveSprings, mesh, first, STIFFNESS);
+            double[] p = mesh.positions();
+            for (OpposingVertices.Pair pair : braced.braces()) {
+                parts.passiveSprings.add(
+                        first + pair.a(),
+                        first + pair.b(),
+                        0.3 * edge,
+                        MassSpringBuilder.distance(p, pair.a(), p, pair.b()),
+                        0);
+            }
+            for (int i = 0; i < mesh.vertexCount(); i++) {
+                parts.attachToBone(
+                        first + i,
+                        edge
+                                * (FREE_SHARE
+                                        + (ATTACHED_SHARE - FREE_SHARE)
+                                                * FallOff.at(distanceToRib(cage, s, p, i), FADE_MM)));
+            }
+        }
+        TieSprings.connect(parts, structures, firstNodes, 0.3 * edge);
+    }
+
+    private static double distanceToRib(RibCage cage, Structure s, double[] p, int vertex) {
+        int rib = s.kind() == StructureKind.COSTAL_CARTILAGE ? cage.rib(s.level(), s.side()) : -1;
+        if (rib < 0) {
+            return FADE_MM;
+        }
+        return MassSpringBuilder.distance(
+                p, vertex, cage.bodies().get(rib).ends().orElseThrow().anterior(), 0);
+    }
+}

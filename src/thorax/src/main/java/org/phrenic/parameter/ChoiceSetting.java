@@ -1,0 +1,86 @@
+package org.phrenic.parameter;
+
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import org.phrenic.document.KeySuggestion;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
+
+/** A setting whose value is one of several with names. */
+public final class ChoiceSetting<T> extends Setting<T> {
+    private final Map<String, T> byName = new LinkedHashMap<>();
+    private final Function<T, String> name;
+    private final Function<SettingValues, T> defaultValue;
+
+    /**
+     * @param values in the order in which they are offered
+     * @param name of a value in scenario files
+     */
+    public ChoiceSetting(
+            String key,
+            String label,
+            Effect effect,
+            Collection<T> values,
+            Function<T, String> name,
+            Function<SettingValues, T> defaultValue,
+            String description) {
+        super(key, label, effect, description);
+        values.forEach(value -> byName.put(name.apply(value), value));
+        this.name = name;
+        this.defaultValue = defaultValue;
+    }
+
+    /** A choice among the constants of an enumeration by their names in lower case. */
+    public static <E extends Enum<E>> ChoiceSetting<E> of(
+            String key, String label, Effect effect, E defaultValue, String description) {
+        List<E> all = List.of(defaultValue.getDeclaringClass().getEnumConstants());
+        return new ChoiceSetting<>(key, label, effect, all, ChoiceSetting::nameOf, v -> defaultValue, description);
+    }
+
+    /** Name of a constant in scenario files. */
+    public static String nameOf(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    public List<String> options() {
+        return List.copyOf(byName.keySet());
+    }
+
+    /** The value of a name; null if there is none. */
+    public T named(String option) {
+        return byName.get(option);
+    }
+
+    @Override
+    public T defaultValue(SettingValues values) {
+        return defaultValue.apply(values);
+    }
+
+    @Override
+    public T read(YamlMap yaml, Path folder) {
+        String found = yaml.text(key());
+        T value = byName.get(found);
+        if (value == null) {
+            throw unknown(yaml, found);
+        }
+        return value;
+    }
+
+    private BadInputException unknown(YamlMap yaml, String found) {
+        String hint = KeySuggestion.nearest(found, options())
+                .map(near -> " (did you mean '" + near + "'?)")
+                .orElse("");
+        return yaml.bad(key(), "found '" + found + "', expected one of " + String.join(", ", options()) + hint);
+    }
+
+    @Override
+    public Object toPlain(T value) {
+        return name.apply(value);
+    }
+}

@@ -1,0 +1,22 @@
+package org.phrenic.parameter;
+
+/** Headings under which settings are shown. */
+public enum Group {
+    MODEL("Model"),
+    MUSCLE("Muscle"),
+    TISSUE("Tendon and tissue"),
+    BREATHING("Breathing"),
+    RIBS("Ribs and sternum"),
+    NUMERICS("Numerics");
+
+    private final String label;
+
+    Group(String label) {
+        this.label = label;
+    }
+
+    /** Name for people. */
+    public String label() {
+        return label;
+    }
+}

@@ -1,0 +1,81 @@
+package org.phrenic.parameter;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The values of all parameters of a run, and of the switches that act smoothly. Made as the parts of a scene ask for
+ * them.
+ */
+public final class RampedValues {
+    private final Map<Setting<?>, RampedValue> values = new LinkedHashMap<>();
+    private final List<RampedValue> tissue = new ArrayList<>();
+    private final List<RampedValue> scene = new ArrayList<>();
+    private SettingValues start;
+
+    /** @param start settings at the start of the run */
+    public RampedValues(SettingValues start) {
+        this.start = start;
+    }
+
+    /** The value of a parameter as it acts ({@link SettingValues#effective}). */
+    public RampedValue of(Parameter parameter) {
+        return values.computeIfAbsent(parameter, p -> track(p, new RampedValue(v -> v.effective(parameter), start)));
+    }
+
+    /** A switch as a number: 1 on, 0 off. */
+    public RampedValue of(SwitchSetting setting) {
+        return values.computeIfAbsent(setting, s -> track(s, new RampedValue(v -> v.get(setting) ? 1 : 0, start)));
+    }
+
+    private RampedValue track(Setting<?> setting, RampedValue value) {
+        if (setting.effect() == Effect.TISSUE) {
+            tissue.add(value);
+        } else if (setting.effect() == Effect.SCENE) {
+            scene.add(value);
+        }
+        return value;
+    }
+
+    /** Whether springs, masses or damping are others in these settings than where they stand or go to. */
+    public boolean differsInTissue(SettingValues settings) {
+        for (RampedValue value : tissue) {
+            if (Double.compare(value.in(settings), value.target()) != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** All go to their values in these settings. */
+    public void rampTo(SettingValues settings, long step, double nowS) {
+        values.values().forEach(value -> value.rampTo(settings, step, nowS));
+    }
+
+    /** All stand at their values in these settings, as at the start of a run. */
+    public void restart(SettingValues settings) {
+        start = settings;
+        values.values().forEach(value -> value.restart(settings));
+    }
+
+    /** Whether all that changes springs, masses and damping has arrived. */
+    public boolean hasTissueArrived(double timeS) {
+        return haveArrived(tissue, timeS);
+    }
+
+    /** Whether all else that is set step by step has arrived. */
+    public boolean hasSceneArrived(double timeS) {
+        return haveArrived(scene, timeS);
+    }
+
+    private static boolean haveArrived(List<RampedValue> list, double timeS) {
+        for (RampedValue value : list) {
+            if (!value.hasArrived(timeS)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,30 @@
+package org.phrenic.parameter;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.phrenic.document.YamlMap;
+
+/** A setting that is on or off. */
+public final class SwitchSetting extends Setting<Boolean> {
+    private final boolean defaultValue;
+
+    public SwitchSetting(String key, String label, Effect effect, boolean defaultValue, String description) {
+        super(key, label, effect, description);
+        this.defaultValue = defaultValue;
+    }
+
+    @Override
+    public List<String> options() {
+        return List.of("true", "false");
+    }
+
+    @Override
+    public Boolean defaultValue(SettingValues values) {
+        return defaultValue;
+    }
+
+    @Override
+    public Boolean read(YamlMap yaml, Path folder) {
+        return yaml.flag(key());
+    }
+}

@@ -1,0 +1,46 @@
+package org.phrenic.scenario;
+
+import java.util.stream.Collectors;
+import org.phrenic.model.assembly.TissueMaterial;
+import org.phrenic.model.material.Materials;
+import org.phrenic.parameter.NumberSetting;
+import org.phrenic.parameter.Parameter;
+
+/** The parameters of all materials as a table. */
+public final class ParameterTable {
+    private ParameterTable() {}
+
+    /** The table as Markdown: what {@code docs/parameters.md} holds. */
+    public static String markdown() {
+        return Materials.parameters().stream()
+                .map(p -> String.join(
+                        " | ",
+                        "| `" + p.key() + "`",
+                        p.unit(),
+                        NumberSetting.number(p.minimum()) + " to " + NumberSetting.number(p.maximum()),
+                        cell(p, Materials.PHYSICAL),
+                        cell(p, Materials.PAPER),
+                        p.description() + " |\n"))
+                .collect(Collectors.joining(
+                        "",
+                        """
+                        # Parameters
+
+                        The numbers that can be tuned, as keys of a scenario file or with `--set key=value`. "preset": the breathing preset gives it;
+                        "-": the material does not use it. This table is made from the declarations of the parts that use them.
+
+                        | key | unit | range | `physical` | `paper` | what it is |
+                        |---|---|---|---|---|---|
+                        """,
+                        ""));
+    }
+
+    private static String cell(Parameter parameter, TissueMaterial material) {
+        if (parameter.isGivenByPreset()) {
+            return "preset";
+        }
+        return material.uses(parameter)
+                ? NumberSetting.number(material.defaultOf(parameter, Scenario.defaults()))
+                : "-";
+    }
+}

@@ -1,0 +1,111 @@
+package org.phrenic.scenario;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.phrenic.document.KeySuggestion;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Muscle;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.material.RibRotation;
+import org.phrenic.model.material.RigidTendon;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.model.material.WallContact;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.Setting;
+
+/**
+ * All settings of a scenario, as the parts of a simulation declare them, and those that say how long it is run and what
+ * is written.
+ */
+public final class Settings {
+    private static final List<Setting<?>> ALL = Stream.concat(
+                    Stream.of(
+                            RunSettings.NAME,
+                            Breathing.PRESET,
+                            Breathing.TRACE,
+                            Materials.MATERIAL,
+                            RunSettings.ANATOMY,
+                            OrganSettings.RESOLUTION,
+                            RunSettings.DURATION,
+                            Numerics.TIME_STEP,
+                            Numerics.INTEGRATOR,
+                            Numerics.STEP_POLICY,
+                            Numerics.PROJECTION_SWEEPS,
+                            Numerics.REFRESH,
+                            Numerics.MASS_SCALING,
+                            Numerics.THREADS,
+                            RunSettings.RECORD_EVERY,
+                            RunSettings.MESHES_EVERY,
+                            Muscle.MUSCLE,
+                            TransdiaphragmaticPressure.PRESSURE,
+                            RibRotation.RIBS,
+                            RigidTendon.TENSEGRITY,
+                            WallContact.CONTACT,
+                            OrganSettings.STERNUM,
+                            OrganSettings.LUNGS,
+                            OrganSettings.LIVER,
+                            RigidTendon.LINKS_PER_NODE,
+                            OrganSettings.TENDON,
+                            Breathing.HOLD,
+                            RunSettings.STEPS,
+                            RunSettings.CHANGES),
+                    Materials.parameters().stream())
+            .toList();
+
+    private static final Map<String, Setting<?>> BY_KEY = byKey();
+
+    private Settings() {}
+
+    private static Map<String, Setting<?>> byKey() {
+        Map<String, Setting<?>> map = new LinkedHashMap<>();
+        ALL.forEach(setting -> map.put(setting.key(), setting));
+        return map;
+    }
+
+    /** All settings, in the order of the documentation. */
+    public static List<Setting<?>> all() {
+        return ALL;
+    }
+
+    /** All keys, in the order of the documentation. */
+    public static List<String> keys() {
+        return List.copyOf(BY_KEY.keySet());
+    }
+
+    /** Keys of the settings that can be changed while a simulation runs. */
+    public static List<String> liveKeys() {
+        List<String> keys = new ArrayList<>();
+        ALL.stream().filter(Setting::isLive).forEach(setting -> keys.add(setting.key()));
+        return keys;
+    }
+
+    /** The setting of a key; null if there is none. */
+    static Setting<?> find(String key) {
+        return BY_KEY.get(key);
+    }
+
+    /**
+     * The parameter of a key.
+     *
+     * @throws IllegalArgumentException if there is none; the sentence has the nearest key
+     */
+    public static Parameter parameter(String key) {
+        if (BY_KEY.get(key) instanceof Parameter parameter) {
+            return parameter;
+        }
+        List<String> keys = Materials.parameters().stream().map(Setting::key).toList();
+        throw new IllegalArgumentException("found an unknown parameter '" + key + "', " + expected(key, keys));
+    }
+
+    /** What was expected in the place of an unknown key. */
+    static String expected(String key, List<String> known) {
+        return KeySuggestion.nearest(key, known)
+                .map(near -> "did you mean '" + near + "'?")
+                .orElse("expected one of " + String.join(", ", known));
+    }
+}

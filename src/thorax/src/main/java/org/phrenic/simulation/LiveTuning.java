@@ -1,0 +1,211 @@
+package org.phrenic.simulation;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.integrator.Integrator;
+import org.phrenic.engine.integrator.StabilityLimit;
+import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.assembly.SceneTuning;
+import org.phrenic.parameter.Effect;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.RampedValues;
+import org.phrenic.parameter.Setting;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
+
+/**
+ * Changes a scene while it runs, and keeps the log of it. What a change does is a function of the state, the step and
+ * the changes before it alone, so that the same changes at the same steps give the same bits; of several changes of a
+ * setting at one step the last counts.
+ *
+ * <p>Numbers ramp over 0.2 s. While springs, masses or damping are on their way the substeps are those that the worse
+ * of both ends asks for; when they have arrived the limit is measured anew.
+ */
+final class LiveTuning {
+    private static final String UNDO = "undo";
+
+    private final Scenario start;
+    private final Scene scene;
+    private final SceneTuning tuning;
+    private final RampedValues values;
+    private final ParticleSystem system;
+    private final Stepper stepper;
+    private final List<ScheduledChange> log = new ArrayList<>();
+    private Scenario settings;
+    private Scenario settingsBefore;
+    private boolean tissueRamps;
+    private boolean sceneRamps;
+    private long undoneTo;
+
+    LiveTuning(Scenario scenario, Scene scene, Stepper stepper) {
+        this.scene = scene;
+        this.stepper = stepper;
+        tuning = scene.tuning();
+        values = tuning.values();
+        system = scene.system();
+        start = scenario;
+        settings = scenario;
+        settingsBefore = scenario;
+    }
+
+    Scenario settings() {
+        return settings;
+    }
+
+    List<ScheduledChange> log() {
+        return List.copyOf(log);
+    }
+
+    /** Makes changes between two steps; see {@link Simulation#change(List)}. */
+    void apply(List<Assignment> assignments) {
+        assignments.forEach(Assignment::requireLive);
+        long step = stepper.steps();
+        double now = stepper.time();
+        Scenario before = lastChangedStep() == step ? settingsBefore : settings;
+        Map<Setting<?>, Assignment> changes = new LinkedHashMap<>();
+        log.stream().filter(c -> c.step() == step).forEach(c -> putLast(changes, c.assignment()));
+        assignments.forEach(a -> putLast(changes, a));
+        Scenario after = before.with(List.copyOf(changes.values()));
+
+        // What the settings cannot breathe is refused before anything is changed.
+        boolean newPattern = hasEffect(changes, Effect.NEW_PATTERN);
+        BreathingPattern pattern = newPattern || hasEffect(changes, Effect.PATTERN) ? Breathing.patternOf(after) : null;
+        scene.drive().invalidate();
+        scene.drive().prepare(now);
+        setUpSteps(after, changes, now);
+        tuning.rampTo(after, system, step, now);
+        if (changes.containsKey(Breathing.HOLD)) {
+            scene.drive().pattern().hold(after.hold(), now);
+        }
+        if (pattern != null) {
+            scene.drive().pattern().change(pattern, newPattern, step, now);
+        }
+        scene.drive().invalidate();
+        tissueRamps = !values.hasTissueArrived(now);
+        sceneRamps = true;
+        settingsBefore = before;
+        settings = after;
+        log.removeIf(c -> c.step() == step);
+        changes.values().forEach(a -> log.add(new ScheduledChange(step, a)));
+        system.invalidate();
+        stepper.integrator().reset();
+    }
+
+    private static void putLast(Map<Setting<?>, Assignment> all, Assignment assignment) {
+        all.remove(assignment.setting());
+        all.put(assignment.setting(), assignment);
+    }
+
+    private static boolean hasEffect(Map<Setting<?>, Assignment> changes, Effect effect) {
+        return changes.keySet().stream().anyMatch(setting -> setting.effect() == effect);
+    }
+
+    private long lastChangedStep() {
+        return log.isEmpty() ? -1 : log.get(log.size() - 1).step();
+    }
+
+    /** Takes the scheme and the substeps for the tissue as it is and as it will be. */
+    private void setUpSteps(Scenario after, Map<Setting<?>, Assignment> changes, double now) {
+        Integrator integrator = stepper.integrator();
+        boolean other = after.integrator() != integrator.kind();
+        if (other) {
+            integrator = after.integrator().create(system);
+        }
+        boolean measure = other
+                || after.timeStepS() != stepper.dt()
+                || !values.hasTissueArrived(now - stepper.dt())
+                || values.differsInTissue(after)
+                || changes.keySet().stream()
+                        .anyMatch(setting -> setting.effect().affectsStability());
+        if (measure) {
+            tuning.applyTissue(after);
+            StabilityLimit ahead = StabilityLimit.of(system);
+            tuning.applyTissue(now);
+            stepper.switchTo(integrator, after.timeStepS(), StabilityLimit.of(system), ahead);
+        } else {
+            stepper.checkpoint();
+        }
+    }
+
+    /** Told before every step: sets what is on its way. Allocates nothing but where something has arrived. */
+    void beforeStep() {
+        if (!tissueRamps && !sceneRamps) {
+            return;
+        }
+        double now = stepper.time();
+        if (tissueRamps) {
+            tuning.applyTissue(now);
+            if (values.hasTissueArrived(now)) {
+                tissueRamps = false;
+                scene.drive().prepare(now);
+                stepper.measureStabilityLimit();
+            }
+        }
+        if (sceneRamps) {
+            tuning.applyRamps(now);
+            sceneRamps = !values.hasSceneArrived(now);
+        }
+    }
+
+    /**
+     * What takes back the changes made at the last step that has any; if those were themselves taking something back,
+     * which has not helped, the changes of the step before as well, and so on to the start. Empty if nothing is left to
+     * take back.
+     */
+    List<Assignment> undoAssignments() {
+        if (log.isEmpty()) {
+            return List.of();
+        }
+        boolean again = UNDO.equals(log.get(log.size() - 1).assignment().origin());
+        long before = again ? undoneTo : Long.MAX_VALUE;
+        long cut = log.stream()
+                .mapToLong(ScheduledChange::step)
+                .filter(step -> step < before)
+                .max()
+                .orElse(-1);
+        if (cut < 0) {
+            return List.of();
+        }
+        undoneTo = cut;
+        Scenario then = start.with(log.stream()
+                .filter(c -> c.step() < cut)
+                .map(ScheduledChange::assignment)
+                .toList());
+        return log.stream()
+                .filter(c -> c.step() >= cut)
+                .map(c -> c.assignment().setting())
+                .distinct()
+                .map(setting -> new Assignment(UNDO, setting, then.get(setting)))
+                .toList();
+    }
+
+    /**
+     * Whether what was changed since the start leaves the scene as it was assembled, so that it can begin anew as it
+     * is.
+     */
+    boolean isAsAssembled() {
+        return log.stream().noneMatch(c -> c.assignment().setting().effect().isAssembled());
+    }
+
+    /**
+     * Refuses changes of anything but parameters and the hold of the breath.
+     *
+     * @throws IllegalArgumentException with one sentence
+     */
+    static void requireParameters(List<ScheduledChange> changes) {
+        for (ScheduledChange change : changes) {
+            Setting<?> setting = change.assignment().setting();
+            if (setting != Breathing.HOLD && !(setting instanceof Parameter)) {
+                throw new IllegalArgumentException(
+                        change.text() + ": found key '" + setting.key() + "', expected a parameter or hold");
+            }
+        }
+    }
+}

@@ -1,2 +1,0 @@
-/** Parts of a scene: diaphragm, lungs, sternum, liver, skin. */
-package org.phrenic.simulation.organ;
