@@ -19,8 +19,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.PlyWriter;
 import org.phrenic.mesh.query.SurfaceComparison;
-import org.phrenic.scene.DistanceMapPictures;
+import org.phrenic.scene.SurfacePictures;
 import org.phrenic.scene.camera.PictureSettings;
+import org.phrenic.scene.export.PngFile;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
@@ -46,9 +47,6 @@ import picocli.CommandLine.Spec;
             CliNotice.TEXT
         })
 final class CompareCommand implements Callable<Integer> {
-    /** Room left above what 95 % of the surface shows in colours, before a range is rounded up. */
-    private static final double[] ROUND_RANGES_MM = {1, 2, 3, 5, 10, 15, 20, 30, 50, 100, 200, 500, 1000};
-
     @Spec
     private CommandSpec spec;
 
@@ -137,11 +135,7 @@ final class CompareCommand implements Callable<Integer> {
 
     /** As asked, else signed where there are signs, up to a round number that holds 95 % of the surface. */
     private ColourScale scale(SurfaceComparison comparison) {
-        double most = comparison.aToB().byArea().percentile95();
-        double round = ROUND_RANGES_MM[ROUND_RANGES_MM.length - 1];
-        for (int i = ROUND_RANGES_MM.length - 1; i >= 0 && ROUND_RANGES_MM[i] >= most; i--) {
-            round = ROUND_RANGES_MM[i];
-        }
+        double round = ColourScale.roundRange(comparison.aToB().byArea().percentile95());
         String unit = ColourField.DISTANCE.unit();
         ColourScale usual =
                 comparison.aToB().signed() ? ColourScale.diverging(round, unit) : ColourScale.sequential(round, unit);
@@ -152,14 +146,14 @@ final class CompareCommand implements Callable<Integer> {
             TriangleMesh from, SurfaceComparison comparison, List<PictureSettings> shots, ColourScale scale)
             throws NoGraphicsException {
         List<String> made = new ArrayList<>();
-        try (DistanceMapPictures drawn =
-                DistanceMapPictures.open(from, comparison.aToB().distances())) {
+        try (SurfacePictures drawn = new SurfacePictures()) {
             for (PictureSettings shot : shots) {
                 Path file = shots.size() == 1
                         ? picture
                         : picture.resolveSibling(name(picture).replaceFirst("(?i)(\\.png)?$", "") + "_"
                                 + shot.view().label() + ".png");
-                drawn.write(file, shot, scale);
+                double[] distances = comparison.aToB().distances();
+                PngFile.write(file, drawn.distances(from, distances, shot, scale, from.bounds()));
                 made.add(file.toString());
             }
         }

@@ -23,6 +23,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenarioRenderer;
+import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.export.FfmpegMovieWriter;
 import org.phrenic.scene.export.GifMovieWriter;
@@ -90,7 +91,7 @@ final class RenderCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
-            if (!studio.hasFonts()) {
+            if (!Annotations.hasFonts()) {
                 progress.note("This Java has no fonts: the pictures have no letters.");
             }
             SceneStyle style = styleOptions.style(studio.surfaces());

@@ -1,2 +1,4 @@
-/** The commands of phrenic, one class each; the only package that prints. */
+/**
+ * The command line, one class a command; the only module part that prints, parses options and ends the process.
+ */
 package org.phrenic.cli;

@@ -3,6 +3,7 @@ package org.phrenic.scene;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.List;
+import org.joml.Vector3d;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Vectors;
@@ -14,17 +15,17 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The body cut by a plane, in mm of the plane, x to the right and y upwards, from the middle of the picture.
+ * The body cut by a plane, in mm of the plane, x to the right and y upwards, from the centre of the picture.
  *
  * @param parts what is cut, from the outside in
  * @param entry of the needle
  * @param tip of the needle
- * @param end of the way that it is to go
- * @param target its middle
+ * @param end of the planned path
+ * @param target its centre
  * @param targetRadiusMm its radius
- * @param targetPlaneDistanceMm how far its middle lies from the plane
- * @param right letters of what lies to the right: "L"
- * @param up letters of what lies upwards
+ * @param targetPlaneDistanceMm signed distance of its centre from the plane
+ * @param right letters of the direction to the right: "L"
+ * @param up letters of the upward direction
  */
 public record BodySection(
         List<Part> parts,
@@ -37,11 +38,9 @@ public record BodySection(
         String right,
         String up) {
     /**
-     * A structure that is cut.
+     * The section of a structure.
      *
-     * @param kind what it is
      * @param name for people
-     * @param outline its curves
      * @param rgb colour as {@code 0xRRGGBB}
      */
     public record Part(StructureKind kind, String name, Path2D outline, int rgb) {}
@@ -59,29 +58,28 @@ public record BodySection(
             StructureKind.VERTEBRA,
             StructureKind.RIB);
 
-    /** Directions flatter than this count as having none across. */
+    /** Shorter vectors have no direction. */
     private static final double MIN_LENGTH = 1e-6;
 
     /**
-     * The plane that holds the needle and is as level as it can be, seen from below as an axial slice is: the patient's
-     * right at the left, the front at the top.
+     * The most nearly axial plane that holds the needle, seen from below as an axial slice: the patient's right at the
+     * left, the front at the top.
      */
     public static BodySection alongNeedle(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.normalize(Vectors.subtract(state.tip(), state.hub()));
-        double[] level = perpendicular(needle, new double[] {0, 0, 1});
-        double[] normal = Vectors.cross(needle, level);
-        double[] x = new double[] {1, 0, 0};
-        double[] right = projectedOntoPlane(x, normal);
+        double[] normal = Vectors.cross(needle, perpendicular(needle, new double[] {0, 0, 1}));
+        double[] right = projectedOntoPlane(new double[] {1, 0, 0}, normal);
         double[] up = Vectors.cross(normal, right);
         if (up[1] > 0) {
             up = Vectors.of(-up[0], -up[1], -up[2]);
         }
-        return cut(surfaces, frame, state, middle(state), right, up);
+        double[] entry = state.entry().orElse(state.tip());
+        return cut(surfaces, frame, state, Vectors.lerp(entry, state.target(), 0.5), right, up);
     }
 
     /**
-     * The plane through the tip at a right angle to the needle, seen from the hub: what the needle will meet next;
-     * through the target while there is no needle in the body.
+     * The plane through the tip at right angles to the needle, seen from the hub: what lies ahead of the needle.
+     * Without a needle in the body, the plane through the target.
      */
     public static BodySection acrossNeedle(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.normalize(Vectors.subtract(state.tip(), state.hub()));
@@ -90,18 +88,13 @@ public record BodySection(
         return cut(surfaces, frame, state, at, Vectors.cross(needle, up), up);
     }
 
-    private static double[] middle(NeedleState state) {
-        double[] entry = state.entry().orElse(state.tip());
-        return Vectors.lerp(entry, state.target(), 0.5);
-    }
-
-    /** A unit vector at right angles to both. */
+    /** A unit vector at right angles to both; x if they are parallel. */
     private static double[] perpendicular(double[] a, double[] b) {
         double[] c = Vectors.cross(a, b);
         return Vectors.length(c) > MIN_LENGTH ? Vectors.normalize(c) : new double[] {1, 0, 0};
     }
 
-    /** A direction without its part along a normal. */
+    /** Unit vector of a direction projected onto the plane of a normal. */
     private static double[] projectedOntoPlane(double[] wanted, double[] normal) {
         double[] flat = Vectors.addScaled(wanted, normal, -Vectors.dot(wanted, normal));
         return Vectors.length(flat) > MIN_LENGTH
@@ -121,11 +114,8 @@ public record BodySection(
                     frame.writePositions(s, i, at);
                     List<double[]> curves = plane.intersect(at, s.rest().triangles());
                     if (!curves.isEmpty()) {
-                        float[] rgb = SurfaceMaterial.of(kind).appearance().rgb();
-                        int colour = Math.round(255 * rgb[0]) << 16
-                                | Math.round(255 * rgb[1]) << 8
-                                | Math.round(255 * rgb[2]);
-                        parts.add(new Part(kind, StructureLabels.of(s), outline(curves), colour));
+                        int rgb = SurfaceMaterial.of(kind).appearance().packedRgb();
+                        parts.add(new Part(kind, StructureLabels.of(s), outline(curves), rgb));
                     }
                 }
             }
@@ -140,8 +130,8 @@ public record BodySection(
                 plane.project(state.target()),
                 state.targetRadiusMm(),
                 plane.signedDistance(state.target()),
-                PatientOrientation.letters(right[0], right[1], right[2]),
-                PatientOrientation.letters(up[0], up[1], up[2]));
+                PatientOrientation.letters(new Vector3d(right)),
+                PatientOrientation.letters(new Vector3d(up)));
     }
 
     private static Path2D outline(List<double[]> curves) {
@@ -155,7 +145,7 @@ public record BodySection(
         return path;
     }
 
-    /** Radius of the disc in which the plane cuts the target, mm; 0 where it does not. */
+    /** Radius of the disc in which the plane cuts the target, mm; 0 if it misses it. */
     public double targetSectionRadiusMm() {
         double squared = targetRadiusMm * targetRadiusMm - targetPlaneDistanceMm * targetPlaneDistanceMm;
         return squared > 0 ? Math.sqrt(squared) : 0;

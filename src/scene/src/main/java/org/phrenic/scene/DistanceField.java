@@ -7,9 +7,8 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Distance of a surface's vertices from a reference surface, such as the same organ in a scan at another breath level
- * (Villard, Bourne and Bello 2009, fig. 5): the exact distance to the nearest point of the nearest triangle, mm,
- * unsigned.
+ * Unsigned distance of a surface's vertices from a reference surface, such as the same organ in a scan at another
+ * breath level (Villard, Bourne and Bello 2009, fig. 5), to the nearest point of the nearest triangle, mm.
  */
 public final class DistanceField {
     private final SurfaceDistance reference;
@@ -19,10 +18,7 @@ public final class DistanceField {
         this.reference = new SurfaceDistance(reference);
     }
 
-    /**
-     * Gives a renderer the distances of one of its surfaces as it stands in a frame; a surface it has not is left
-     * alone.
-     */
+    /** Sets the distances of one of a renderer's surfaces in a frame; does nothing if it has no such surface. */
     public void upload(Renderer renderer, Frame frame, String structure) {
         for (int i = 0; i < renderer.surfaces().size(); i++) {
             Surface surface = renderer.surfaces().get(i);
@@ -43,7 +39,6 @@ public final class DistanceField {
         return toFloats(reference.unsignedDistance(now));
     }
 
-    /** The same numbers in the precision of a picture. */
     static float[] toFloats(double[] values) {
         float[] out = new float[values.length];
         for (int i = 0; i < out.length; i++) {

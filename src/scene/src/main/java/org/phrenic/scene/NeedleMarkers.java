@@ -23,11 +23,10 @@ import org.phrenic.scene.surface.Markers;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * What a rehearsal adds to a scene: target, needle, and the way that it is to go, coloured as it may be gone. Drawn
- * thicker than they are, so that they are seen.
+ * Markers of a rehearsal in the scene: target, needle, and the planned path in the colour of its advice. Drawn thicker
+ * than they are, to be visible.
  *
- * @param state how the rehearsal stands
- * @param level how the way is marked
+ * @param level advice on the path
  */
 public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     private static final String NEEDLE = Markers.PREFIX + "needle";
@@ -56,7 +55,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         return all;
     }
 
-    /** Puts the marks where they are, and gives the style in which they are seen. */
+    /** Sets the poses of the markers; returns the style that shows them. */
     public static SceneStyle apply(Optional<NeedleMarkers> marks, Renderer renderer, SceneStyle style) {
         if (marks.isEmpty()) {
             return style;
@@ -71,8 +70,8 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
             double[] end = pointAlong(entry, state.tip(), state.hub(), state.aimedDepthMm());
             renderer.setPose(PATH + level, Markers.rodPose(entry, end, PATH_MM));
             renderer.setPose(ENTRY + level, Markers.ballPose(entry, ENTRY_MM));
-            looks.put(PATH + level, appearance(level));
-            looks.put(ENTRY + level, appearance(level));
+            looks.put(PATH + level, Appearance.of(rgb(level), 1));
+            looks.put(ENTRY + level, Appearance.of(rgb(level), 1));
             if (state.placed()) {
                 double[] hub = state.hub();
                 renderer.setPose(NEEDLE, Markers.rodPose(hub, state.tip(), NEEDLE_MM));
@@ -85,7 +84,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     }
 
     /**
-     * Draws outlines of target, way and needle over a picture, so that they are seen through whatever lies before them.
+     * Draws outlines of target, path and needle over a picture, visible through whatever lies before them.
      *
      * @param width of the picture, in pixels of {@code graphics}
      * @param height as above
@@ -121,10 +120,12 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     }
 
     private static void line(Graphics2D g, Shape shape, Color colour, float width, boolean dashed) {
+        stroke(g, shape, new Color(255, 255, 255, 150), width + 2, dashed);
+        stroke(g, shape, colour, width, dashed);
+    }
+
+    private static void stroke(Graphics2D g, Shape shape, Color colour, float width, boolean dashed) {
         float[] dashes = dashed ? new float[] {7, 5} : null;
-        g.setColor(new Color(255, 255, 255, 150));
-        g.setStroke(new BasicStroke(width + 2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
-        g.draw(shape);
         g.setColor(colour);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0));
         g.draw(shape);
@@ -135,19 +136,12 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         return Vectors.addScaled(from, along, mm);
     }
 
-    private static Appearance appearance(PathAdvice.Level level) {
-        return Appearance.of(
-                switch (level) {
-                    case FREE -> 0x0f8a7c;
-                    case CAREFUL -> 0xe08a12;
-                    case BARRED -> 0xc8321f;
-                },
-                1);
-    }
-
-    /** Colour of a mark as {@code 0xRRGGBB}. */
+    /** Colour of a level as {@code 0xRRGGBB}. */
     public static int rgb(PathAdvice.Level level) {
-        float[] c = appearance(level).rgb();
-        return Math.round(255 * c[0]) << 16 | Math.round(255 * c[1]) << 8 | Math.round(255 * c[2]);
+        return switch (level) {
+            case FREE -> 0x0f8a7c;
+            case CAREFUL -> 0xe08a12;
+            case BARRED -> 0xc8321f;
+        };
     }
 }

@@ -3,19 +3,18 @@ package org.phrenic.scene;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.function.BiFunction;
+import org.joml.Vector3d;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
-import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.export.PngFile;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
@@ -24,9 +23,8 @@ import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
-import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.SurfaceMaterial;
+import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.Markers;
 import org.phrenic.scene.surface.SceneBounds;
@@ -34,15 +32,15 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Pictures of a rehearsal without a window: the needle in the body, whole and cut open in a plane along the needle, and
- * the access map on the skin.
+ * Picture files of a rehearsal: the needle in the body, whole and cut open in a plane along the needle, and the access
+ * map on the skin.
  */
 public final class NeedlePictures implements AutoCloseable {
     private static final int SIZE = 720;
     private static final int SAMPLES = 4;
     private static final String NEEDLE = "needle";
     private static final String TARGET = "target";
-    /** Drawn thicker than it is, so that it is seen. */
+    /** Drawn thicker than the needle, to be visible. */
     private static final double DRAWN_RADIUS_MM = 1.2;
 
     static final Appearance NEEDLE_APPEARANCE = Appearance.of(0x1f4e79, 1);
@@ -52,26 +50,25 @@ public final class NeedlePictures implements AutoCloseable {
     private final List<Surface> body;
     private final boolean ownsContext;
 
-    private NeedlePictures(OffscreenContext gl, List<Surface> body, boolean own) {
+    private NeedlePictures(OffscreenContext gl, List<Surface> body, boolean ownsContext) {
         this.gl = gl;
         this.body = body;
-        this.ownsContext = own;
+        this.ownsContext = ownsContext;
     }
 
-    /** Draws with what draws already, on its thread. */
+    /** Draws with an open context, on its thread. */
     public static NeedlePictures using(OffscreenContext gl, List<Surface> body) {
         return new NeedlePictures(gl, body, false);
     }
 
     /**
-     * Finds something that draws.
+     * Opens a context of its own.
      *
      * @param body surfaces of the frames
      * @throws NoGraphicsException if nothing here draws, with one sentence
      */
     public static NeedlePictures open(List<Surface> body) throws NoGraphicsException {
-        System.setProperty("java.awt.headless", "true");
-        return new NeedlePictures(OffscreenContext.open(), body, true);
+        return new NeedlePictures(OffscreenContext.headless(), body, true);
     }
 
     /**
@@ -83,87 +80,58 @@ public final class NeedlePictures implements AutoCloseable {
         List<Surface> all = new ArrayList<>(body);
         all.add(Markers.rod(NEEDLE, view.hub(), view.tip(), DRAWN_RADIUS_MM));
         all.add(Markers.ball(TARGET, view.target(), view.targetRadiusMm()));
-        Renderer renderer = new Renderer(all, List.of());
-        SceneStyle style = translucentStyle(all);
-        List<String> names = new ArrayList<>();
-        String moment =
-                Annotations.timestamp(view.frame().timeS(), view.label().name().toLowerCase(Locale.ROOT));
-        names.add(write(
+        SceneStyle whole = style(all, (s, usual) -> switch (s.kind()) {
+            case LIVER -> usual.withOpacity(0.38f);
+            case DIAPHRAGM -> usual.withOpacity(0.16f);
+            case LUNG -> usual.withOpacity(0.25f);
+            case SKIN -> usual.withOpacity(0.10f);
+            case RIB, COSTAL_CARTILAGE, STERNUM -> usual.withOpacity(0.55f);
+            case VERTEBRA, DISC, OTHER -> usual;
+        });
+        SceneStyle section = style(
+                        all,
+                        (s, usual) -> s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER
+                                ? usual.withOpacity(1)
+                                : usual)
+                .withClip(Optional.of(planeAlong(view)));
+        String phase = view.label().name().toLowerCase(Locale.ROOT);
+        Series series = new Series(
                 folder,
-                view.name() + "_anterior",
-                renderer,
+                new Renderer(all, List.of()),
                 view.frame(),
-                AnatomicalView.ANTERIOR,
-                style,
-                title,
-                moment));
-        names.add(write(
-                folder, view.name() + "_right", renderer, view.frame(), AnatomicalView.RIGHT, style, title, moment));
-        names.add(write(
-                folder,
-                view.name() + "_section",
-                renderer,
-                view.frame(),
-                AnatomicalView.INFERIOR,
-                sectionStyle(all, view),
-                title + ", cut open along the needle",
-                moment));
-        gl.release(renderer);
+                Annotations.timestamp(view.frame().timeS(), phase));
+        List<String> names = List.of(
+                write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
+                write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
+                write(
+                        series,
+                        view.name() + "_section",
+                        AnatomicalView.INFERIOR,
+                        section,
+                        title + ", cut open along the needle"));
+        gl.release(series.renderer);
         return names;
     }
 
-    /** Bone, diaphragm and liver to be looked through, so that nothing hides needle and target. */
-    private static SceneStyle translucentStyle(List<Surface> all) {
-        Map<String, Appearance> looks = new LinkedHashMap<>();
-        for (Surface s : all) {
-            Appearance look = SurfaceMaterial.of(s.kind()).appearance();
-            looks.put(
-                    s.name(),
-                    switch (s.kind()) {
-                        case LIVER -> look.withOpacity(0.38f);
-                        case DIAPHRAGM -> look.withOpacity(0.16f);
-                        case LUNG -> look.withOpacity(0.25f);
-                        case SKIN -> look.withOpacity(0.10f);
-                        case RIB, COSTAL_CARTILAGE, STERNUM -> look.withOpacity(0.55f);
-                        case VERTEBRA, DISC, OTHER -> look;
-                    });
-        }
-        looks.put(NEEDLE, NEEDLE_APPEARANCE);
-        looks.put(TARGET, TARGET_APPEARANCE);
-        return SceneStyle.atlas(all).withAppearances(looks).withSamples(SAMPLES).withTransparency(Transparency.PEELED);
-    }
-
-    /**
-     * A plane that holds the needle and is as level as it can be; what lies below is left out, so that it is seen as an
-     * axial slice is.
-     */
-    private static SceneStyle sectionStyle(List<Surface> all, NeedleSnapshot view) {
-        double[] d = {view.tip()[0] - view.hub()[0], view.tip()[1] - view.hub()[1], view.tip()[2] - view.hub()[2]};
-        double flat = Math.sqrt(d[0] * d[0] + d[1] * d[1]);
-        // At a right angle to the needle and to the level direction across it.
-        double nx = flat > 0 ? -d[2] * d[0] / flat : 0;
-        double ny = flat > 0 ? -d[2] * d[1] / flat : 1;
-        double nz = flat;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        double[] p = view.tip();
-        double offset = (nx * p[0] + ny * p[1] + nz * p[2]) / length;
-        Map<String, Appearance> looks = new LinkedHashMap<>();
-        for (Surface s : all) {
-            Appearance look = SurfaceMaterial.of(s.kind()).appearance();
-            looks.put(
-                    s.name(),
-                    switch (s.kind()) {
-                        case LUNG, LIVER -> look.withOpacity(1);
-                        default -> look;
-                    });
-        }
-        looks.put(NEEDLE, NEEDLE_APPEARANCE);
-        looks.put(TARGET, TARGET_APPEARANCE);
+    private static SceneStyle style(List<Surface> all, BiFunction<Surface, Appearance, Appearance> change) {
         return SceneStyle.atlas(all)
-                .withAppearances(looks)
                 .withSamples(SAMPLES)
                 .withTransparency(Transparency.PEELED)
-                .withClip(Optional.of(new ClipPlane(-nx, -ny, -nz, -offset)));
+                .withAppearances(all, change)
+                .withAppearance(NEEDLE, NEEDLE_APPEARANCE)
+                .withAppearance(TARGET, TARGET_APPEARANCE);
+    }
+
+    /** The most nearly axial plane that holds the needle; what lies below is cut away, as in an axial slice. */
+    private static ClipPlane planeAlong(NeedleSnapshot view) {
+        Vector3d tip = new Vector3d(view.tip());
+        Vector3d d = new Vector3d(view.tip()).sub(new Vector3d(view.hub()));
+        double horizontal = Math.hypot(d.x, d.y);
+        Vector3d normal = horizontal > 0
+                ? new Vector3d(d.z * d.x / horizontal, d.z * d.y / horizontal, -horizontal)
+                : new Vector3d(0, -1, 0);
+        normal.normalize();
+        return new ClipPlane(normal.x, normal.y, normal.z, normal.dot(tip));
     }
 
     /**
@@ -172,53 +140,32 @@ public final class NeedlePictures implements AutoCloseable {
      * @return names of the files
      */
     public List<String> writeAccessMap(Path folder, AccessMap map, String title) {
-        Renderer renderer = new Renderer(body, List.of());
-        String skin = body.stream()
-                .filter(s -> s.kind() == StructureKind.SKIN)
-                .map(Surface::name)
-                .findFirst()
-                .orElseThrow();
-        renderer.setField(skin, map.freePercent());
-        ColourScale scale = ColourScale.sequential(100, ColourField.ACCESS.unit());
-        SceneStyle style = SceneStyle.atlas(body)
-                .withAppearances(Map.of(
-                        skin,
-                        SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1)))
+        Surface skin = StructureSelection.first(body, StructureKind.SKIN);
+        SceneStyle atlas = SceneStyle.atlas(body);
+        SceneStyle style = atlas.withAppearances(Map.of(
+                        skin.name(), atlas.appearance(skin.name()).orElseThrow().withOpacity(1)))
                 .withSamples(SAMPLES)
-                .withField(ColourField.ACCESS, skin, scale)
-                .withOverlays(Set.of());
-        Frame frame = map.cycle().get(0).frame();
+                .withField(ColourField.ACCESS, skin.name(), ColourScale.sequential(100, ColourField.ACCESS.unit()));
+        Series series = new Series(
+                folder, new Renderer(body, List.of()), map.cycle().get(0).frame(), "");
+        series.renderer.setField(skin.name(), map.freePercent());
         List<String> names = new ArrayList<>();
         for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {
-            names.add(write(folder, "access_" + view.label(), renderer, frame, view, style, title, ""));
+            names.add(write(series, "access_" + view.label(), view, style, title));
         }
-        gl.release(renderer);
+        gl.release(series.renderer);
         return names;
     }
 
-    private String write(
-            Path folder,
-            String name,
-            Renderer renderer,
-            Frame frame,
-            AnatomicalView view,
-            SceneStyle style,
-            String title,
-            String moment) {
-        PictureSettings shot = PictureSettings.of(view, SIZE, SIZE, title);
-        Camera camera = shot.camera(SceneBounds.of(body));
-        BufferedImage picture = gl.render(renderer, frame, camera, style, shot.width(), shot.height());
-        if (Annotations.hasFonts()) {
-            Annotations annotations = Annotations.forBackground(style.background() == SceneBackground.LIGHT)
-                    .withTitle(title)
-                    .withTimestamp(moment);
-            (style.field() == ColourField.NONE
-                            ? annotations
-                            : annotations.withScale(style.field().label(), style.scale()))
-                    .draw(picture, camera);
-        }
+    /** What pictures of one moment share. */
+    private record Series(Path folder, Renderer renderer, Frame frame, String timestamp) {}
+
+    private String write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
+        Camera camera = Camera.of(view, SceneBounds.of(body));
+        BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, SIZE, SIZE);
+        Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
         String file = name + ".png";
-        PngFile.write(folder.resolve(file), picture);
+        PngFile.write(series.folder.resolve(file), picture);
         return file;
     }
 

@@ -18,24 +18,18 @@ import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
-import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ColourField;
-import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * A scenario, simulated and drawn without a window: pictures and movies of it as files. Times must be asked for in
- * order.
- */
+/** Simulates a scenario and writes pictures and movies of it, off screen. Times must be asked for in order. */
 public final class ScenarioRenderer implements AutoCloseable {
     private final OffscreenContext gl;
     private final ScenePlayer player;
     private final Renderer renderer;
-    private final boolean fontsAvailable = Annotations.hasFonts();
     private Optional<DistanceField> distances = Optional.empty();
 
     private ScenarioRenderer(OffscreenContext gl, ScenePlayer player) {
@@ -44,15 +38,9 @@ public final class ScenarioRenderer implements AutoCloseable {
         renderer = new Renderer(player.surfaces(), player.overlays());
     }
 
-    /**
-     * Finds something that draws, then puts the scenario together. Tells Java that there is no display: whatever the
-     * environment says, none is asked for.
-     *
-     * @throws NoGraphicsException if nothing here draws, with one sentence; nothing was simulated then
-     */
+    /** @throws NoGraphicsException if nothing here draws, with one sentence; nothing is simulated then */
     public static ScenarioRenderer open(Scenario scenario, SimulationRun.Progress progress) throws NoGraphicsException {
-        System.setProperty("java.awt.headless", "true");
-        OffscreenContext gl = OffscreenContext.open();
+        OffscreenContext gl = OffscreenContext.headless();
         try {
             return new ScenarioRenderer(gl, new ScenePlayer(scenario, progress));
         } catch (RuntimeException failed) {
@@ -61,52 +49,45 @@ public final class ScenarioRenderer implements AutoCloseable {
         }
     }
 
-    /** Sets what {@link ColourField#DISTANCE} is measured from. */
+    /** Sets the surface from which {@link ColourField#DISTANCE} is measured. */
     public void setDistanceReference(TriangleMesh reference) {
         distances = Optional.of(new DistanceField(reference));
     }
 
-    /** The surfaces of the scene. */
     public List<Surface> surfaces() {
         return player.surfaces();
     }
 
-    /** Simulated time that all of the scenario takes, s. */
+    /** Simulated time of the whole scenario, s. */
     public double durationS() {
         return player.durationS();
     }
 
-    /** What draws. */
     public GraphicsInfo graphicsInfo() {
         return gl.info();
     }
 
-    /** Whether letters can be written over pictures here. */
-    public boolean hasFonts() {
-        return fontsAvailable;
-    }
-
     /** Simulates to a time and writes a picture. */
-    public void writePicture(Path file, double timeS, PictureSettings shot, SceneStyle style) {
-        PngFile.write(file, render(player.advanceTo(timeS), shot, style));
+    public void writePicture(Path file, double timeS, PictureSettings settings, SceneStyle style) {
+        PngFile.write(file, render(player.advanceTo(timeS), settings, style));
     }
 
     /**
      * Simulates through these times and writes them as a movie.
      *
-     * @param single file of each frame as a picture of its own; empty for none
+     * @param single file of each frame as a single picture; empty for none
      */
     public void writeMovie(
             Path file,
             MovieWriter kind,
             double framesPerS,
             double[] timesS,
-            PictureSettings shot,
+            PictureSettings settings,
             SceneStyle style,
             Optional<IntFunction<Path>> single) {
         Iterator<BufferedImage> frames = IntStream.range(0, timesS.length)
                 .mapToObj(i -> {
-                    BufferedImage picture = render(player.advanceTo(timesS[i]), shot, style);
+                    BufferedImage picture = render(player.advanceTo(timesS[i]), settings, style);
                     single.ifPresent(name -> PngFile.write(name.apply(i), picture));
                     return picture;
                 })
@@ -114,32 +95,22 @@ public final class ScenarioRenderer implements AutoCloseable {
         kind.write(file, framesPerS, frames);
     }
 
-    private BufferedImage render(Frame frame, PictureSettings shot, SceneStyle style) {
-        Camera camera = shot.camera(SceneBounds.of(visible(style)));
+    private BufferedImage render(Frame frame, PictureSettings settings, SceneStyle style) {
+        List<Surface> visible =
+                surfaces().stream().filter(s -> style.shows(s.name())).toList();
+        Camera camera = settings.camera(SceneBounds.of(visible));
         if (style.field() == ColourField.DISTANCE) {
-            distances.ifPresent(field -> field.upload(renderer, frame, style.fieldStructure()));
+            distances.ifPresent(
+                    field -> field.upload(renderer, frame, style.colouring().structure()));
         }
-        BufferedImage picture = gl.render(renderer, frame, camera, style, shot.width(), shot.height());
-        if (shot.annotated() && fontsAvailable) {
-            annotations(frame, shot, style).draw(picture, camera);
+        BufferedImage picture = gl.render(renderer, frame, camera, style, settings.width(), settings.height());
+        if (settings.annotated()) {
+            Annotations.of(style)
+                    .withTitle(settings.title())
+                    .withTimestamp(Annotations.timestamp(frame.timeS(), player.phase()))
+                    .draw(picture, camera);
         }
         return picture;
-    }
-
-    private List<Surface> visible(SceneStyle style) {
-        return player.surfaces().stream()
-                .filter(s ->
-                        style.appearance(s.name()).filter(Appearance::visible).isPresent())
-                .toList();
-    }
-
-    private Annotations annotations(Frame frame, PictureSettings shot, SceneStyle style) {
-        Annotations annotations = Annotations.forBackground(style.background() == SceneBackground.LIGHT)
-                .withTitle(shot.title())
-                .withTimestamp(Annotations.timestamp(frame.timeS(), player.phase()));
-        return style.field() == ColourField.NONE
-                ? annotations
-                : annotations.withScale(style.field().label(), style.scale());
     }
 
     @Override

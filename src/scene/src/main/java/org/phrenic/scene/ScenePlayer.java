@@ -1,6 +1,7 @@
 package org.phrenic.scene;
 
 import java.util.List;
+import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -12,9 +13,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * A scenario simulated for its pictures, step by step as a run does it: at any time the scene is the same, bit for bit.
- */
+/** Simulates a scenario for its pictures with the steps of a run: the state at a time is the same, bit for bit. */
 public final class ScenePlayer implements AutoCloseable {
     private static final double PROGRESS_INTERVAL_S = 0.1;
 
@@ -25,12 +24,7 @@ public final class ScenePlayer implements AutoCloseable {
     private final Frame frame;
     private final double durationS;
 
-    /**
-     * Grows or loads the body and settles it.
-     *
-     * @param progress told what was noticed, and how far it is
-     * @throws BadInputException with one sentence, if the scenario's body cannot be simulated
-     */
+    /** @throws BadInputException with one sentence, if the scenario's body cannot be simulated */
     public ScenePlayer(Scenario scenario, SimulationRun.Progress progress) {
         this.scenario = scenario;
         this.progress = progress;
@@ -50,19 +44,18 @@ public final class ScenePlayer implements AutoCloseable {
         return surfaces.surfaces();
     }
 
-    /** What can be drawn over them. */
     public List<Overlay> overlays() {
         return surfaces.overlays();
     }
 
-    /** Simulated time that all of the scenario takes, s. */
+    /** Simulated time of the whole scenario, s. */
     public double durationS() {
         return durationS;
     }
 
-    /** What the breath is doing at the present step, for people: "inspiration". */
+    /** Phase of the breath at the present step: "inspiration". */
     public String phase() {
-        return simulation.breathLabel().name().toLowerCase(java.util.Locale.ROOT);
+        return simulation.breathLabel().name().toLowerCase(Locale.ROOT);
     }
 
     /** Box about all surfaces at rest: {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm. */
@@ -82,8 +75,8 @@ public final class ScenePlayer implements AutoCloseable {
             throw new IllegalArgumentException(
                     "found " + timeS + " s after " + simulation.time() + " s, expected times in order");
         }
-        long told = System.nanoTime();
-        long begun = told;
+        long begun = System.nanoTime();
+        long told = begun;
         long first = simulation.steps();
         while (simulation.steps() < target) {
             simulation.step();
@@ -98,7 +91,7 @@ public final class ScenePlayer implements AutoCloseable {
         return frame;
     }
 
-    /** Hash of the state, as a run reports it. */
+    /** {@code state_sha256} of the present state. */
     public String stateHash() {
         return simulation.stateHash();
     }

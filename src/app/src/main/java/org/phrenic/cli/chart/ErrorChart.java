@@ -35,7 +35,7 @@ import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.document.CsvTable;
-import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scene.export.PngFile;
 
 /**
@@ -89,7 +89,7 @@ public final class ErrorChart {
         JFreeChart chart = new JFreeChart(title, font(Font.PLAIN, 20), all, false);
         chart.setBackgroundPaint(Color.WHITE);
         chart.addSubtitle(legend(integrators));
-        TextTitle notice = new TextTitle(Annotations.NOTICE, font(Font.PLAIN, 13));
+        TextTitle notice = new TextTitle(Disclaimer.TEXT, font(Font.PLAIN, 13));
         notice.setPosition(RectangleEdge.BOTTOM);
         notice.setHorizontalAlignment(HorizontalAlignment.LEFT);
         chart.addSubtitle(notice);

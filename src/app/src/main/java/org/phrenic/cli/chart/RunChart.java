@@ -20,7 +20,7 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.document.CsvTable;
-import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scene.export.PngFile;
 
 /** The curves of a run as one picture: domes, lung volume, diameters of the chest, sternum. */
@@ -66,7 +66,7 @@ public final class RunChart {
         all.add(panel(table, "liver, mm", "liver_si_mm", "up", "liver_ap_mm", "back", "liver_lr_mm", "to the left"));
         JFreeChart chart = new JFreeChart(title, font(Font.PLAIN, 19), all, false);
         chart.setBackgroundPaint(Color.WHITE);
-        TextTitle notice = new TextTitle(Annotations.NOTICE, font(Font.PLAIN, 13));
+        TextTitle notice = new TextTitle(Disclaimer.TEXT, font(Font.PLAIN, 13));
         notice.setPosition(RectangleEdge.BOTTOM);
         notice.setHorizontalAlignment(HorizontalAlignment.LEFT);
         chart.addSubtitle(notice);

@@ -1,2 +1,4 @@
-/** Charts that commands leave beside their results. */
+/**
+ * Charts of results as picture files, with JFreeChart.
+ */
 package org.phrenic.cli.chart;

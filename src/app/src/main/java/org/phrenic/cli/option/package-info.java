@@ -1,2 +1,4 @@
-/** Options that several commands share. */
+/**
+ * Options that commands share, and the conversion of their text to values.
+ */
 package org.phrenic.cli.option;

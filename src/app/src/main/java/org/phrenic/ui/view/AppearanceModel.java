@@ -116,20 +116,9 @@ public final class AppearanceModel {
     /** Takes over the surfaces of another scene; what was chosen applies to them too. */
     public void setSurfaces(List<Surface> others) {
         surfaces = others;
-        SceneStyle atlas = SceneStyle.atlas(others);
-        style = carryOver(style, atlas);
+        style = style.withAppearances(SceneStyle.atlas(others).appearances()).withHighlighted("");
         groupChanges.forEach(this::apply);
         fireChange();
-    }
-
-    private static SceneStyle carryOver(SceneStyle before, SceneStyle atlas) {
-        return atlas.withBackground(before.background())
-                .withRestWireframe(before.restWireframe())
-                .withField(before.field(), before.fieldStructure(), before.scale())
-                .withOverlays(before.overlays())
-                .withClip(before.clip())
-                .withTransparency(before.transparency())
-                .withSamples(before.samples());
     }
 
     /** Changes the appearance of all structures of a group. */

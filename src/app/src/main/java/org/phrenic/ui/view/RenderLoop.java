@@ -243,7 +243,8 @@ public final class RenderLoop implements AutoCloseable {
         }
         if (wanted.style().field() == ColourField.DISTANCE) {
             wanted.reference()
-                    .ifPresent(field -> colourByDistance(field, wanted.style().fieldStructure()));
+                    .ifPresent(field ->
+                            colourByDistance(field, wanted.style().colouring().structure()));
         }
         if (!wanted.accessColours().equals(shownAccess)) {
             shownAccess = wanted.accessColours();

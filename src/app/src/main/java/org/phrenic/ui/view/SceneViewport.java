@@ -17,8 +17,6 @@ import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.OffscreenContext;
-import org.phrenic.scene.style.ColourField;
-import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveScene;
@@ -224,12 +222,7 @@ public final class SceneViewport extends JPanel {
     }
 
     private Annotations annotationsFor(String moment) {
-        SceneStyle style = appearance.style();
-        Annotations plain = Annotations.forBackground(style.background() == SceneBackground.LIGHT)
-                .withTimestamp(moment);
-        return style.field() == ColourField.NONE
-                ? plain
-                : plain.withScale(style.field().label(), style.scale());
+        return Annotations.of(appearance.style()).withTimestamp(moment);
     }
 
     /** Frames per second; 0 while nothing moves. */

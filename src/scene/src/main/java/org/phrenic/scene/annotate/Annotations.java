@@ -4,24 +4,27 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.Optional;
+import org.joml.Vector3d;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
+import org.phrenic.scene.style.SceneBackground;
+import org.phrenic.scene.style.SceneStyle;
 
 /**
- * What is written over a picture of the scene, in a window and without one alike: letters of orientation at the edges,
- * a figure that stands as the patient does, a ruler in parallel projection, the scale of a coloured surface, what is
- * shown and when, and the notice.
+ * What is written over a picture of the scene, on screen and off: orientation letters at the edges, a figure oriented
+ * as the patient, a ruler in parallel projection, a colour bar, title and time, and the disclaimer.
  *
  * @param lightBackground whether the picture is light
- * @param title what is shown; empty for nothing
- * @param timestamp time and phase; empty for nothing
- * @param quantityName what colours show, with {@code scale}
+ * @param title empty for none
+ * @param timestamp time and phase; empty for none
+ * @param quantityName quantity shown in colours, with {@code scale}
  * @param scale of a coloured surface
  */
 public record Annotations(
         boolean lightBackground, String title, String timestamp, String quantityName, Optional<ColourScale> scale) {
-    /** On the first screen, in every report and on every picture. */
-    public static final String NOTICE = org.phrenic.document.report.Disclaimer.TEXT;
+    private static final String DISCLAIMER = Disclaimer.TEXT;
 
     private static final double LETTER_SIZE = 17;
     private static final double TEXT_SIZE = 12;
@@ -35,9 +38,14 @@ public record Annotations(
     /** The longest ruler, a share of the width. */
     private static final double MAX_RULER_SHARE = 0.25;
 
-    /** Letters, figure, notice and ruler alone. */
-    public static Annotations forBackground(boolean lightBackground) {
-        return new Annotations(lightBackground, "", "", "", Optional.empty());
+    /** Annotations that fit a style, without title and time. */
+    public static Annotations of(SceneStyle style) {
+        return new Annotations(
+                style.background() == SceneBackground.LIGHT,
+                "",
+                "",
+                style.field().label(),
+                style.field() == ColourField.NONE ? Optional.empty() : Optional.of(style.scale()));
     }
 
     /** The same with a title. */
@@ -45,52 +53,53 @@ public record Annotations(
         return new Annotations(lightBackground, text, timestamp, quantityName, scale);
     }
 
-    /** The same with a line about the time. */
+    /** The same with a line about time and phase. */
     public Annotations withTimestamp(String text) {
         return new Annotations(lightBackground, title, text, quantityName, scale);
     }
 
-    /** The same with the scale of a coloured surface. */
-    public Annotations withScale(String name, ColourScale colours) {
-        return new Annotations(lightBackground, title, timestamp, name, Optional.of(colours));
-    }
-
-    /** Time and what the breath is doing: "1.25 s, inspiration". */
+    /** Time and phase of the breath: "1.25 s, inspiration". */
     public static String timestamp(double timeS, String phase) {
         return String.format(Locale.ROOT, "%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
     }
 
-    /** Size of letters and lines for a picture to be kept: they grow with it. */
-    public static double unitFor(int width, int height) {
+    /** Unit of letters and lines in a picture file, pixels; proportional to its shorter side. */
+    private static double unitFor(int width, int height) {
         return Math.max(MIN_UNIT, Math.min(width, height) / REFERENCE_SIDE);
     }
 
-    /** Whether this machine can write letters at all: a Java without fonts cannot. */
-    public static boolean hasFonts() {
-        try {
-            Graphics2D g = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB).createGraphics();
-            HaloGraphics ink = HaloGraphics.over(g, true, 1);
-            ink.drawText("R", 1, 7, 0, TEXT_SIZE, false);
-            ink.dispose();
-            g.dispose();
-            return true;
-        } catch (LinkageError | RuntimeException | InternalError none) {
-            return false;
+    /** Evaluated once: whether text can be drawn, which a Java without fonts cannot. */
+    private static final class Fonts {
+        private static final boolean AVAILABLE = available();
+
+        private static boolean available() {
+            try {
+                Graphics2D g = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB).createGraphics();
+                HaloGraphics.over(g, true, 1).drawText("R", 1, 7, 0, TEXT_SIZE, false);
+                g.dispose();
+                return true;
+            } catch (LinkageError | RuntimeException | InternalError none) {
+                return false;
+            }
         }
     }
 
-    /** Writes over a picture to be kept. */
+    /** Whether this Java has fonts. */
+    public static boolean hasFonts() {
+        return Fonts.AVAILABLE;
+    }
+
+    /** Draws over a picture; nothing in a Java without fonts. */
     public void draw(BufferedImage picture, Camera camera) {
-        Graphics2D g = picture.createGraphics();
-        try {
+        if (hasFonts()) {
+            Graphics2D g = picture.createGraphics();
             draw(g, camera, picture.getWidth(), picture.getHeight(), unitFor(picture.getWidth(), picture.getHeight()));
-        } finally {
             g.dispose();
         }
     }
 
     /**
-     * Writes over a picture.
+     * Draws over a picture.
      *
      * @param graphics with the origin at its top left corner
      * @param width of the picture, in pixels of {@code graphics}
@@ -102,7 +111,7 @@ public record Annotations(
         drawStatic(graphics, camera, width, height, unit);
     }
 
-    /** Of {@link #draw(Graphics2D, Camera, int, int, double)} title and moment alone, which change with every frame. */
+    /** Draws title and time only, which change with every frame. */
     public void drawHeading(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         if (!title.isEmpty() || !timestamp.isEmpty()) {
             HaloGraphics ink = halo(graphics, width, height, unit);
@@ -111,18 +120,15 @@ public record Annotations(
         }
     }
 
-    /**
-     * Of {@link #draw(Graphics2D, Camera, int, int, double)} all but title and moment: what stays while the camera
-     * does.
-     */
+    /** Draws all but title and time: what stays the same while the camera does. */
     public void drawStatic(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         HaloGraphics ink = halo(graphics, width, height, unit);
         double margin = ink.toPixels(MARGIN);
         double small = ink.measure("H", SMALL_TEXT_SIZE, false).getHeight();
         double floor = height - margin - small - ink.toPixels(7);
         drawOrientationLetters(ink, camera, width, height, floor);
-        double size = ink.fittingSize(NOTICE, SMALL_TEXT_SIZE, width - 2 * margin);
-        ink.drawText(ink.ellipsized(NOTICE, size, width - 2 * margin), margin, height - margin, 0, size, false);
+        double size = ink.fittingSize(DISCLAIMER, SMALL_TEXT_SIZE, width - 2 * margin);
+        ink.drawText(ink.ellipsized(DISCLAIMER, size, width - 2 * margin), margin, height - margin, 0, size, false);
         double figure = Math.min(ink.toPixels(FIGURE_HEIGHT), 0.3 * Math.min(width, height));
         OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, height - margin - figure * 0.52, figure);
         if (camera.orthographic()) {
@@ -143,27 +149,28 @@ public record Annotations(
 
     /** Width of the letters at the right edge, pixels. */
     private static double rightLetterWidth(HaloGraphics ink, Camera camera) {
-        double[] r = camera.right();
-        return ink.measure(PatientOrientation.letters(r[0], r[1], r[2]), LETTER_SIZE, true)
+        return ink.measure(PatientOrientation.letters(camera.right()), LETTER_SIZE, true)
                 .getWidth();
     }
 
-    /** Letters in the middle of the edges. */
+    /** Draws a letter in the middle of each edge. */
     private static void drawOrientationLetters(HaloGraphics ink, Camera camera, int width, int height, double floor) {
-        double[] r = camera.right();
-        double[] u = camera.up();
-        double tall = ink.measure("H", LETTER_SIZE, true).getHeight();
+        Vector3d right = camera.right();
+        Vector3d up = camera.up();
+        double capHeight = ink.measure("H", LETTER_SIZE, true).getHeight();
         double margin = ink.toPixels(MARGIN);
-        String right = PatientOrientation.letters(r[0], r[1], r[2]);
-        String left = PatientOrientation.letters(-r[0], -r[1], -r[2]);
-        double middle = (height + tall) / 2;
-        ink.drawText(right, width - margin, middle, 1, LETTER_SIZE, true);
-        ink.drawText(left, margin, middle, 0, LETTER_SIZE, true);
-        ink.drawText(PatientOrientation.letters(u[0], u[1], u[2]), width / 2.0, margin + tall, 0.5, LETTER_SIZE, true);
-        ink.drawText(PatientOrientation.letters(-u[0], -u[1], -u[2]), width / 2.0, floor, 0.5, LETTER_SIZE, true);
+        double middle = (height + capHeight) / 2;
+        drawLetters(ink, right, width - margin, middle, 1);
+        drawLetters(ink, right.negate(), margin, middle, 0);
+        drawLetters(ink, up, width / 2.0, margin + capHeight, 0.5);
+        drawLetters(ink, up.negate(), width / 2.0, floor, 0.5);
     }
 
-    /** Title and moment at the top left, clear of the letter in the middle. */
+    private static void drawLetters(HaloGraphics ink, Vector3d direction, double x, double baseline, double align) {
+        ink.drawText(PatientOrientation.letters(direction), x, baseline, align, LETTER_SIZE, true);
+    }
+
+    /** Draws title and time at the top left, clear of the letter in the middle. */
     private void drawTitleAndTime(HaloGraphics ink, int width, double letters) {
         double margin = ink.toPixels(MARGIN);
         double room = width / 2.0 - margin - letters / 2 - ink.toPixels(8);

@@ -7,20 +7,18 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.font.GlyphVector;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
 
 /**
- * Writes and draws over a picture so that it can be read on whatever lies below: dark on a light rim, or light on a
- * dark one.
+ * Draws text and lines with a halo, legible over any picture: dark with a light halo, or light with a dark one.
  *
  * @param graphics to draw with
  * @param foreground colour of letters and lines
- * @param halo colour about them
- * @param unit size of everything, pixels; 1 on an ordinary screen
+ * @param halo colour around them
+ * @param unit pixels a unit of length; 1 on a screen
  */
 record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double unit) {
-    /** Smallest text that can be read, pixels. */
+    /** Smallest legible text, pixels. */
     private static final float MIN_TEXT_PX = 7;
 
     static HaloGraphics over(Graphics2D graphics, boolean lightBackground, double unit) {
@@ -33,7 +31,6 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
                 : new HaloGraphics(g, new Color(0xe9edf1), new Color(12, 15, 18, 190), unit);
     }
 
-    /** A length of so many units, pixels. */
     double toPixels(double units) {
         return units * unit;
     }
@@ -44,7 +41,7 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         return font.createGlyphVector(graphics.getFontRenderContext(), text);
     }
 
-    /** How wide and high a text becomes, pixels; the height is that of capitals. */
+    /** Width of a text and height of capitals, pixels. */
     Rectangle2D measure(String text, double size, boolean bold) {
         return new Rectangle2D.Double(
                 0,
@@ -60,7 +57,7 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         return needed <= room ? size : size * room / needed;
     }
 
-    /** As much of a text as fits into a width at a size, with an ellipsis where it had to be cut. */
+    /** A text shortened to a width, ending in an ellipsis. */
     String ellipsized(String text, double size, double width) {
         if (measure(text, size, false).getWidth() <= width) {
             return text;
@@ -74,10 +71,10 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
     }
 
     /**
-     * Writes a text.
+     * Draws a text.
      *
-     * @param x where it begins (align 0), has its middle (0.5) or ends (1), pixels
-     * @param baseline on which it stands, pixels
+     * @param x of its left end (align 0), centre (0.5) or right end (1), pixels
+     * @param baseline y, pixels
      */
     void drawText(String text, double x, double baseline, double align, double size, boolean bold) {
         GlyphVector glyphs = glyphVector(text, size, bold);
@@ -85,31 +82,26 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         fillShape(glyphs.getOutline((float) left, (float) baseline), toPixels(size) / 4.5);
     }
 
-    /** Fills a shape with the front colour on a rim. */
-    void fillShape(Shape shape, double rimWidth) {
-        graphics.setColor(halo);
-        graphics.setStroke(new BasicStroke((float) rimWidth, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        graphics.draw(shape);
+    /** Fills a shape with a halo. */
+    void fillShape(Shape shape, double haloWidth) {
+        stroke(shape, halo, haloWidth, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         graphics.setColor(foreground);
         graphics.fill(shape);
     }
 
-    /** Draws a line of this width in pixels on a rim. */
+    /** Draws a line of this width in pixels with a halo. */
     void drawLine(Shape path, double width) {
-        graphics.setColor(halo);
-        graphics.setStroke(new BasicStroke((float) (3 * width), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        graphics.draw(path);
-        graphics.setColor(foreground);
-        graphics.setStroke(new BasicStroke((float) width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER));
-        graphics.draw(path);
+        stroke(path, halo, 3 * width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+        stroke(path, foreground, width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER);
+    }
+
+    private void stroke(Shape shape, Color colour, double width, int cap, int join) {
+        graphics.setColor(colour);
+        graphics.setStroke(new BasicStroke((float) width, cap, join));
+        graphics.draw(shape);
     }
 
     void dispose() {
         graphics.dispose();
-    }
-
-    /** A shape somewhere else. */
-    static Shape translated(Shape shape, double x, double y) {
-        return AffineTransform.getTranslateInstance(x, y).createTransformedShape(shape);
     }
 }

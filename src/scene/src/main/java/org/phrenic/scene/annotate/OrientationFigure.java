@@ -2,21 +2,24 @@ package org.phrenic.scene.annotate;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
 import org.phrenic.scene.camera.Camera;
 
 /**
- * A small person who stands as the patient does, turned as the camera turns: limbs are rounded bars, drawn from the
- * farthest to the nearest; nose, palms and feet point forward.
+ * A small standing person, oriented as the patient. Limbs are rounded bars, drawn from the farthest to the nearest;
+ * nose and feet point forward.
  */
 final class OrientationFigure {
     /**
      * Bars in the body's frame (x to the person's left, y back, z up; the figure is 2 high, about the origin): ends,
-     * radius, tone.
+     * radius, shade.
      */
     private static final double[][] LIMBS = {
         {0, 0, 0.78, 0, 0, 0.80, 0.17, 1}, // head
@@ -38,80 +41,61 @@ final class OrientationFigure {
         {0.13, 0.02, -0.95, 0.14, -0.18, -0.97, 0.05, 0.8},
     };
 
+    private static final double SHOULDER_DEPTH = 0.35;
+
     private OrientationFigure() {}
+
+    /** A bar as the camera sees it, in units of half the height, y up; depth towards the viewer. */
+    private record Bar(Line2D axis, double width, double depth, double shade) {
+        static Bar of(double[] limb, Matrix4d rotation) {
+            Vector3d a = rotation.transformPosition(new Vector3d(limb[0], limb[1], limb[2]));
+            Vector3d b = rotation.transformPosition(new Vector3d(limb[3], limb[4], limb[5]));
+            return new Bar(new Line2D.Double(a.x, a.y, b.x, b.y), 2 * limb[6], (a.z + b.z) / 2 + limb[6] / 2, limb[7]);
+        }
+    }
 
     /**
      * Draws it.
      *
-     * @param x its middle, pixels
-     * @param y its middle, pixels
-     * @param height of a standing figure, pixels
+     * @param x its centre, pixels
+     * @param y its centre, pixels
+     * @param height of the standing figure, pixels
      */
     static void draw(HaloGraphics ink, Camera camera, double x, double y, double height) {
-        double[] right = camera.right();
-        double[] up = camera.up();
-        double[] towards = camera.towardsViewer();
         double scale = height / 2;
-        List<double[]> bars = new ArrayList<>(List.of(LIMBS));
-        bars.sort(Comparator.comparingDouble(bar -> depth(bar, towards)));
-        // First the rim of all, then the figure on it.
-        for (double[] bar : bars) {
-            draw(ink, bar, right, up, x, y, scale, ink.toPixels(1.6), ink.halo());
+        List<Bar> bars = Arrays.stream(LIMBS)
+                .map(limb -> Bar.of(limb, camera.rotation()))
+                .sorted(Comparator.comparingDouble(Bar::depth))
+                .toList();
+        Graphics2D g = (Graphics2D) ink.graphics().create();
+        g.translate(x, y);
+        // The halo of all bars first, then the figure.
+        bars.forEach(bar -> draw(g, bar, scale, ink.toPixels(1.6), ink.halo()));
+        Color edge = new Color(60, 66, 74, ink.foreground().getRed() < 128 ? 150 : 220);
+        for (Bar bar : bars) {
+            double near = 0.5 + 0.5 * Math.max(-1, Math.min(1, bar.depth / SHOULDER_DEPTH));
+            draw(g, bar, scale, Math.max(0.5, ink.toPixels(0.7)), edge);
+            draw(g, bar, scale, 0, colour(bar.shade * (0.78 + 0.22 * near)));
         }
-        for (double[] bar : bars) {
-            double near = 0.5 + 0.5 * Math.max(-1, Math.min(1, depth(bar, towards) / 0.35));
-            draw(ink, bar, right, up, x, y, scale, Math.max(0.5, ink.toPixels(0.7)), edge(ink));
-            draw(ink, bar, right, up, x, y, scale, 0, shade(bar[7] * (0.78 + 0.22 * near)));
-        }
+        g.dispose();
     }
 
-    private static double depth(double[] bar, double[] towards) {
-        double depth = 0;
-        for (int k = 0; k < 3; k++) {
-            depth += towards[k] * (bar[k] + bar[3 + k]) / 2;
-        }
-        // A thick bar reaches nearer than its middle.
-        return depth + bar[6] / 2;
-    }
-
-    private static void draw(
-            HaloGraphics ink,
-            double[] bar,
-            double[] right,
-            double[] up,
-            double x,
-            double y,
-            double scale,
-            double more,
-            Color colour) {
-        double[] from = project(bar, 0, right, up, x, y, scale);
-        double[] to = project(bar, 3, right, up, x, y, scale);
-        double width = 2 * bar[6] * scale + 2 * more;
-        ink.graphics().setColor(colour);
-        if (Math.hypot(to[0] - from[0], to[1] - from[1]) < 0.01 * width) {
-            ink.graphics().fill(new Ellipse2D.Double(from[0] - width / 2, from[1] - width / 2, width, width));
+    private static void draw(Graphics2D g, Bar bar, double scale, double border, Color colour) {
+        double width = scale * bar.width + 2 * border;
+        double x1 = scale * bar.axis.getX1();
+        double y1 = -scale * bar.axis.getY1();
+        double x2 = scale * bar.axis.getX2();
+        double y2 = -scale * bar.axis.getY2();
+        g.setColor(colour);
+        if (Math.hypot(x2 - x1, y2 - y1) < 0.01 * width) {
+            g.fill(new Ellipse2D.Double(x1 - width / 2, y1 - width / 2, width, width));
         } else {
-            ink.graphics().setStroke(new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            ink.graphics().draw(new Line2D.Double(from[0], from[1], to[0], to[1]));
+            g.setStroke(new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+            g.draw(new Line2D.Double(x1, y1, x2, y2));
         }
     }
 
-    private static double[] project(
-            double[] bar, int at, double[] right, double[] up, double x, double y, double scale) {
-        double across = 0;
-        double upward = 0;
-        for (int k = 0; k < 3; k++) {
-            across += right[k] * bar[at + k];
-            upward += up[k] * bar[at + k];
-        }
-        return new double[] {x + scale * across, y - scale * upward};
-    }
-
-    private static Color edge(HaloGraphics ink) {
-        return new Color(60, 66, 74, ink.foreground().getRed() < 128 ? 150 : 220);
-    }
-
-    private static Color shade(double lightness) {
+    private static Color colour(double lightness) {
         double l = Math.max(0, Math.min(1, lightness));
         return new Color((int) (222 * l), (int) (206 * l), (int) (190 * l));
     }

@@ -1,2 +1,4 @@
-/** What is painted over a picture: labels, scale bars, rulers. */
+/**
+ * What is written over a picture: orientation, ruler, colour bar, text. Java 2D only.
+ */
 package org.phrenic.scene.annotate;

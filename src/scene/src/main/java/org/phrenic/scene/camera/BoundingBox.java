@@ -1,135 +1,114 @@
 package org.phrenic.scene.camera;
 
 import java.util.List;
+import org.joml.Intersectiond;
+import org.joml.Matrix4d;
+import org.joml.Quaterniond;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector4d;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.style.ClipPlane;
 
 /**
- * The box of a surface at rest, to know about where it is drawn.
+ * The axis-aligned bounding box of a surface at rest, mm.
  *
- * @param bounds least and greatest x, y, z, mm
+ * @param low least x, y, z
+ * @param high greatest x, y, z
  */
-public record BoundingBox(double[] bounds) {
+public record BoundingBox(Vector3d low, Vector3d high) {
     /** How far a surface may leave its box in a breath, mm. */
     private static final double MOTION_MARGIN_MM = 40;
 
     public static BoundingBox of(TriangleMesh mesh) {
-        return new BoundingBox(mesh.bounds());
+        double[] b = mesh.bounds();
+        return new BoundingBox(new Vector3d(b[0], b[1], b[2]), new Vector3d(b[3], b[4], b[5]));
     }
 
-    /** What is outside is larger than what it holds. */
     public double longestSide() {
-        return Math.max(bounds[3] - bounds[0], Math.max(bounds[4] - bounds[1], bounds[5] - bounds[2]));
+        Vector3d size = high.sub(low, new Vector3d());
+        return size.get(size.maxComponent());
     }
 
-    /** Distance of the nearest corner in front of the eye, mm: what hides others is best drawn first. */
-    public double nearestDepth(ViewTransform sight) {
-        double nearest = Double.POSITIVE_INFINITY;
-        double[] eye = new double[3];
-        for (int corner = 0; corner < 8; corner++) {
-            cornerInEyeSpace(corner, 0, sight.view(), eye);
-            nearest = Math.min(nearest, -eye[2]);
-        }
-        return nearest;
+    /** Distance of the nearest corner in front of the eye, mm. */
+    public double nearestDepth(ViewTransform transform) {
+        Vector3d farthest = new Vector3d();
+        Vector3d nearest = new Vector3d();
+        transform.view().transformAab(low, high, farthest, nearest);
+        return -nearest.z;
     }
 
-    /** Whether a plane may cut what is in the box, with room for motion. */
+    /** Whether a plane may cut what is in the box, with a margin for motion. */
     public boolean mayIntersect(ClipPlane plane) {
-        double reach = 0;
-        double middle = -plane.offsetMm();
-        double[] n = {plane.nx(), plane.ny(), plane.nz()};
-        for (int i = 0; i < 3; i++) {
-            middle += n[i] * (bounds[i] + bounds[3 + i]) / 2;
-            reach += Math.abs(n[i]) * ((bounds[3 + i] - bounds[i]) / 2 + MOTION_MARGIN_MM);
-        }
-        return Math.abs(middle) <= reach;
+        BoundingBox box = enlarged();
+        return Intersectiond.testAabPlane(box.low, box.high, plane.nx(), plane.ny(), plane.nz(), -plane.offsetMm());
+    }
+
+    private BoundingBox enlarged() {
+        Vector3d margin = new Vector3d(MOTION_MARGIN_MM);
+        return new BoundingBox(low.sub(margin, new Vector3d()), high.add(margin, new Vector3d()));
     }
 
     /**
-     * Corners, in the order of a strip and in eye coordinates, of a square in a plane that covers the section of the
-     * box, with room for motion.
+     * Corners of a square in a plane that covers the section of the box, with a margin for motion, as a triangle strip
+     * in eye coordinates.
      */
-    public float[] sectionQuad(ClipPlane plane, float[] view) {
-        double[] n = {plane.nx(), plane.ny(), plane.nz()};
-        double[] middle = new double[3];
-        double away = -plane.offsetMm();
-        double radius = MOTION_MARGIN_MM;
-        for (int i = 0; i < 3; i++) {
-            middle[i] = (bounds[i] + bounds[3 + i]) / 2;
-            away += n[i] * middle[i];
-            radius += bounds[3 + i] - bounds[i];
-        }
-        // Any direction across the normal: the axis that it leans on least.
-        int axis = Math.abs(n[0]) < Math.abs(n[1])
-                ? (Math.abs(n[0]) < Math.abs(n[2]) ? 0 : 2)
-                : (Math.abs(n[1]) < Math.abs(n[2]) ? 1 : 2);
-        double[] u = {-n[axis] * n[0], -n[axis] * n[1], -n[axis] * n[2]};
-        u[axis] += 1;
-        double length = Math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-        double[] w = {
-            (n[1] * u[2] - n[2] * u[1]) / length,
-            (n[2] * u[0] - n[0] * u[2]) / length,
-            (n[0] * u[1] - n[1] * u[0]) / length
-        };
+    public float[] sectionQuad(ClipPlane plane, ViewTransform transform) {
+        Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());
+        Vector3d centre = low.add(high, new Vector3d()).mul(0.5);
+        Vector3d size = high.sub(low, new Vector3d());
+        double radius = MOTION_MARGIN_MM + size.x + size.y + size.z;
+        centre.fma(plane.offsetMm() - normal.dot(centre), normal);
+        Matrix4d toEye = transform
+                .view()
+                .translate(centre, new Matrix4d())
+                .rotate(new Quaterniond().rotationTo(new Vector3d(0, 0, 1), normal));
         float[] corners = new float[12];
         for (int corner = 0; corner < 4; corner++) {
-            double a = (corner & 1) == 0 ? -radius : radius;
-            double b = (corner & 2) == 0 ? -radius : radius;
-            double[] x = new double[3];
-            for (int i = 0; i < 3; i++) {
-                x[i] = middle[i] - away * n[i] + a * u[i] / length + b * w[i];
-            }
-            for (int row = 0; row < 3; row++) {
-                corners[3 * corner + row] =
-                        (float) (view[row] * x[0] + view[4 + row] * x[1] + view[8 + row] * x[2] + view[12 + row]);
-            }
+            Vector3d at = toEye.transformPosition(
+                    new Vector3d((corner & 1) == 0 ? -radius : radius, (corner & 2) == 0 ? -radius : radius, 0));
+            corners[3 * corner] = (float) at.x;
+            corners[3 * corner + 1] = (float) at.y;
+            corners[3 * corner + 2] = (float) at.z;
         }
         return corners;
     }
 
     /**
-     * The pixels that boxes may cover, with room for motion: left, bottom, width, height; all of the picture if a box
-     * reaches behind the eye.
+     * The pixels that boxes may cover, with a margin for motion: left, bottom, width, height. All of the picture if a
+     * box reaches behind the eye.
      */
-    public static int[] screenRectangle(List<BoundingBox> boxes, ViewTransform sight) {
-        double left = 1;
-        double right = -1;
-        double low = 1;
-        double high = -1;
-        double[] eye = new double[3];
-        float[] p = sight.projection();
+    public static int[] screenRectangle(List<BoundingBox> boxes, ViewTransform transform) {
+        Matrix4d toClip = transform.projection().mul(transform.view(), new Matrix4d());
+        Vector2d least = new Vector2d(1);
+        Vector2d greatest = new Vector2d(-1);
         for (BoundingBox box : boxes) {
+            BoundingBox b = box.enlarged();
             for (int corner = 0; corner < 8; corner++) {
-                box.cornerInEyeSpace(corner, MOTION_MARGIN_MM, sight.view(), eye);
-                double w = p[11] * eye[2] + p[15];
-                if (!(w > 0)) {
-                    return new int[] {0, 0, sight.width(), sight.height()};
+                Vector4d at = toClip.transform(new Vector4d(
+                        (corner & 1) == 0 ? b.low.x : b.high.x,
+                        (corner & 2) == 0 ? b.low.y : b.high.y,
+                        (corner & 4) == 0 ? b.low.z : b.high.z,
+                        1));
+                if (!(at.w > 0)) {
+                    return new int[] {0, 0, transform.width(), transform.height()};
                 }
-                double x = (p[0] * eye[0] + p[8] * eye[2] + p[12]) / w;
-                double y = (p[5] * eye[1] + p[9] * eye[2] + p[13]) / w;
-                left = Math.min(left, x);
-                right = Math.max(right, x);
-                low = Math.min(low, y);
-                high = Math.max(high, y);
+                Vector2d xy = new Vector2d(at.x, at.y).div(at.w);
+                least.min(xy);
+                greatest.max(xy);
             }
         }
-        int x0 = pixel(left, sight.width());
-        int y0 = pixel(low, sight.height());
+        int left = pixel(least.x, transform.width());
+        int bottom = pixel(least.y, transform.height());
         return new int[] {
-            x0, y0, Math.max(0, pixel(right, sight.width()) - x0), Math.max(0, pixel(high, sight.height()) - y0)
+            left,
+            bottom,
+            Math.max(0, pixel(greatest.x, transform.width()) - left),
+            Math.max(0, pixel(greatest.y, transform.height()) - bottom)
         };
     }
 
     private static int pixel(double clip, int size) {
         return (int) Math.round(Math.max(0, Math.min(1, (clip + 1) / 2)) * size);
-    }
-
-    private void cornerInEyeSpace(int corner, double play, float[] view, double[] eye) {
-        double x = (corner & 1) == 0 ? bounds[0] - play : bounds[3] + play;
-        double y = (corner & 2) == 0 ? bounds[1] - play : bounds[4] + play;
-        double z = (corner & 4) == 0 ? bounds[2] - play : bounds[5] + play;
-        for (int row = 0; row < 3; row++) {
-            eye[row] = view[row] * x + view[4 + row] * y + view[8 + row] * z + view[12 + row];
-        }
     }
 }

@@ -1,42 +1,38 @@
 package org.phrenic.scene.camera;
 
+import org.joml.Matrix3d;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
 /**
- * A turntable camera in LPS, mm: it looks at a target from an azimuth about the patient's long axis and an elevation
- * above the axial plane, so that superior stays up. With azimuth a and elevation e the viewer stands along
+ * A turntable camera in LPS, mm. It looks at a target from an azimuth a about the patient's long axis and an elevation
+ * e above the axial plane; superior stays up. The viewer stands along
  *
  * <pre>
- * d = (sin a cos e, -cos a cos e, sin e),   right r = (cos a, sin a, 0),   up u = (-sin a sin e, cos a sin e, cos e),   d = r x u
+ * d = (sin a cos e, -cos a cos e, sin e),   right r = (cos a, sin a, 0),   up u = d x r
  * </pre>
  *
- * which is a rotation at the poles too: no view is mirrored, and none is undefined. Both projections show the same
- * extent at the target. Pixels count from the top left corner of the picture, x to the right and y down; the middle of
- * the first pixel is (0.5, 0.5).
+ * so that no view is mirrored, at the poles too. Both projections show the same extent at the target. Pixels count from
+ * the top left corner of the picture, x to the right and y down; the centre of the first pixel is (0.5, 0.5).
  *
- * @param targetX point that is looked at and turned about, mm
- * @param targetY as above
- * @param targetZ as above
+ * @param target point that the camera looks at and turns about, mm
  * @param azimuthDeg 0 in front of the patient, 90 at the patient's left; within -180 to 180
  * @param elevationDeg -90 below to 90 above
  * @param heightMm height of the picture in the plane of the target, mm
  * @param orthographic parallel projection; else perspective
- * @param centreX middle of what there is to see, mm; it sets the near and far planes
- * @param centreY as above
- * @param centreZ as above
- * @param radiusMm distance from the middle within which everything lies, mm
+ * @param centre centre of the scene, mm; sets the near and far planes
+ * @param radiusMm distance from the centre within which everything lies, mm
  */
 public record Camera(
-        double targetX,
-        double targetY,
-        double targetZ,
+        Vector3dc target,
         double azimuthDeg,
         double elevationDeg,
         double heightMm,
         boolean orthographic,
-        double centreX,
-        double centreY,
-        double centreZ,
+        Vector3dc centre,
         double radiusMm) {
-    /** Angle of view from bottom to top, degrees: that of a short telephoto lens, which flatters bodies. */
+    /** Vertical angle of view, degrees: that of a short telephoto lens. */
     public static final double FIELD_OF_VIEW_DEG = 25;
 
     private static final double TAN_HALF_FOV = Math.tan(Math.toRadians(FIELD_OF_VIEW_DEG / 2));
@@ -44,15 +40,13 @@ public record Camera(
     private static final double MARGIN = 1.1;
 
     private static final double MIN_HEIGHT_MM = 2;
-    /** The largest height of a picture, in radii of what there is to see. */
+    /** Largest height of a picture, in radii of the scene. */
     private static final double MAX_HEIGHT_RADII = 40;
-    /** The near plane is never nearer than this share of the distance to the target: depth stays resolved. */
+    /** Least distance of the near plane, a share of the distance to the target: keeps the depth buffer's resolution. */
     private static final double MIN_NEAR_RATIO = 0.01;
-
-    /** Bodies move beyond the box in which they rest: what is drawn reaches farther by this factor. */
+    /** Bodies move beyond the box in which they rest: the scene's radius is enlarged by this factor. */
     private static final double MOTION_MARGIN = 1.25;
-
-    /** Empty scenes are looked at as if they had this radius, mm. */
+    /** Radius assumed for an empty scene, mm. */
     private static final double EMPTY_RADIUS_MM = 100;
 
     public Camera {
@@ -62,7 +56,7 @@ public record Camera(
     }
 
     /**
-     * Looks at the middle of a box so that all of it fits into a square picture, in perspective.
+     * Looks at the centre of a box so that all of it fits into a square picture, in perspective.
      *
      * @param bounds {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm
      */
@@ -70,77 +64,52 @@ public record Camera(
         return of(view, bounds, 1);
     }
 
-    /** As {@link #of(View, double[])} for a picture that is {@code aspect} times as wide as high. */
+    /** As {@link #of(AnatomicalView, double[])} for a picture that is {@code aspect} times as wide as high. */
     public static Camera of(AnatomicalView view, double[] bounds, double aspect) {
-        double[] half = new double[3];
-        double[] middle = new double[3];
-        for (int i = 0; i < 3; i++) {
-            half[i] = (bounds[3 + i] - bounds[i]) / 2;
-            middle[i] = (bounds[3 + i] + bounds[i]) / 2;
-        }
-        double radius = Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
-        boolean seen = radius > 0 && radius < Double.POSITIVE_INFINITY;
-        double size = seen ? MOTION_MARGIN * radius : EMPTY_RADIUS_MM;
-        double[] at = seen ? middle : new double[3];
-        Camera camera = new Camera(
-                at[0],
-                at[1],
-                at[2],
-                view.azimuthDeg(),
-                view.elevationDeg(),
-                2 * size,
-                false,
-                at[0],
-                at[1],
-                at[2],
-                size);
+        Vector3d low = new Vector3d(bounds[0], bounds[1], bounds[2]);
+        Vector3d high = new Vector3d(bounds[3], bounds[4], bounds[5]);
+        Vector3d half = high.sub(low, new Vector3d()).mul(0.5);
+        boolean seen = half.length() > 0 && half.isFinite();
+        double radius = seen ? MOTION_MARGIN * half.length() : EMPTY_RADIUS_MM;
+        Vector3d centre = seen ? low.add(high).mul(0.5) : new Vector3d();
+        Camera camera = new Camera(centre, view.azimuthDeg(), view.elevationDeg(), 2 * radius, false, centre, radius);
         return seen ? camera.withHeight(MARGIN * camera.fittingHeight(half, aspect)) : camera;
     }
 
-    private Camera with(
-            double x, double y, double z, double azimuth, double elevation, double height, boolean parallel) {
-        return new Camera(x, y, z, azimuth, elevation, height, parallel, centreX, centreY, centreZ, radiusMm);
-    }
-
     /** Height of the picture that just holds a box about the target, in perspective. */
-    private double fittingHeight(double[] half, double aspect) {
+    private double fittingHeight(Vector3d half, double aspect) {
+        Matrix4d rotation = rotation();
         double distance = 0;
         for (int corner = 0; corner < 8; corner++) {
-            double x = (corner & 1) == 0 ? half[0] : -half[0];
-            double y = (corner & 2) == 0 ? half[1] : -half[1];
-            double z = (corner & 4) == 0 ? half[2] : -half[2];
-            double across = Math.abs(dot(right(), x, y, z)) / aspect;
-            double upward = Math.abs(dot(up(), x, y, z));
-            distance = Math.max(distance, dot(towardsViewer(), x, y, z) + Math.max(across, upward) / TAN_HALF_FOV);
+            Vector3d at = new Vector3d(
+                    (corner & 1) == 0 ? half.x : -half.x,
+                    (corner & 2) == 0 ? half.y : -half.y,
+                    (corner & 4) == 0 ? half.z : -half.z);
+            rotation.transformPosition(at);
+            distance = Math.max(distance, at.z + Math.max(Math.abs(at.x) / aspect, Math.abs(at.y)) / TAN_HALF_FOV);
         }
         return 2 * distance * TAN_HALF_FOV;
     }
 
-    /** The same camera from a standard direction. */
-    public Camera withView(AnatomicalView view) {
-        return with(targetX, targetY, targetZ, view.azimuthDeg(), view.elevationDeg(), heightMm, orthographic);
+    private Camera with(Vector3dc lookedAt, double azimuth, double elevation) {
+        return new Camera(lookedAt, azimuth, elevation, heightMm, orthographic, centre, radiusMm);
     }
 
-    /** The same camera looking along a unit direction at a point. */
+    /** The same camera from a standard direction. */
+    public Camera withView(AnatomicalView view) {
+        return with(target, view.azimuthDeg(), view.elevationDeg());
+    }
+
+    /** The same camera looking along a unit direction at a point, three numbers each. */
     public Camera lookingAlong(double[] direction, double[] at) {
         double azimuth = Math.toDegrees(Math.atan2(-direction[0], direction[1]));
         double elevation = Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, -direction[2]))));
-        return with(at[0], at[1], at[2], azimuth, elevation, heightMm, orthographic);
+        return with(new Vector3d(at), azimuth, elevation);
     }
 
-    /**
-     * The viewer walks about the target: {@code dAzimuthDeg} towards the patient's left when in front,
-     * {@code dElevationDeg} upwards, ending at the poles.
-     */
+    /** Turns about the target: to the patient's left when in front, and upwards as far as the pole. */
     public Camera orbit(double dAzimuthDeg, double dElevationDeg) {
-        return with(
-                targetX,
-                targetY,
-                targetZ,
-                azimuthDeg + dAzimuthDeg,
-                elevationDeg + dElevationDeg,
-                heightMm,
-                orthographic);
+        return with(target, azimuthDeg + dAzimuthDeg, elevationDeg + dElevationDeg);
     }
 
     /**
@@ -152,66 +121,59 @@ public record Camera(
     }
 
     private Camera translated(double rightwards, double upwards) {
-        double[] r = right();
-        double[] u = up();
-        return with(
-                targetX + rightwards * r[0] + upwards * u[0],
-                targetY + rightwards * r[1] + upwards * u[1],
-                targetZ + rightwards * r[2] + upwards * u[2],
-                azimuthDeg,
-                elevationDeg,
-                heightMm,
-                orthographic);
+        Vector3d moved = new Vector3d(target).fma(rightwards, right()).fma(upwards, up());
+        return with(moved, azimuthDeg, elevationDeg);
     }
 
     /** Enlarges by {@code factor}; what lies under the pixel, in the plane of the target, stays there. */
     public Camera zoom(double factor, double px, double py, int width, int height) {
         Camera zoomed = withHeight(heightMm / factor);
         double change = mmPerPixel(height) - zoomed.mmPerPixel(height);
-        Camera towards = translated((px - width / 2.0) * change, (height / 2.0 - py) * change);
-        return towards.withHeight(zoomed.heightMm);
+        return translated((px - width / 2.0) * change, (height / 2.0 - py) * change)
+                .withHeight(zoomed.heightMm);
     }
 
     /** The same camera with another height of the picture, mm. */
     public Camera withHeight(double millimetres) {
-        return with(targetX, targetY, targetZ, azimuthDeg, elevationDeg, millimetres, orthographic);
+        return new Camera(target, azimuthDeg, elevationDeg, millimetres, orthographic, centre, radiusMm);
     }
 
     /** The same camera with parallel or perspective projection; the extent at the target stays. */
     public Camera withProjection(boolean parallel) {
-        return with(targetX, targetY, targetZ, azimuthDeg, elevationDeg, heightMm, parallel);
+        return new Camera(target, azimuthDeg, elevationDeg, heightMm, parallel, centre, radiusMm);
     }
 
     /** The same camera turning about another point, mm. */
     public Camera withTarget(double x, double y, double z) {
-        return with(x, y, z, azimuthDeg, elevationDeg, heightMm, orthographic);
+        return with(new Vector3d(x, y, z), azimuthDeg, elevationDeg);
     }
 
     /** Unit vector of the picture's right in LPS. */
-    public double[] right() {
+    public Vector3d right() {
         double a = Math.toRadians(azimuthDeg);
-        return new double[] {Math.cos(a), Math.sin(a), 0};
+        return new Vector3d(Math.cos(a), Math.sin(a), 0);
     }
 
     /** Unit vector of the picture's up in LPS. */
-    public double[] up() {
-        double a = Math.toRadians(azimuthDeg);
-        double e = Math.toRadians(elevationDeg);
-        return new double[] {-Math.sin(a) * Math.sin(e), Math.cos(a) * Math.sin(e), Math.cos(e)};
+    public Vector3d up() {
+        return towardsViewer().cross(right());
     }
 
     /** Unit vector from the target to the viewer in LPS. */
-    public double[] towardsViewer() {
+    public Vector3d towardsViewer() {
         double a = Math.toRadians(azimuthDeg);
         double e = Math.toRadians(elevationDeg);
-        return new double[] {Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e)};
+        return new Vector3d(Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e));
     }
 
-    /** Where the viewer's eye is, mm. */
-    public double[] eye() {
-        double[] d = towardsViewer();
-        double away = distance();
-        return new double[] {targetX + away * d[0], targetY + away * d[1], targetZ + away * d[2]};
+    /** World to eye directions: the rows are right, up and towards the viewer. */
+    public Matrix4d rotation() {
+        return new Matrix4d(new Matrix3d(right(), up(), towardsViewer()).transpose());
+    }
+
+    /** Position of the eye, mm. */
+    public Vector3d eye() {
+        return towardsViewer().mul(distance()).add(target);
     }
 
     /** From the eye to the target, mm. */
@@ -219,111 +181,68 @@ public record Camera(
         return heightMm / (2 * TAN_HALF_FOV);
     }
 
-    /** Distance from the eye to the nearest that is drawn, mm; negative behind the eye in parallel projection. */
+    /** Distance from the eye to the near plane, mm; negative behind the eye in parallel projection. */
     public double near() {
-        double before = centreDepth() - radiusMm;
-        return orthographic ? before : Math.max(before, MIN_NEAR_RATIO * distance());
+        double near = centreDepth() - radiusMm;
+        return orthographic ? near : Math.max(near, MIN_NEAR_RATIO * distance());
     }
 
-    /** Distance from the eye to the farthest that is drawn, mm. */
+    /** Distance from the eye to the far plane, mm. */
     public double far() {
-        double behind = centreDepth() + radiusMm;
-        return orthographic ? behind : Math.max(behind, 2 * near());
+        double far = centreDepth() + radiusMm;
+        return orthographic ? far : Math.max(far, 2 * near());
     }
 
     private double centreDepth() {
-        return distance() - dot(towardsViewer(), centreX - targetX, centreY - targetY, centreZ - targetZ);
+        return distance() - towardsViewer().dot(centre.sub(target, new Vector3d()));
     }
 
-    /** World to eye coordinates, a column-major 4 x 4 matrix: the eye looks along its -z. */
-    public float[] viewMatrix() {
-        double[] r = right();
-        double[] u = up();
-        double[] d = towardsViewer();
-        double[] eye = eye();
-        float[] m = new float[16];
-        for (int column = 0; column < 3; column++) {
-            m[4 * column] = (float) r[column];
-            m[4 * column + 1] = (float) u[column];
-            m[4 * column + 2] = (float) d[column];
-        }
-        m[12] = (float) -dot(r, eye[0], eye[1], eye[2]);
-        m[13] = (float) -dot(u, eye[0], eye[1], eye[2]);
-        m[14] = (float) -dot(d, eye[0], eye[1], eye[2]);
-        m[15] = 1;
-        return m;
+    /** World to eye coordinates: the eye looks along its -z. */
+    public Matrix4d viewMatrix() {
+        return rotation().translate(eye().negate());
     }
 
-    /**
-     * Eye to clip coordinates of OpenGL, a column-major 4 x 4 matrix, for a picture {@code aspect} times as wide as
-     * high.
-     */
-    public float[] projectionMatrix(double aspect) {
-        double n = near();
-        double f = far();
-        float[] m = new float[16];
-        if (orthographic) {
-            m[0] = (float) (2 / (heightMm * aspect));
-            m[5] = (float) (2 / heightMm);
-            m[10] = (float) (-2 / (f - n));
-            m[14] = (float) (-(f + n) / (f - n));
-            m[15] = 1;
-        } else {
-            m[0] = (float) (1 / (TAN_HALF_FOV * aspect));
-            m[5] = (float) (1 / TAN_HALF_FOV);
-            m[10] = (float) (-(f + n) / (f - n));
-            m[11] = -1;
-            m[14] = (float) (-2 * f * n / (f - n));
-        }
-        return m;
+    /** Eye to clip coordinates of OpenGL, for a picture {@code aspect} times as wide as high. */
+    public Matrix4d projectionMatrix(double aspect) {
+        return orthographic
+                ? new Matrix4d().setOrthoSymmetric(heightMm * aspect, heightMm, near(), far())
+                : new Matrix4d().setPerspective(Math.toRadians(FIELD_OF_VIEW_DEG), aspect, near(), far());
     }
 
-    /** The line of sight through a pixel: where it enters what is drawn (mm), then its unit direction; six numbers. */
+    /** The line of sight through a pixel: where it meets the near plane (mm), then its unit direction; six numbers. */
     public double[] ray(double px, double py, int width, int height) {
         double mm = mmPerPixel(height);
-        double across = (px - width / 2.0) * mm;
-        double upward = (height / 2.0 - py) * mm;
-        double[] r = right();
-        double[] u = up();
-        double[] d = towardsViewer();
-        double[] eye = eye();
-        double[] ray = new double[6];
-        double away = distance();
-        double length = orthographic ? 1 : Math.sqrt(across * across + upward * upward + away * away);
-        for (int i = 0; i < 3; i++) {
-            double aside = across * r[i] + upward * u[i];
-            ray[3 + i] = orthographic ? -d[i] : (aside - away * d[i]) / length;
-            ray[i] = orthographic ? eye[i] + aside - near() * d[i] : eye[i] + near() * length / away * ray[3 + i];
-        }
-        return ray;
+        Vector3d inPlane = right().mul((px - width / 2.0) * mm).fma((height / 2.0 - py) * mm, up());
+        Vector3d forward = towardsViewer().negate();
+        Vector3d direction = orthographic
+                ? forward
+                : forward.mul(distance(), new Vector3d()).add(inPlane).normalize();
+        Vector3d origin = orthographic
+                ? eye().add(inPlane).fma(near(), forward)
+                : eye().fma(near() / direction.dot(forward), direction);
+        return new double[] {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z};
     }
 
     /**
-     * Where a point is in a picture.
+     * The pixel of a point.
      *
      * @param xy receives the pixel, x right and y down
      * @return false, leaving {@code xy}, for a point behind the eye
      */
     public boolean project(double x, double y, double z, int width, int height, double[] xy) {
-        double dx = x - targetX;
-        double dy = y - targetY;
-        double dz = z - targetZ;
-        double depth = distance() - dot(towardsViewer(), dx, dy, dz);
+        Vector3d at = rotation().transformPosition(new Vector3d(x, y, z).sub(target));
+        double depth = distance() - at.z;
         if (!orthographic && !(depth > 0)) {
             return false;
         }
-        double pixels = height / heightMm * (orthographic ? 1 : distance() / depth);
-        xy[0] = width / 2.0 + dot(right(), dx, dy, dz) * pixels;
-        xy[1] = height / 2.0 - dot(up(), dx, dy, dz) * pixels;
+        double pixelsPerMm = height / heightMm * (orthographic ? 1 : distance() / depth);
+        xy[0] = width / 2.0 + at.x * pixelsPerMm;
+        xy[1] = height / 2.0 - at.y * pixelsPerMm;
         return true;
     }
 
     /** Millimetres a pixel in the plane of the target; everywhere in parallel projection. */
     public double mmPerPixel(int height) {
         return heightMm / height;
-    }
-
-    private static double dot(double[] a, double x, double y, double z) {
-        return a[0] * x + a[1] * y + a[2] * z;
     }
 }

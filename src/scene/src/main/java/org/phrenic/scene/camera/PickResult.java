@@ -1,37 +1,43 @@
 package org.phrenic.scene.camera;
 
 import java.util.Locale;
+import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * What lies under the cursor.
+ * What lies under the cursor. Arrays hold three numbers and are not to be written to.
  *
  * @param index number of the surface in the scene
- * @param surface the surface
- * @param displayName its name for people, such as "Rib 5 right"
- * @param x where the line of sight meets it, LPS, mm
- * @param y as above
- * @param z as above
- * @param vertex its vertex nearest to that place
- * @param restPosition where that place of the surface is at end-expiration; three numbers, not to be written to
- * @param rayDirection direction of the line of sight; three numbers, not to be written to
+ * @param position where the line of sight meets the surface, LPS, mm
+ * @param vertex the surface's vertex nearest to the position
+ * @param restPosition where that point of the surface is at end-expiration, mm
+ * @param rayDirection direction of the line of sight
  */
 public record PickResult(
-        int index,
-        Surface surface,
-        String displayName,
-        double x,
-        double y,
-        double z,
-        int vertex,
-        double[] restPosition,
-        double[] rayDirection) {
-    /** The place in a clinician's words: {@code R 42 P 12 S 130 mm}. */
-    public String positionText() {
-        return positionText(x, y, z);
+        int index, Surface surface, double[] position, int vertex, double[] restPosition, double[] rayDirection) {
+    /** The surface's name for people, such as "Rib 5 right". */
+    public String displayName() {
+        return StructureLabels.of(surface);
     }
 
-    /** A place in LPS, mm, in a clinician's words. */
+    public double x() {
+        return position[0];
+    }
+
+    public double y() {
+        return position[1];
+    }
+
+    public double z() {
+        return position[2];
+    }
+
+    /** The position in anatomical directions: {@code R 42 P 12 S 130 mm}. */
+    public String positionText() {
+        return positionText(x(), y(), z());
+    }
+
+    /** A position in LPS, mm, in anatomical directions. */
     public static String positionText(double x, double y, double z) {
         return part(x, 'L', 'R') + " " + part(y, 'P', 'A') + " " + part(z, 'S', 'I') + " mm";
     }

@@ -3,38 +3,26 @@ package org.phrenic.scene.camera;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import org.joml.Vector3d;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Finds what a line of sight meets first, on the processor. A rigid surface is asked in its rest pose, with the ray
- * moved there; a deforming one triangle by triangle where the frame has it (Moeller and Trumbore 1997, doi
- * 10.1080/10867651.1997.10487468), which costs less than drawing a tree about it anew. What is nearly transparent is
- * looked through unless there is nothing behind. Not for two threads at once.
+ * Ray picking on the processor. A rigid surface is searched in its rest pose by a tree, with the ray transformed there;
+ * a deforming one triangle by triangle (Moeller and Trumbore 1997, doi 10.1080/10867651.1997.10487468), which costs
+ * less than refitting a tree. A nearly transparent surface is picked only if nothing more opaque lies on the ray.
  */
 public final class Picker {
-    /** Surfaces less opaque than this are looked through. */
+    /** Surfaces less opaque than this are picked only if nothing else is hit. */
     public static final double MIN_SOLID_OPACITY = 0.6;
 
     private final List<Surface> surfaces;
     private final TriangleTree[] trees;
-    private final TriangleTree.Hit hit = new TriangleTree.Hit();
-    private final double[] ray = new double[6];
-
-    /** Nearest so far: surface, distance along the ray, vertex. */
-    private int nearestSurface;
-
-    private double nearestDistance;
-    private double maxDistance = Double.POSITIVE_INFINITY;
-    private int vertex;
-    private int triangle;
-    private final double[] weights = new double[3];
 
     public Picker(List<Surface> surfaces) {
         this.surfaces = List.copyOf(surfaces);
@@ -43,167 +31,157 @@ public final class Picker {
                 .toArray(TriangleTree[]::new);
     }
 
-    /**
-     * What a ray meets first.
-     *
-     * @param frame where the surfaces are
-     * @param sight origin and direction, as {@link Camera#ray} gives it
-     * @param opacity of a surface, 0 for one that is hidden
-     */
-    public Optional<PickResult> pick(Frame frame, double[] sight, ToDoubleFunction<Surface> opacity) {
-        Optional<PickResult> solid = nearest(frame, sight, opacity, MIN_SOLID_OPACITY);
-        return solid.isPresent() ? solid : nearest(frame, sight, opacity, Double.MIN_VALUE);
+    /** A ray and the nearest hit so far: distance along the ray, surface, triangle, barycentric weights. */
+    private static final class Search {
+        private final Vector3d origin;
+        private final Vector3d direction;
+        private double distance;
+        private int surface = -1;
+        private int triangle;
+        private double[] weights;
+
+        Search(double[] ray, double maxDistance) {
+            origin = new Vector3d(ray[0], ray[1], ray[2]);
+            direction = new Vector3d(ray[3], ray[4], ray[5]);
+            distance = maxDistance;
+        }
+
+        void hit(int surfaceHit, int triangleHit, double at, double... barycentric) {
+            surface = surfaceHit;
+            triangle = triangleHit;
+            distance = at;
+            weights = barycentric;
+        }
     }
 
-    /** What a ray meets first of what a style shows, on this side of its clip plane. */
-    public Optional<PickResult> pick(Frame frame, double[] sight, SceneStyle style) {
-        maxDistance = Double.POSITIVE_INFINITY;
-        double[] kept = sight.clone();
-        style.clip().ifPresent(plane -> clip(plane, kept));
-        Optional<PickResult> pick = pick(frame, kept, s -> style.appearance(s.name())
+    /**
+     * The first hit of a ray.
+     *
+     * @param frame where the surfaces are
+     * @param ray origin and direction, as {@link Camera#ray} gives it
+     * @param opacity of a surface, 0 for one that is hidden
+     */
+    public Optional<PickResult> pick(Frame frame, double[] ray, ToDoubleFunction<Surface> opacity) {
+        return pick(frame, ray, Double.POSITIVE_INFINITY, opacity);
+    }
+
+    private Optional<PickResult> pick(
+            Frame frame, double[] ray, double maxDistance, ToDoubleFunction<Surface> opacity) {
+        return nearest(frame, new Search(ray, maxDistance), opacity, MIN_SOLID_OPACITY)
+                .or(() -> nearest(frame, new Search(ray, maxDistance), opacity, Double.MIN_VALUE));
+    }
+
+    /** The first hit of a ray among what a style shows, on the kept side of its clip plane. */
+    public Optional<PickResult> pick(Frame frame, double[] ray, SceneStyle style) {
+        double[] kept = ray.clone();
+        double maxDistance = style.clip().map(plane -> clip(plane, kept)).orElse(Double.POSITIVE_INFINITY);
+        return pick(frame, kept, maxDistance, s -> style.appearance(s.name())
                 .filter(Appearance::visible)
                 .map(Appearance::opacity)
                 .orElse(0f));
-        maxDistance = Double.POSITIVE_INFINITY;
-        return pick;
     }
 
-    /** Begins the ray where it enters what is left of the body, or ends it where it leaves that. */
-    private void clip(ClipPlane plane, double[] sight) {
-        double outside = plane.nx() * sight[0] + plane.ny() * sight[1] + plane.nz() * sight[2] - plane.offsetMm();
-        double rate = plane.nx() * sight[3] + plane.ny() * sight[4] + plane.nz() * sight[5];
-        double crossing = -outside / rate;
+    /**
+     * Moves the origin of a ray to where it enters the kept half space; returns the distance at which it leaves that.
+     */
+    private static double clip(ClipPlane plane, double[] ray) {
+        Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());
+        double outside = normal.dot(ray[0], ray[1], ray[2]) - plane.offsetMm();
+        double crossing = -outside / normal.dot(ray[3], ray[4], ray[5]);
         if (outside <= 0) {
-            maxDistance = crossing > 0 ? crossing : Double.POSITIVE_INFINITY;
-        } else if (crossing > 0) {
-            for (int i = 0; i < 3; i++) {
-                sight[i] += crossing * sight[3 + i];
-            }
-        } else {
-            maxDistance = 0;
+            return crossing > 0 ? crossing : Double.POSITIVE_INFINITY;
         }
+        if (!(crossing > 0)) {
+            return 0;
+        }
+        for (int i = 0; i < 3; i++) {
+            ray[i] += crossing * ray[3 + i];
+        }
+        return Double.POSITIVE_INFINITY;
     }
 
-    private Optional<PickResult> nearest(Frame frame, double[] sight, ToDoubleFunction<Surface> opacity, double least) {
-        nearestSurface = -1;
-        nearestDistance = maxDistance;
-        for (int i = 0; i < surfaces.size(); i++) {
+    private Optional<PickResult> nearest(
+            Frame frame, Search search, ToDoubleFunction<Surface> opacity, double minOpacity) {
+        for (int i = 0; i < trees.length; i++) {
             Surface s = surfaces.get(i);
-            if (opacity.applyAsDouble(s) >= least) {
-                if (s.motion() == Surface.Motion.DEFORMING) {
-                    intersectTriangles(i, s.rest().triangles(), frame.positions(i), sight);
+            if (opacity.applyAsDouble(s) >= minOpacity) {
+                if (trees[i] == null) {
+                    intersectTriangles(i, s.rest().triangles(), frame.positions(i), search);
                 } else {
-                    intersectTree(i, frame.pose(i), sight);
+                    intersectTree(i, frame.pose(i), search);
                 }
             }
         }
-        if (nearestSurface < 0) {
-            return Optional.empty();
-        }
-        Surface s = surfaces.get(nearestSurface);
-        return Optional.of(new PickResult(
-                nearestSurface,
-                s,
-                StructureLabels.of(s),
-                sight[0] + nearestDistance * sight[3],
-                sight[1] + nearestDistance * sight[4],
-                sight[2] + nearestDistance * sight[5],
-                vertex,
-                restPosition(s.rest()),
-                new double[] {sight[3], sight[4], sight[5]}));
+        return search.surface < 0 ? Optional.empty() : Optional.of(result(search));
     }
 
-    /** The same place of the triangle where the surface rests. */
-    private double[] restPosition(TriangleMesh mesh) {
-        double[] at = new double[3];
+    private PickResult result(Search search) {
+        Surface surface = surfaces.get(search.surface);
+        TriangleMesh mesh = surface.rest();
+        Vector3d at = new Vector3d(search.origin).fma(search.distance, search.direction);
+        Vector3d rest = new Vector3d();
+        int nearest = 0;
         for (int k = 0; k < 3; k++) {
-            int corner = mesh.triangles()[3 * triangle + k];
-            for (int i = 0; i < 3; i++) {
-                at[i] += weights[k] * mesh.positions()[3 * corner + i];
-            }
+            int v = mesh.triangles()[3 * search.triangle + k];
+            rest.fma(search.weights[k], new Vector3d(mesh.x(v), mesh.y(v), mesh.z(v)));
+            nearest = search.weights[k] > search.weights[nearest] ? k : nearest;
         }
-        return at;
+        int vertex = mesh.triangles()[3 * search.triangle + nearest];
+        return new PickResult(search.surface, surface, numbers(at), vertex, numbers(rest), numbers(search.direction));
     }
 
-    private void storeHit(int triangleFound, double a, double b, double c) {
-        triangle = triangleFound;
-        weights[0] = a;
-        weights[1] = b;
-        weights[2] = c;
+    private static double[] numbers(Vector3d v) {
+        return new double[] {v.x, v.y, v.z};
     }
 
-    private void intersectTree(int surface, float[] pose, double[] sight) {
-        if (pose.length == 0) {
-            System.arraycopy(sight, 0, ray, 0, ray.length);
-        } else {
-            transformToRest(pose, sight);
+    private void intersectTree(int surface, float[] pose, Search search) {
+        Vector3d o = search.origin;
+        Vector3d d = search.direction;
+        if (pose.length > 0) {
+            o = toRest(pose, o.sub(pose[3], pose[7], pose[11], new Vector3d()));
+            d = toRest(pose, d);
         }
-        if (trees[surface].nearestAlongRay(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], hit)
-                && hit.rayParameter < nearestDistance) {
-            nearestDistance = hit.rayParameter;
-            nearestSurface = surface;
-            TriangleMesh mesh = trees[surface].mesh();
-            int corner = nearestCorner(hit.weightA, hit.weightB, hit.weightC);
-            vertex = mesh.triangles()[3 * hit.triangle + corner];
-            storeHit(hit.triangle, hit.weightA, hit.weightB, hit.weightC);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        if (trees[surface].nearestAlongRay(o.x, o.y, o.z, d.x, d.y, d.z, hit) && hit.rayParameter < search.distance) {
+            search.hit(surface, hit.triangle, hit.rayParameter, hit.weightA, hit.weightB, hit.weightC);
         }
     }
 
-    /** The ray in the rest pose: x = R^T (x' - t). */
-    private void transformToRest(float[] pose, double[] sight) {
-        for (int i = 0; i < 3; i++) {
-            double origin = 0;
-            double direction = 0;
-            for (int row = 0; row < 3; row++) {
-                double turn = pose[4 * row + i];
-                origin += turn * (sight[row] - pose[4 * row + 3]);
-                direction += turn * sight[3 + row];
-            }
-            ray[i] = origin;
-            ray[3 + i] = direction;
-        }
+    /** A direction in the rest pose: R^T v. */
+    private static Vector3d toRest(float[] pose, Vector3d v) {
+        return new Vector3d(
+                pose[0] * v.x + pose[4] * v.y + pose[8] * v.z,
+                pose[1] * v.x + pose[5] * v.y + pose[9] * v.z,
+                pose[2] * v.x + pose[6] * v.y + pose[10] * v.z);
     }
 
-    private void intersectTriangles(int surface, int[] triangles, float[] p, double[] sight) {
+    private static void intersectTriangles(int surface, int[] triangles, float[] positions, Search search) {
+        Vector3d a = new Vector3d();
+        Vector3d e1 = new Vector3d();
+        Vector3d e2 = new Vector3d();
+        Vector3d p = new Vector3d();
+        Vector3d q = new Vector3d();
         for (int t = 0; t < triangles.length; t += 3) {
-            int a = 3 * triangles[t];
-            int b = 3 * triangles[t + 1];
-            int c = 3 * triangles[t + 2];
-            double e1x = p[b] - p[a];
-            double e1y = p[b + 1] - p[a + 1];
-            double e1z = p[b + 2] - p[a + 2];
-            double e2x = p[c] - p[a];
-            double e2y = p[c + 1] - p[a + 1];
-            double e2z = p[c + 2] - p[a + 2];
-            double px = sight[4] * e2z - sight[5] * e2y;
-            double py = sight[5] * e2x - sight[3] * e2z;
-            double pz = sight[3] * e2y - sight[4] * e2x;
-            double determinant = e1x * px + e1y * py + e1z * pz;
-            double tx = sight[0] - p[a];
-            double ty = sight[1] - p[a + 1];
-            double tz = sight[2] - p[a + 2];
-            double v = (tx * px + ty * py + tz * pz) / determinant;
+            set(a, positions, triangles[t]);
+            set(e1, positions, triangles[t + 1]).sub(a);
+            set(e2, positions, triangles[t + 2]).sub(a);
+            search.direction.cross(e2, p);
+            double determinant = e1.dot(p);
+            search.origin.sub(a, q);
+            double v = q.dot(p) / determinant;
             if (!(v >= 0 && v <= 1)) {
                 continue;
             }
-            double qx = ty * e1z - tz * e1y;
-            double qy = tz * e1x - tx * e1z;
-            double qz = tx * e1y - ty * e1x;
-            double w = (sight[3] * qx + sight[4] * qy + sight[5] * qz) / determinant;
-            double far = (e2x * qx + e2y * qy + e2z * qz) / determinant;
-            if (w >= 0 && v + w <= 1 && far >= 0 && far < nearestDistance) {
-                nearestDistance = far;
-                nearestSurface = surface;
-                vertex = triangles[t + nearestCorner(1 - v - w, v, w)];
-                storeHit(t / 3, 1 - v - w, v, w);
+            q.cross(e1);
+            double w = search.direction.dot(q) / determinant;
+            double distance = e2.dot(q) / determinant;
+            if (w >= 0 && v + w <= 1 && distance >= 0 && distance < search.distance) {
+                search.hit(surface, t / 3, distance, 1 - v - w, v, w);
             }
         }
     }
 
-    private static int nearestCorner(double a, double b, double c) {
-        if (a >= b && a >= c) {
-            return 0;
-        }
-        return b >= c ? 1 : 2;
+    private static Vector3d set(Vector3d v, float[] positions, int vertex) {
+        return v.set(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
     }
 }

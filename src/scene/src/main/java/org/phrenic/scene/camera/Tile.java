@@ -3,12 +3,12 @@ package org.phrenic.scene.camera;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.Transparency;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
 
 /**
- * A part of a picture, drawn by itself. Neighbours overlap, so that what looks at pixels around (darkened edges, lines)
- * meets without a seam.
+ * A part of a picture, drawn by itself. Neighbours overlap, so that passes which read neighbouring pixels (depth edges,
+ * lines) leave no seam.
  *
  * @param x left edge in the whole, pixels
  * @param y lower edge in the whole, pixels
@@ -22,11 +22,6 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
 
     public static Tile whole(int width, int height) {
         return new Tile(0, 0, width, height, width, height);
-    }
-
-    /** The longest side that can be drawn at once. */
-    public static int maxSide(SceneStyle style, int most) {
-        return style.transparency() == Transparency.PEELED && style.samples() > 1 ? most / 2 : most;
     }
 
     /** Tiles with sides up to {@code side} that cover a picture. */
@@ -44,30 +39,22 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
         return tiles;
     }
 
-    /** The projection of the whole picture, narrowed to this part; column-major. */
-    float[] crop(float[] projection) {
-        float[] m = projection.clone();
-        double scaleX = (double) wholeWidth / width;
-        double scaleY = (double) wholeHeight / height;
-        double shiftX = (wholeWidth - 2.0 * x - width) / width;
-        double shiftY = (wholeHeight - 2.0 * y - height) / height;
-        for (int column = 0; column < 4; column++) {
-            float w = projection[4 * column + 3];
-            m[4 * column] = (float) (scaleX * projection[4 * column] + shiftX * w);
-            m[4 * column + 1] = (float) (scaleY * projection[4 * column + 1] + shiftY * w);
-        }
-        return m;
+    /** The projection of the whole picture, narrowed to this part. */
+    Matrix4d crop(Matrix4dc projection) {
+        return new Matrix4d()
+                .translation((wholeWidth - 2.0 * x - width) / width, (wholeHeight - 2.0 * y - height) / height, 0)
+                .scale((double) wholeWidth / width, (double) wholeHeight / height, 1)
+                .mul(projection);
     }
 
-    /** Puts this part into the whole, but for the inner half of an overlap, which the neighbour draws. */
+    /** Copies this part into the whole, except the inner half of an overlap, which the neighbour draws. */
     public void paste(BufferedImage part, BufferedImage whole) {
         int left = x == 0 ? 0 : OVERLAP_PIXELS;
         int low = y == 0 ? 0 : OVERLAP_PIXELS;
-        int[] row = new int[width - left];
-        for (int j = low; j < height; j++) {
-            int inPart = height - 1 - j;
-            part.getRGB(left, inPart, row.length, 1, row, 0, row.length);
-            whole.setRGB(x + left, wholeHeight - 1 - (y + j), row.length, 1, row, 0, row.length);
-        }
+        whole.getRaster()
+                .setRect(
+                        x + left,
+                        wholeHeight - y - height,
+                        part.getRaster().createChild(left, 0, width - left, height - low, 0, 0, null));
     }
 }

@@ -1,2 +1,4 @@
-/** Cameras, views, rays and picking. */
+/**
+ * Camera, transforms, bounding boxes, tiles and ray picking. No OpenGL.
+ */
 package org.phrenic.scene.camera;

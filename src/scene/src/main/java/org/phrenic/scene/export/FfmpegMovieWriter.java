@@ -1,6 +1,8 @@
 package org.phrenic.scene.export;
 
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
 import java.io.BufferedOutputStream;
 import java.io.File;
 import java.io.IOException;
@@ -8,6 +10,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
@@ -18,8 +21,8 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
 /**
- * An H.264 movie, made by the {@code ffmpeg} of this machine: pictures go to it through a pipe, and what it made is
- * moved into place when it is whole. Odd sizes get one more row or column of pixels.
+ * An H.264 movie, encoded by the {@code ffmpeg} of this machine from pictures in a pipe; moved into place when
+ * complete. Odd sizes get one more row or column of pixels.
  */
 public final class FfmpegMovieWriter implements MovieWriter {
     /** Longest wait for ffmpeg once it has all pictures, s. */
@@ -68,33 +71,17 @@ public final class FfmpegMovieWriter implements MovieWriter {
     private void encode(Path file, Path made, Path log, double framesPerS, Iterator<BufferedImage> frames)
             throws IOException {
         BufferedImage first = frames.next();
-        Process process = new ProcessBuilder(
-                        program.toString(),
-                        "-loglevel",
-                        "error",
-                        "-y",
-                        "-f",
-                        "rawvideo",
-                        "-pix_fmt",
-                        "rgb24",
-                        "-video_size",
-                        roundUpToEven(first.getWidth()) + "x" + roundUpToEven(first.getHeight()),
-                        "-framerate",
-                        String.format(Locale.ROOT, "%.6f", framesPerS),
-                        "-i",
-                        "-",
-                        "-an",
-                        "-c:v",
-                        "libx264",
-                        "-preset",
-                        "medium",
-                        "-crf",
-                        "18",
-                        "-pix_fmt",
-                        "yuv420p",
-                        "-movflags",
-                        "+faststart",
-                        made.toString())
+        String options = String.format(
+                Locale.ROOT,
+                "-loglevel error -y -f rawvideo -pix_fmt bgr24 -video_size %dx%d -framerate %.6f -i - -an"
+                        + " -c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart",
+                roundUpToEven(first.getWidth()),
+                roundUpToEven(first.getHeight()),
+                framesPerS);
+        List<String> command = new ArrayList<>(List.of(options.split(" ")));
+        command.add(0, program.toString());
+        command.add(made.toString());
+        Process process = new ProcessBuilder(command)
                 .redirectOutput(log.resolveSibling("out.txt").toFile())
                 .redirectError(log.toFile())
                 .start();
@@ -115,17 +102,22 @@ public final class FfmpegMovieWriter implements MovieWriter {
         }
     }
 
-    /** Sends all pictures; false if ffmpeg stopped listening before. */
+    /** Pipes all pictures; false if ffmpeg closed the pipe before. */
     private static boolean pipeFrames(Process process, BufferedImage first, Iterator<BufferedImage> frames) {
         int width = first.getWidth();
         int height = first.getHeight();
-        byte[] bytes = new byte[3 * roundUpToEven(width) * roundUpToEven(height)];
+        BufferedImage even =
+                new BufferedImage(roundUpToEven(width), roundUpToEven(height), BufferedImage.TYPE_3BYTE_BGR);
+        Graphics2D g = even.createGraphics();
+        byte[] bgr = ((DataBufferByte) even.getRaster().getDataBuffer()).getData();
         BufferedImage picture = first;
         boolean piped = false;
         try (OutputStream pipe = new BufferedOutputStream(process.getOutputStream(), 1 << 16)) {
             while (picture != null) {
-                packRgb(picture, width, height, bytes);
-                piped = writeTo(pipe, bytes);
+                // Drawn twice: the shifted picture repeats the last row and column of one of odd size.
+                g.drawImage(picture, even.getWidth() - width, even.getHeight() - height, null);
+                g.drawImage(picture, 0, 0, null);
+                piped = writeTo(pipe, bgr);
                 picture = piped && frames.hasNext() ? frames.next() : null;
             }
         } catch (IOException broken) {
@@ -134,27 +126,13 @@ public final class FfmpegMovieWriter implements MovieWriter {
         return piped;
     }
 
-    /** Only a write to the pipe may fail without a word; what the pictures throw goes on. */
+    /** False if the pipe is broken; what the pictures throw is passed on by the caller. */
     private static boolean writeTo(OutputStream pipe, byte[] bytes) {
         try {
             pipe.write(bytes);
             return true;
         } catch (IOException broken) {
             return false;
-        }
-    }
-
-    private static void packRgb(BufferedImage picture, int width, int height, byte[] bytes) {
-        int[] row = new int[width];
-        int o = 0;
-        for (int y = 0; y < roundUpToEven(height); y++) {
-            picture.getRGB(0, Math.min(y, height - 1), width, 1, row, 0, width);
-            for (int x = 0; x < roundUpToEven(width); x++) {
-                int pixel = row[Math.min(x, width - 1)];
-                bytes[o++] = (byte) (pixel >> 16);
-                bytes[o++] = (byte) (pixel >> 8);
-                bytes[o++] = (byte) pixel;
-            }
         }
     }
 

@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.Iterator;
 import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.ImageWriter;
 import javax.imageio.metadata.IIOInvalidTreeException;
@@ -16,11 +15,11 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.phrenic.file.AtomicFile;
 
 /**
- * An animated GIF that begins again when it ends. Each picture has a palette of its own; delays, which GIF counts in
- * hundredths of a second, are rounded so that their sum is right.
+ * An animated GIF that repeats for ever. Each picture has a palette of its own, made by ImageIO; delays, which GIF
+ * counts in hundredths of a second, are rounded so that their sum is right.
  */
 public final class GifMovieWriter implements MovieWriter {
-    /** Viewers slow down what is faster, pictures a second. */
+    /** Viewers slow down faster movies. */
     public static final double MAX_FRAMES_PER_S = 50;
 
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
@@ -37,18 +36,14 @@ public final class GifMovieWriter implements MovieWriter {
     }
 
     private static void write(OutputStream out, double framesPerS, Iterator<BufferedImage> frames) throws IOException {
-        Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName("gif");
-        if (!writers.hasNext()) {
-            throw new IOException("this Java has no writer of GIF");
-        }
-        ImageWriter writer = writers.next();
+        ImageWriter writer = PngFile.writer("gif");
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
             writer.setOutput(stream);
             writer.prepareWriteSequence(null);
             for (int i = 0; frames.hasNext(); i++) {
-                BufferedImage reduced = GifPalette.quantized(frames.next());
+                BufferedImage picture = PngFile.flattened(frames.next());
                 long delay = Math.round(100 * (i + 1) / framesPerS) - Math.round(100 * i / framesPerS);
-                writer.writeToSequence(new IIOImage(reduced, null, metadata(writer, reduced, delay, i == 0)), null);
+                writer.writeToSequence(new IIOImage(picture, null, metadata(writer, picture, delay, i == 0)), null);
             }
             writer.endWriteSequence();
         } finally {
@@ -58,7 +53,6 @@ public final class GifMovieWriter implements MovieWriter {
 
     private static IIOMetadata metadata(ImageWriter writer, BufferedImage picture, long delay, boolean first)
             throws IIOInvalidTreeException {
-        // Not createFromRenderedImage: that one answers with the palette of Java, not with this picture's.
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
         IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
         IIOMetadataNode control = (IIOMetadataNode)

@@ -1,5 +1,6 @@
 package org.phrenic.scene.export;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -13,29 +14,26 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
-/** A picture as a PNG file: opaque, whole or not there. */
+/** A picture as an opaque PNG file, written as a whole or not at all. */
 public final class PngFile {
-    /** Up to this size a picture is made as small a file as can be; beyond, that takes too long. */
+    /** Larger pictures are compressed less, which is faster. */
     private static final long MAX_COMPRESSED_PIXELS = 3_000_000;
 
     private PngFile() {}
 
     /**
-     * Writes a picture; where it is translucent, white shows through.
+     * Writes a picture; translucent pixels are blended with white.
      *
      * @throws OutputException if it cannot be written, with one sentence
      */
     public static void write(Path file, BufferedImage picture) {
         BufferedImage opaque = flattened(picture);
+        long pixels = (long) opaque.getWidth() * opaque.getHeight();
         AtomicFile.write(file, out -> {
-            Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName("png");
-            if (!writers.hasNext()) {
-                throw new IOException("this Java has no writer of PNG");
-            }
-            ImageWriter writer = writers.next();
+            ImageWriter writer = writer("png");
             try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
                 ImageWriteParam parameters = writer.getDefaultWriteParam();
-                if (parameters.canWriteCompressed() && pixels(opaque) <= MAX_COMPRESSED_PIXELS) {
+                if (parameters.canWriteCompressed() && pixels <= MAX_COMPRESSED_PIXELS) {
                     parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
                     parameters.setCompressionQuality(0);
                 }
@@ -47,8 +45,13 @@ public final class PngFile {
         });
     }
 
-    private static long pixels(BufferedImage picture) {
-        return (long) picture.getWidth() * picture.getHeight();
+    /** ImageIO's writer of a format. */
+    static ImageWriter writer(String format) throws IOException {
+        Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName(format);
+        if (!writers.hasNext()) {
+            throw new IOException("this Java has no writer of " + format.toUpperCase(java.util.Locale.ROOT));
+        }
+        return writers.next();
     }
 
     /** The picture on white without an alpha channel; itself if it has none. */
@@ -58,7 +61,7 @@ public final class PngFile {
         }
         BufferedImage opaque = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = opaque.createGraphics();
-        g.drawImage(picture, 0, 0, java.awt.Color.WHITE, null);
+        g.drawImage(picture, 0, 0, Color.WHITE, null);
         g.dispose();
         return opaque;
     }

@@ -1,2 +1,4 @@
-/** Picture and movie files. */
+/**
+ * Pictures and movies as files. Knows nothing of scenes.
+ */
 package org.phrenic.scene.export;

@@ -8,27 +8,26 @@ import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.SceneStyle;
 
 /**
- * Closes bodies that a plane has cut open. Where a line of sight passes more back faces than front faces of a closed
- * surface behind the plane, it enters the body at the plane: the stencil buffer counts them, and there the plane is
- * drawn.
+ * Closes bodies that a plane cuts open (stencil capping). Where a line of sight passes more back faces than front faces
+ * of a closed surface behind the plane, it enters the body at the plane: the stencil buffer counts the faces, and the
+ * plane is drawn where the count is not zero.
  */
 final class CapPass {
-    /** A cut face is paler than the surface: mixed with this share of white. */
+    /** Share of white in the colour of a cut face. */
     private static final float LIGHTENING = 0.10f;
 
     private static final int QUAD_CORNERS = 4;
-
-    /** Of the smallest steps of depth. */
+    /** In smallest resolvable steps of depth. */
     private static final float DEPTH_OFFSET_UNITS = 4;
 
-    private final GlResources objects;
+    private final GlResources resources;
     private final ShaderProgram program;
     private final int emptyVertexArray;
 
-    CapPass(GL3 gl, GlResources objects) {
-        this.objects = objects;
-        program = new ShaderProgram(gl, objects, "", "cap.vert.glsl", "cap.frag.glsl");
-        emptyVertexArray = objects.vertexArray(gl);
+    CapPass(GL3 gl, GlResources resources) {
+        this.resources = resources;
+        program = new ShaderProgram(gl, resources, "", "cap.vert.glsl", "cap.frag.glsl");
+        emptyVertexArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
     }
 
     /**
@@ -36,7 +35,7 @@ final class CapPass {
      *
      * @param bodies opaque surfaces; those that are not closed, or that the plane misses, have none
      */
-    void draw(GL3 gl, List<SurfaceBuffers> bodies, SurfacePass faces, ViewTransform sight, SceneStyle style) {
+    void draw(GL3 gl, List<SurfaceBuffers> bodies, SurfacePass faces, ViewTransform transform, SceneStyle style) {
         ClipPlane plane = style.clip().orElseThrow();
         gl.glEnable(GL3.GL_STENCIL_TEST);
         gl.glEnable(GL3.GL_POLYGON_OFFSET_FILL);
@@ -44,11 +43,10 @@ final class CapPass {
             SurfaceBuffers body = bodies.get(i);
             BoundingBox box = BoundingBox.of(body.surface().rest());
             if (body.isClosed() && box.mayIntersect(plane)) {
-                countFaces(gl, body, faces, sight, style);
-                // All lie in one plane: what comes later lies over what came before, as a target over the liver about
-                // it.
+                countFaces(gl, body, faces, transform, style);
+                // All caps lie in one plane: later bodies, such as a target in the liver, are drawn over earlier ones.
                 gl.glPolygonOffset(0, -DEPTH_OFFSET_UNITS * i);
-                drawCap(gl, body, box, plane, sight, style);
+                drawCap(gl, body, box.sectionQuad(plane, transform), transform, style);
             }
         }
         gl.glDisable(GL3.GL_POLYGON_OFFSET_FILL);
@@ -56,7 +54,7 @@ final class CapPass {
     }
 
     private static void countFaces(
-            GL3 gl, SurfaceBuffers body, SurfacePass faces, ViewTransform sight, SceneStyle style) {
+            GL3 gl, SurfaceBuffers body, SurfacePass faces, ViewTransform transform, SceneStyle style) {
         gl.glColorMask(false, false, false, false);
         gl.glDepthMask(false);
         gl.glDisable(GL3.GL_DEPTH_TEST);
@@ -64,35 +62,28 @@ final class CapPass {
         gl.glStencilFunc(GL3.GL_ALWAYS, 0, 0xff);
         gl.glStencilOpSeparate(GL3.GL_FRONT, GL3.GL_KEEP, GL3.GL_KEEP, GL3.GL_DECR_WRAP);
         gl.glStencilOpSeparate(GL3.GL_BACK, GL3.GL_KEEP, GL3.GL_KEEP, GL3.GL_INCR_WRAP);
-        faces.draw(gl, body, sight, style, SurfacePass.Faces.BOTH);
+        faces.draw(gl, body, transform, style, SurfacePass.Faces.BOTH);
         gl.glColorMask(true, true, true, true);
         gl.glDepthMask(true);
         gl.glEnable(GL3.GL_DEPTH_TEST);
         gl.glDisable(GL3.GL_CLIP_DISTANCE0);
     }
 
-    private void drawCap(
-            GL3 gl, SurfaceBuffers body, BoundingBox box, ClipPlane plane, ViewTransform sight, SceneStyle style) {
-        float[] rgb = style.appearance(body.surface().name()).orElseThrow().rgb();
+    private void drawCap(GL3 gl, SurfaceBuffers body, float[] quad, ViewTransform transform, SceneStyle style) {
+        float[] cut =
+                style.appearance(body.surface().name()).orElseThrow().rgb().clone();
+        for (int i = 0; i < 3; i++) {
+            cut[i] += LIGHTENING * (1 - cut[i]);
+        }
         program.use(gl);
-        program.setMatrix(gl, "projection", sight.projection());
-        program.set(
-                gl,
-                "cut",
-                rgb[0] + LIGHTENING * (1 - rgb[0]),
-                rgb[1] + LIGHTENING * (1 - rgb[1]),
-                rgb[2] + LIGHTENING * (1 - rgb[2]));
-        program.setPoints(gl, "corners", box.sectionQuad(plane, sight.view()));
+        program.setMatrix(gl, "projection", transform.projection());
+        program.set(gl, "cut", cut);
+        program.setPoints(gl, "corners", quad);
         gl.glDisable(GL3.GL_CULL_FACE);
         gl.glStencilFunc(GL3.GL_NOTEQUAL, 0, 0xff);
         gl.glStencilOp(GL3.GL_ZERO, GL3.GL_ZERO, GL3.GL_ZERO);
         gl.glBindVertexArray(emptyVertexArray);
         gl.glDrawArrays(GL3.GL_TRIANGLE_STRIP, 0, QUAD_CORNERS);
-        objects.countDraw(2);
-    }
-
-    void dispose(GL3 gl) {
-        program.dispose(gl);
-        objects.deleteVertexArray(gl, emptyVertexArray);
+        resources.countDraw(2);
     }
 }

@@ -3,57 +3,46 @@ package org.phrenic.scene.gl;
 import com.jogamp.opengl.GL3;
 
 /**
- * A framebuffer with eight bits a colour and, where asked for, depth and stencil; of textures, or with several samples
- * a pixel of renderbuffers.
+ * A framebuffer with eight bits a colour and, if asked for, depth (24 bits) and stencil (8): of textures, or of
+ * renderbuffers with several samples a pixel.
  */
 final class Framebuffer {
-    private final GlResources objects;
     private final int width;
     private final int height;
-    private final int samples;
-    private final int framebuffer;
+    private final int name;
     private final int colour;
     private final int depth;
 
     /**
      * @param samples 0 for textures
-     * @param withDepth whether it has depth of 24 bits and stencil of 8
      * @throws IllegalStateException if the driver refuses it
      */
-    Framebuffer(GL3 gl, GlResources objects, int width, int height, int samples, boolean withDepth) {
-        this.objects = objects;
+    Framebuffer(GL3 gl, GlResources resources, int width, int height, int samples, boolean withDepth) {
         this.width = width;
         this.height = height;
-        this.samples = samples;
-        framebuffer = objects.framebuffer(gl);
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer);
-        colour = attach(gl, GL3.GL_COLOR_ATTACHMENT0, GL3.GL_RGBA8, GL3.GL_RGBA, GL3.GL_UNSIGNED_BYTE);
-        depth = withDepth
-                ? attach(
-                        gl,
-                        GL3.GL_DEPTH_STENCIL_ATTACHMENT,
-                        GL3.GL_DEPTH24_STENCIL8,
-                        GL3.GL_DEPTH_STENCIL,
-                        GL3.GL_UNSIGNED_INT_24_8)
-                : 0;
-        check(gl);
+        name = resources.create(gl, GlResources.Kind.FRAMEBUFFER);
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, name);
+        colour = attach(gl, resources, samples, GL3.GL_COLOR_ATTACHMENT0);
+        depth = withDepth ? attach(gl, resources, samples, GL3.GL_DEPTH_STENCIL_ATTACHMENT) : 0;
+        check(gl, samples);
     }
 
-    /** The colour of another target without its depth, so that its depth can be looked up while this is drawn into. */
-    Framebuffer(GL3 gl, Framebuffer whose) {
-        objects = whose.objects;
+    /**
+     * The colours of another framebuffer without its depth, so that its depth texture can be read while this is drawn
+     * into.
+     */
+    Framebuffer(GL3 gl, GlResources resources, Framebuffer whose) {
         width = whose.width;
         height = whose.height;
-        samples = 0;
         colour = 0;
         depth = 0;
-        framebuffer = objects.framebuffer(gl);
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer);
+        name = resources.create(gl, GlResources.Kind.FRAMEBUFFER);
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, name);
         gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, GL3.GL_COLOR_ATTACHMENT0, GL3.GL_TEXTURE_2D, whose.colour, 0);
-        check(gl);
+        check(gl, 0);
     }
 
-    private void check(GL3 gl) {
+    private void check(GL3 gl, int samples) {
         int status = gl.glCheckFramebufferStatus(GL3.GL_FRAMEBUFFER);
         if (status != GL3.GL_FRAMEBUFFER_COMPLETE) {
             throw new IllegalStateException("the driver refuses a picture of " + width + " x " + height + " with "
@@ -61,47 +50,46 @@ final class Framebuffer {
         }
     }
 
-    private int attach(GL3 gl, int where, int format, int transfer, int type) {
+    private int attach(GL3 gl, GlResources resources, int samples, int attachment) {
+        boolean isColour = attachment == GL3.GL_COLOR_ATTACHMENT0;
+        int format = isColour ? GL3.GL_RGBA8 : GL3.GL_DEPTH24_STENCIL8;
         if (samples > 0) {
-            int name = objects.renderbuffer(gl);
-            gl.glBindRenderbuffer(GL3.GL_RENDERBUFFER, name);
+            int renderbuffer = resources.create(gl, GlResources.Kind.RENDERBUFFER);
+            gl.glBindRenderbuffer(GL3.GL_RENDERBUFFER, renderbuffer);
             gl.glRenderbufferStorageMultisample(GL3.GL_RENDERBUFFER, samples, format, width, height);
-            gl.glFramebufferRenderbuffer(GL3.GL_FRAMEBUFFER, where, GL3.GL_RENDERBUFFER, name);
-            return name;
+            gl.glFramebufferRenderbuffer(GL3.GL_FRAMEBUFFER, attachment, GL3.GL_RENDERBUFFER, renderbuffer);
+            return renderbuffer;
         }
-        int name = objects.texture(gl);
-        gl.glBindTexture(GL3.GL_TEXTURE_2D, name);
+        int transfer = isColour ? GL3.GL_RGBA : GL3.GL_DEPTH_STENCIL;
+        int type = isColour ? GL3.GL_UNSIGNED_BYTE : GL3.GL_UNSIGNED_INT_24_8;
+        int texture = resources.create(gl, GlResources.Kind.TEXTURE);
+        gl.glBindTexture(GL3.GL_TEXTURE_2D, texture);
         gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, format, width, height, 0, transfer, type, null);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_WRAP_S, GL3.GL_CLAMP_TO_EDGE);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_WRAP_T, GL3.GL_CLAMP_TO_EDGE);
         gl.glBindTexture(GL3.GL_TEXTURE_2D, 0);
-        gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, where, GL3.GL_TEXTURE_2D, name, 0);
-        return name;
+        gl.glFramebufferTexture2D(GL3.GL_FRAMEBUFFER, attachment, GL3.GL_TEXTURE_2D, texture, 0);
+        return texture;
     }
 
-    /** From now on is drawn into this. */
+    /** Directs drawing into this framebuffer. */
     void bind(GL3 gl) {
-        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, framebuffer);
+        gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, name);
         gl.glViewport(0, 0, width, height);
     }
 
-    /** Copies to another framebuffer, from corner to corner. */
-    void blitTo(GL3 gl, int other, int otherWidth, int otherHeight, int what) {
-        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, framebuffer);
-        gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, other);
-        boolean same = width == otherWidth && height == otherHeight;
-        gl.glBlitFramebuffer(
-                0, 0, width, height, 0, 0, otherWidth, otherHeight, what, same ? GL3.GL_NEAREST : GL3.GL_LINEAR);
+    /** Copies the buffers of a bit mask to all of another framebuffer. */
+    void blitTo(GL3 gl, Framebuffer other, int mask) {
+        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, name);
+        gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, other.name);
+        int filter = width == other.width && height == other.height ? GL3.GL_NEAREST : GL3.GL_LINEAR;
+        gl.glBlitFramebuffer(0, 0, width, height, 0, 0, other.width, other.height, mask, filter);
     }
 
-    void blitTo(GL3 gl, Framebuffer other, int what) {
-        blitTo(gl, other.framebuffer, other.width, other.height, what);
-    }
-
-    int framebuffer() {
-        return framebuffer;
+    int name() {
+        return name;
     }
 
     int width() {
@@ -112,24 +100,13 @@ final class Framebuffer {
         return height;
     }
 
-    /** Texture of colours; for a target of one sample. */
+    /** Texture of colours, if without samples. */
     int colourTexture() {
         return colour;
     }
 
-    /** Texture of depths; for a target of one sample. */
+    /** Texture of depths, if without samples. */
     int depthTexture() {
         return depth;
-    }
-
-    void dispose(GL3 gl) {
-        objects.deleteFramebuffer(gl, framebuffer);
-        for (int name : new int[] {colour, depth}) {
-            if (samples > 0) {
-                objects.deleteRenderbuffer(gl, name);
-            } else {
-                objects.deleteTexture(gl, name);
-            }
-        }
     }
 }

@@ -2,81 +2,78 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
 import java.nio.Buffer;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
 
-/**
- * Makes and deletes objects of OpenGL and counts those that live, so that a leak shows; and counts what is sent to them
- * and drawn.
- */
+/** Owns objects of OpenGL: makes them, deletes them together, and counts what is uploaded and drawn. */
 final class GlResources {
-    private int liveCount;
+    /** A call that makes or deletes {@code count} objects. */
+    private interface Call {
+        void apply(GL3 gl, int count, int[] names, int offset);
+    }
+
+    /** Kinds of objects, in the order in which they are deleted. */
+    enum Kind {
+        FRAMEBUFFER(GL3::glGenFramebuffers, GL3::glDeleteFramebuffers),
+        RENDERBUFFER(GL3::glGenRenderbuffers, GL3::glDeleteRenderbuffers),
+        TEXTURE(GL3::glGenTextures, GL3::glDeleteTextures),
+        VERTEX_ARRAY(GL3::glGenVertexArrays, GL3::glDeleteVertexArrays),
+        BUFFER(GL3::glGenBuffers, GL3::glDeleteBuffers),
+        PROGRAM(
+                (gl, count, names, at) -> names[at] = gl.glCreateProgram(),
+                (gl, count, names, at) -> gl.glDeleteProgram(names[at]));
+
+        private final Call create;
+        private final Call delete;
+
+        Kind(Call create, Call delete) {
+            this.create = create;
+            this.delete = delete;
+        }
+    }
+
+    private final Map<Kind, List<Integer>> live = new EnumMap<>(Kind.class);
     private long bytesUploaded;
     private int drawCalls;
     private long triangles;
 
-    /** How many are alive. */
-    int liveCount() {
-        return liveCount;
+    /** Makes an object and returns its name. */
+    int create(GL3 gl, Kind kind) {
+        int[] name = new int[1];
+        kind.create.apply(gl, 1, name, 0);
+        live.computeIfAbsent(kind, k -> new ArrayList<>()).add(name[0]);
+        return name[0];
     }
 
-    /** Begins to count anew what is sent and drawn. */
+    /** Deletes all objects. */
+    void deleteAll(GL3 gl) {
+        live.forEach((kind, names) -> names.forEach(name -> kind.delete.apply(gl, 1, new int[] {name}, 0)));
+        live.clear();
+    }
+
+    int liveCount() {
+        return live.values().stream().mapToInt(List::size).sum();
+    }
+
     void resetStatistics() {
         bytesUploaded = 0;
         drawCalls = 0;
         triangles = 0;
     }
 
-    /** What was sent and drawn since counting began. */
+    /** What was uploaded and drawn since the last reset. */
     FrameStatistics statistics(double cpuMs) {
         return new FrameStatistics(bytesUploaded, drawCalls, cpuMs, triangles);
     }
 
-    /** Counts a draw call. */
     void countDraw(int ofTriangles) {
         drawCalls++;
         triangles += ofTriangles;
     }
 
-    int buffer(GL3 gl) {
-        int[] name = new int[1];
-        gl.glGenBuffers(1, name, 0);
-        liveCount++;
-        return name[0];
-    }
-
-    int vertexArray(GL3 gl) {
-        int[] name = new int[1];
-        gl.glGenVertexArrays(1, name, 0);
-        liveCount++;
-        return name[0];
-    }
-
-    int texture(GL3 gl) {
-        int[] name = new int[1];
-        gl.glGenTextures(1, name, 0);
-        liveCount++;
-        return name[0];
-    }
-
-    int framebuffer(GL3 gl) {
-        int[] name = new int[1];
-        gl.glGenFramebuffers(1, name, 0);
-        liveCount++;
-        return name[0];
-    }
-
-    int renderbuffer(GL3 gl) {
-        int[] name = new int[1];
-        gl.glGenRenderbuffers(1, name, 0);
-        liveCount++;
-        return name[0];
-    }
-
-    int program(GL3 gl) {
-        liveCount++;
-        return gl.glCreateProgram();
-    }
-
-    /** Sends all of a buffer's content, in units of four bytes. */
+    /** Uploads all of a buffer's content, in units of four bytes. */
     void upload(GL3 gl, int target, int name, Buffer content, int usage) {
         long size = 4L * content.remaining();
         gl.glBindBuffer(target, name);
@@ -84,56 +81,12 @@ final class GlResources {
         bytesUploaded += size;
     }
 
-    /**
-     * Sends new content; the old store is let go first, so that nobody waits for a picture that is still being drawn
-     * from it.
-     */
+    /** Uploads new content into a new store (buffer orphaning): a picture still being drawn keeps the old one. */
     void stream(GL3 gl, int name, Buffer content) {
         long size = 4L * content.remaining();
         gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, name);
         gl.glBufferData(GL3.GL_ARRAY_BUFFER, size, null, GL3.GL_STREAM_DRAW);
         gl.glBufferSubData(GL3.GL_ARRAY_BUFFER, 0, size, content);
         bytesUploaded += size;
-    }
-
-    /** Deletes a buffer; 0 stands for none, here and below. */
-    void deleteBuffer(GL3 gl, int name) {
-        if (name != 0) {
-            gl.glDeleteBuffers(1, new int[] {name}, 0);
-            liveCount--;
-        }
-    }
-
-    void deleteVertexArray(GL3 gl, int name) {
-        if (name != 0) {
-            gl.glDeleteVertexArrays(1, new int[] {name}, 0);
-            liveCount--;
-        }
-    }
-
-    void deleteTexture(GL3 gl, int name) {
-        if (name != 0) {
-            gl.glDeleteTextures(1, new int[] {name}, 0);
-            liveCount--;
-        }
-    }
-
-    void deleteFramebuffer(GL3 gl, int name) {
-        if (name != 0) {
-            gl.glDeleteFramebuffers(1, new int[] {name}, 0);
-            liveCount--;
-        }
-    }
-
-    void deleteRenderbuffer(GL3 gl, int name) {
-        if (name != 0) {
-            gl.glDeleteRenderbuffers(1, new int[] {name}, 0);
-            liveCount--;
-        }
-    }
-
-    void deleteProgram(GL3 gl, int name) {
-        gl.glDeleteProgram(name);
-        liveCount--;
     }
 }

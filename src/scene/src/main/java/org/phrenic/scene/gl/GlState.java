@@ -3,16 +3,18 @@ package org.phrenic.scene.gl;
 import com.jogamp.opengl.GL3;
 
 /**
- * What others had bound in a context, to be bound again. A Swing panel of JOGL draws into a framebuffer of its own and
- * expects its vertex array; with none bound core OpenGL raises an error in each of its pictures.
+ * Bindings of a context, to be restored after drawing. A Swing panel of JOGL draws into a framebuffer of its own and
+ * expects its vertex array: with none bound, core OpenGL raises an error in each of its pictures.
  */
 record GlState(int drawFramebuffer, int readFramebuffer, int[] viewport) {
+    private static final int TEXTURE_UNITS = 3;
+
     static GlState of(GL3 gl) {
         int[] viewport = new int[4];
         gl.glGetIntegerv(GL3.GL_VIEWPORT, viewport, 0);
         return new GlState(
-                GraphicsQuery.number(gl, GL3.GL_DRAW_FRAMEBUFFER_BINDING),
-                GraphicsQuery.number(gl, GL3.GL_READ_FRAMEBUFFER_BINDING),
+                GraphicsInfo.number(gl, GL3.GL_DRAW_FRAMEBUFFER_BINDING),
+                GraphicsInfo.number(gl, GL3.GL_READ_FRAMEBUFFER_BINDING),
                 viewport);
     }
 
@@ -23,10 +25,10 @@ record GlState(int drawFramebuffer, int readFramebuffer, int[] viewport) {
         gl.glBindVertexArray(gl.getContext().getDefaultVAO());
         gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, 0);
         gl.glUseProgram(0);
-        gl.glDisable(GL3.GL_DEPTH_TEST);
-        gl.glDisable(GL3.GL_CULL_FACE);
-        gl.glDisable(GL3.GL_BLEND);
-        for (int unit = 2; unit >= 0; unit--) {
+        for (int capability : new int[] {GL3.GL_DEPTH_TEST, GL3.GL_CULL_FACE, GL3.GL_BLEND}) {
+            gl.glDisable(capability);
+        }
+        for (int unit = TEXTURE_UNITS - 1; unit >= 0; unit--) {
             gl.glActiveTexture(GL3.GL_TEXTURE0 + unit);
             gl.glBindTexture(GL3.GL_TEXTURE_2D, 0);
             gl.glBindTexture(GL3.GL_TEXTURE_1D, 0);

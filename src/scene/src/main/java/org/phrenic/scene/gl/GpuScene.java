@@ -3,10 +3,10 @@ package org.phrenic.scene.gl;
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.AmbientOcclusion;
@@ -15,14 +15,11 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * All surfaces and overlays of a scene on the graphics card, as they are in one frame; sends what has changed since the
- * last.
- */
+/** All surfaces and overlays of a scene on the graphics card; uploads what has changed since the last frame. */
 final class GpuScene {
-    private final GlResources objects;
-    private final List<SurfaceBuffers> surfaces = new ArrayList<>();
-    private final List<OverlayBuffers> overlays = new ArrayList<>();
+    private final GlResources resources;
+    private final List<SurfaceBuffers> surfaces;
+    private final List<OverlayBuffers> overlays;
     private final int nodeBuffer;
     private FloatBuffer nodes = FloatBuffer.allocate(0);
     private boolean nodesUploaded;
@@ -31,36 +28,39 @@ final class GpuScene {
     private int nodesHash;
     private String uploadedField = "";
 
-    GpuScene(GL3 gl, GlResources objects, List<Surface> scene, List<Overlay> over) {
-        this.objects = objects;
-        AmbientOcclusion openness = new AmbientOcclusion(
+    GpuScene(GL3 gl, GlResources resources, List<Surface> scene, List<Overlay> over) {
+        this.resources = resources;
+        AmbientOcclusion occlusion = new AmbientOcclusion(
                 scene.stream().filter(s -> !Markers.isMovable(s.name())).toList());
-        for (int i = 0; i < scene.size(); i++) {
-            surfaces.add(new SurfaceBuffers(gl, objects, scene.get(i), i, openness));
-        }
-        nodeBuffer = objects.buffer(gl);
-        over.forEach(o -> overlays.add(new OverlayBuffers(gl, objects, o, nodeBuffer)));
+        surfaces = IntStream.range(0, scene.size())
+                .mapToObj(i -> new SurfaceBuffers(gl, resources, scene.get(i), i, occlusion))
+                .toList();
+        nodeBuffer = resources.create(gl, GlResources.Kind.BUFFER);
+        overlays = over.stream()
+                .map(o -> new OverlayBuffers(gl, resources, o, nodeBuffer))
+                .toList();
     }
 
     /**
      * Takes over a frame.
      *
-     * @param given values of {@link ColourField#DISTANCE} by structure
+     * @param given values of {@link ColourField#DISTANCE} and {@link ColourField#ACCESS} by structure
+     * @param version changes with {@code given}
      */
-    void update(GL3 gl, Frame frame, SceneStyle style, Map<String, float[]> given, int givenCount) {
-        int now = Arrays.hashCode(frame.nodes());
-        boolean moved = frame.step() != step || frame.timeS() != time || now != nodesHash;
+    void update(GL3 gl, Frame frame, SceneStyle style, Map<String, float[]> given, int version) {
+        int hash = Arrays.hashCode(frame.nodes());
+        boolean moved = frame.step() != step || frame.timeS() != time || hash != nodesHash;
         if (moved) {
             step = frame.step();
             time = frame.timeS();
-            nodesHash = now;
+            nodesHash = hash;
             nodesUploaded = false;
             surfaces.forEach(s -> s.upload(gl, frame));
         }
-        if (!style.overlays().isEmpty() && !nodesUploaded) {
+        if (!style.lines().overlays().isEmpty() && !nodesUploaded) {
             uploadNodes(gl, frame.nodes());
         }
-        String wanted = style.field() + " " + style.fieldStructure() + " " + givenCount;
+        String wanted = style.field() + " " + style.colouring().structure() + " " + version;
         if (style.field() != ColourField.NONE && (moved || !wanted.equals(uploadedField))) {
             for (SurfaceBuffers s : surfaces) {
                 if (style.showsField(s.surface().name())) {
@@ -71,15 +71,13 @@ final class GpuScene {
         uploadedField = wanted;
     }
 
-    /** Puts surfaces that stand still where they are said to be. */
-    void setPoses(Map<String, float[]> placed) {
-        if (!placed.isEmpty()) {
-            surfaces.forEach(s -> {
-                float[] pose = placed.get(s.surface().name());
-                if (pose != null) {
-                    s.setPose(pose);
-                }
-            });
+    /** Moves surfaces that stand still, by structure. */
+    void setPoses(Map<String, float[]> poses) {
+        for (SurfaceBuffers s : surfaces) {
+            float[] pose = poses.get(s.surface().name());
+            if (pose != null) {
+                s.setPose(pose);
+            }
         }
     }
 
@@ -88,7 +86,7 @@ final class GpuScene {
             nodes = Buffers.newDirectFloatBuffer(at.length);
         }
         nodes.put(0, at);
-        objects.stream(gl, nodeBuffer, nodes);
+        resources.stream(gl, nodeBuffer, nodes);
         nodesUploaded = true;
     }
 
@@ -98,11 +96,5 @@ final class GpuScene {
 
     List<OverlayBuffers> overlays() {
         return overlays;
-    }
-
-    void dispose(GL3 gl) {
-        surfaces.forEach(s -> s.dispose(gl));
-        overlays.forEach(o -> o.dispose(gl));
-        objects.deleteBuffer(gl, nodeBuffer);
     }
 }

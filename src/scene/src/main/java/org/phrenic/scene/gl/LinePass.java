@@ -2,21 +2,29 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import org.joml.Matrix4d;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.observe.Overlay;
 
-/** Draws edges of surfaces and what lies over them as lines and points of a width in pixels. */
+/** Draws edges of surfaces and overlays as lines and points of a width in pixels. */
 final class LinePass {
+    private static final float MIN_EDGE_OPACITY = 0.35f;
+    private static final float REST_OPACITY = 0.55f;
     private static final float EDGE_WIDTH = 1.0f;
-    private static final float REST_WIDTH = 1.0f;
-    private static final float EYE_OFFSET_MM = 0.4f;
+    private static final float EDGE_OFFSET_MM = 0.4f;
     private static final int REST_RGB_ON_LIGHT = 0x24405c;
     private static final int REST_RGB_ON_DARK = 0xbfd8ea;
 
-    /** How an overlay is drawn: colour, opacity, width of lines, size of points, lift towards the eye. */
+    /**
+     * Style of lines and points.
+     *
+     * @param width of lines, pixels
+     * @param pointSize pixels
+     * @param eyeOffset shift towards the eye, mm, so that a line on a surface is seen
+     */
     private record LineStyle(int rgb, float opacity, float width, float pointSize, float eyeOffset) {
         /** Colours of Okabe and Ito 2008, told apart with any colour vision. */
         static LineStyle of(Overlay.Kind kind) {
@@ -29,107 +37,87 @@ final class LinePass {
                 case HELICAL_AXES -> new LineStyle(0x0072b2, 1, 2.6f, 6, 1.5f);
             };
         }
+
+        float[] rgba() {
+            return LinePass.rgba(Appearance.of(rgb, 1).rgb(), opacity);
+        }
     }
 
-    private final GlResources objects;
+    private final GlResources resources;
     private ShaderProgram lines;
     private ShaderProgram points;
 
-    LinePass(GlResources objects) {
-        this.objects = objects;
+    LinePass(GlResources resources) {
+        this.resources = resources;
     }
 
-    /** Edges of a surface in its own colour. */
-    void drawEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform sight, SceneStyle style) {
+    private static float[] rgba(float[] rgb, float opacity) {
+        return new float[] {rgb[0], rgb[1], rgb[2], opacity};
+    }
+
+    /** Draws edges of a surface in its own colour. */
+    void drawEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         Appearance look = style.appearance(buffers.surface().name()).orElseThrow();
-        ShaderProgram program = lines(gl, sight, style);
-        program.setMatrix(gl, "toEye", sight.toEyeSpace(buffers.pose()));
-        program.set(gl, "faded", 1);
-        float[] rgb = look.rgb();
-        setStyle(
+        useLines(gl, transform, style, transform.toEyeSpace(buffers.pose()));
+        lines.set(gl, "faded", 1);
+        setLine(
                 gl,
-                program,
-                new float[] {rgb[0], rgb[1], rgb[2], Math.max(0.35f, look.opacity())},
-                sight.scaledPixels(EDGE_WIDTH),
-                EYE_OFFSET_MM);
+                transform,
+                rgba(look.rgb(), Math.max(MIN_EDGE_OPACITY, look.opacity())),
+                EDGE_WIDTH,
+                EDGE_OFFSET_MM);
         buffers.drawEdges(gl, false);
     }
 
-    /** Edges of a surface as it rests. */
-    void drawRestEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform sight, SceneStyle style) {
-        ShaderProgram program = lines(gl, sight, style);
-        program.setMatrix(gl, "toEye", sight.view());
-        program.set(gl, "faded", 0);
+    /** Draws edges of a surface as it rests. */
+    void drawRestEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         int rgb = style.background() == SceneBackground.LIGHT ? REST_RGB_ON_LIGHT : REST_RGB_ON_DARK;
-        setStyle(gl, program, rgba(rgb, 0.55f), sight.scaledPixels(REST_WIDTH), EYE_OFFSET_MM);
+        useLines(gl, transform, style, transform.view());
+        lines.set(gl, "faded", 0);
+        setLine(gl, transform, rgba(Appearance.of(rgb, 1).rgb(), REST_OPACITY), EDGE_WIDTH, EDGE_OFFSET_MM);
         buffers.drawEdges(gl, true);
     }
 
-    /** The overlays that are switched on. */
-    void drawOverlays(GL3 gl, List<OverlayBuffers> overlays, ViewTransform sight, SceneStyle style) {
+    /** Draws the overlays that are switched on. */
+    void drawOverlays(GL3 gl, List<OverlayBuffers> overlays, ViewTransform transform, SceneStyle style) {
         for (OverlayBuffers overlay : overlays) {
-            if (!style.overlays().contains(overlay.kind())) {
+            if (!style.lines().overlays().contains(overlay.kind())) {
                 continue;
             }
-            LineStyle ink = LineStyle.of(overlay.kind());
-            ShaderProgram program = lines(gl, sight, style);
-            program.setMatrix(gl, "toEye", sight.view());
-            program.set(gl, "faded", 0);
-            setStyle(gl, program, rgba(ink.rgb(), ink.opacity()), sight.scaledPixels(ink.width()), ink.eyeOffset());
+            LineStyle drawn = LineStyle.of(overlay.kind());
+            useLines(gl, transform, style, transform.view());
+            lines.set(gl, "faded", 0);
+            setLine(gl, transform, drawn.rgba(), drawn.width(), drawn.eyeOffset());
             overlay.drawLines(gl);
             if (overlay.hasPoints()) {
-                ShaderProgram dots = points(gl, sight, style);
-                dots.setMatrix(gl, "toEye", sight.view());
-                dots.set(gl, "faded", 0);
-                dots.set(gl, "pointSize", sight.scaledPixels(ink.pointSize()));
-                dots.set(gl, "lineColour", rgba(ink.rgb(), ink.opacity()));
-                dots.set(gl, "lift", ink.eyeOffset());
+                usePoints(gl, transform, style, drawn);
                 overlay.drawPoints(gl);
             }
         }
     }
 
-    private static float[] rgba(int rgb, float opacity) {
-        float[] c = Appearance.of(rgb, 1).rgb();
-        return new float[] {c[0], c[1], c[2], opacity};
+    private void setLine(GL3 gl, ViewTransform transform, float[] rgba, float width, float eyeOffset) {
+        lines.set(gl, "lineColour", rgba);
+        lines.set(gl, "lineWidth", transform.scaledPixels(width));
+        lines.set(gl, "lift", eyeOffset);
     }
 
-    private static void setStyle(GL3 gl, ShaderProgram program, float[] rgba, float width, float lift) {
-        program.set(gl, "lineColour", rgba);
-        program.set(gl, "lineWidth", width);
-        program.set(gl, "lift", lift);
-    }
-
-    private ShaderProgram lines(GL3 gl, ViewTransform sight, SceneStyle style) {
+    private void useLines(GL3 gl, ViewTransform transform, SceneStyle style, Matrix4d toEye) {
         if (lines == null) {
-            lines = new ShaderProgram(gl, objects, "", "line.vert.glsl", "line.geom.glsl", "line.frag.glsl");
+            lines = new ShaderProgram(gl, resources, "", "line.vert.glsl", "line.geom.glsl", "line.frag.glsl");
         }
-        setView(gl, lines, sight, style);
-        lines.set(gl, "pixels", sight.width(), sight.height());
-        return lines;
+        lines.use(gl, transform, style, toEye);
+        lines.set(gl, "pixels", transform.width(), transform.height());
     }
 
-    private ShaderProgram points(GL3 gl, ViewTransform sight, SceneStyle style) {
+    private void usePoints(GL3 gl, ViewTransform transform, SceneStyle style, LineStyle drawn) {
         if (points == null) {
-            points = new ShaderProgram(gl, objects, "", "line.vert.glsl", "point.frag.glsl");
+            points = new ShaderProgram(gl, resources, "", "line.vert.glsl", "point.frag.glsl");
         }
-        setView(gl, points, sight, style);
-        return points;
-    }
-
-    private static void setView(GL3 gl, ShaderProgram program, ViewTransform sight, SceneStyle style) {
-        program.use(gl);
-        program.setMatrix(gl, "projection", sight.projection());
-        program.set(gl, "clip", sight.clipPlane(style.clip()));
-        program.set(gl, "parallel", sight.orthographicFlag());
-    }
-
-    void dispose(GL3 gl) {
-        if (lines != null) {
-            lines.dispose(gl);
-        }
-        if (points != null) {
-            points.dispose(gl);
-        }
+        points.use(gl, transform, style, transform.view());
+        points.set(gl, "faded", 0);
+        points.set(gl, "pointSize", transform.scaledPixels(drawn.pointSize()));
+        points.set(gl, "lineColour", drawn.rgba());
+        points.set(gl, "lift", drawn.eyeOffset());
     }
 }

@@ -18,6 +18,7 @@ import java.util.function.Consumer;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.Tile;
 import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.scene.style.Transparency;
 import org.phrenic.simulation.observe.Frame;
 
 /**
@@ -25,10 +26,10 @@ import org.phrenic.simulation.observe.Frame;
  * this program is open, through that; on macOS and Windows through the system. Used by one thread at a time.
  */
 public final class OffscreenContext implements AutoCloseable {
-    /** Drivers start in well under a second; one that hangs is given up. */
+    /** Drivers start in well under a second; one that hangs is abandoned. */
     private static final long START_TIMEOUT_S = 30;
 
-    /** Pictures larger than this are drawn in tiles: more would ask for much memory at once. */
+    /** Longest side of a picture drawn in one piece, pixels: larger ones are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
 
     private final GLOffscreenAutoDrawable drawable;
@@ -40,14 +41,20 @@ public final class OffscreenContext implements AutoCloseable {
         this.drawable = drawable;
         context = drawable.getContext();
         GraphicsInfo[] found = new GraphicsInfo[1];
-        run(gl -> found[0] = GraphicsQuery.info(gl));
+        run(gl -> found[0] = GraphicsInfo.of(gl));
         info = found[0];
+    }
+
+    /** As {@link #open}, and tells Java that there is no display, so that it asks for none. */
+    public static OffscreenContext headless() throws NoGraphicsException {
+        System.setProperty("java.awt.headless", "true");
+        return open();
     }
 
     /**
      * A context, without a display where the platform allows it.
      *
-     * @throws NoGraphicsException if there is none to be had
+     * @throws NoGraphicsException if none can be opened, with one sentence
      */
     public static OffscreenContext open() throws NoGraphicsException {
         FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
@@ -99,7 +106,10 @@ public final class OffscreenContext implements AutoCloseable {
     /** Draws one picture of any size. */
     public BufferedImage render(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
-        int side = Tile.maxSide(style, Math.min(MAX_TILE, info.maxSize()));
+        SceneStyle.Quality quality = style.quality();
+        int most = Math.min(MAX_TILE, info.maxSize());
+        // Smoothed depth peeling draws two pixels for one along each side.
+        int side = quality.transparency() == Transparency.PEELED && quality.samples() > 1 ? most / 2 : most;
         return render(renderer, frame, camera, style, width, height, side);
     }
 
@@ -116,15 +126,15 @@ public final class OffscreenContext implements AutoCloseable {
         return whole;
     }
 
-    /** Gives back what the graphics card holds for a renderer. */
+    /** Frees what the graphics card holds for a renderer. */
     public void release(Renderer renderer) {
         run(renderer::dispose);
     }
 
     /**
-     * Does something with the context of this thread.
+     * Runs with the context current on this thread.
      *
-     * @throws IllegalStateException if the context cannot be had
+     * @throws IllegalStateException if the context is in use elsewhere
      */
     public void run(Consumer<GL3> drawing) {
         try {
@@ -142,12 +152,11 @@ public final class OffscreenContext implements AutoCloseable {
         }
     }
 
-    /** From now on any error of OpenGL is thrown. */
+    /** Makes every OpenGL error an exception. */
     void enableDebugging() {
         debugging = true;
     }
 
-    /** What draws. */
     public GraphicsInfo info() {
         return info;
     }

@@ -2,58 +2,55 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
-import java.nio.FloatBuffer;
+import java.nio.Buffer;
 import java.nio.IntBuffer;
+import java.util.stream.IntStream;
 import org.phrenic.simulation.observe.Overlay;
 
-/**
- * One overlay on the graphics card: lines and points between nodes, which all overlays share, and lines that stay where
- * they are.
- */
+/** One overlay on the graphics card: lines and points between nodes, which all overlays share, and fixed lines. */
 final class OverlayBuffers {
-    private final GlResources objects;
+    private final GlResources resources;
     private final Overlay overlay;
     private final int nodeArray;
     private final int fixedArray;
-    private final int fixedBuffer;
     private final int lineBuffer;
     private final int pointBuffer;
     private final int lineCount;
     private final int pointCount;
 
-    /** @param nodeBuffer where the nodes are */
-    OverlayBuffers(GL3 gl, GlResources objects, Overlay overlay, int nodeBuffer) {
-        this.objects = objects;
+    /** @param nodeBuffer buffer of the nodes' positions */
+    OverlayBuffers(GL3 gl, GlResources resources, Overlay overlay, int nodeBuffer) {
+        this.resources = resources;
         this.overlay = overlay;
         int[] pairs = overlay.nodePairs();
-        int points = 0;
-        for (int i = 0; i < pairs.length; i += 2) {
-            points += pairs[i] == pairs[i + 1] ? 1 : 0;
-        }
-        pointCount = points;
-        lineCount = pairs.length / 2 - points;
+        pointCount = (int) IntStream.range(0, pairs.length / 2)
+                .filter(i -> pairs[2 * i] == pairs[2 * i + 1])
+                .count();
+        lineCount = pairs.length / 2 - pointCount;
         IntBuffer lines = Buffers.newDirectIntBuffer(2 * lineCount);
-        IntBuffer dots = Buffers.newDirectIntBuffer(pointCount);
+        IntBuffer points = Buffers.newDirectIntBuffer(pointCount);
         for (int i = 0; i < pairs.length; i += 2) {
             if (pairs[i] == pairs[i + 1]) {
-                dots.put(pairs[i]);
+                points.put(pairs[i]);
             } else {
                 lines.put(pairs[i]).put(pairs[i + 1]);
             }
         }
         nodeArray = positionArray(gl, nodeBuffer);
-        lineBuffer = objects.buffer(gl);
-        pointBuffer = objects.buffer(gl);
-        objects.upload(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, lineBuffer, lines.rewind(), GL3.GL_STATIC_DRAW);
-        objects.upload(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, pointBuffer, dots.rewind(), GL3.GL_STATIC_DRAW);
-        fixedBuffer = objects.buffer(gl);
-        FloatBuffer fixed = Buffers.newDirectFloatBuffer(overlay.segments());
-        objects.upload(gl, GL3.GL_ARRAY_BUFFER, fixedBuffer, fixed, GL3.GL_STATIC_DRAW);
-        fixedArray = positionArray(gl, fixedBuffer);
+        lineBuffer = buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, lines.rewind());
+        pointBuffer = buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, points.rewind());
+        fixedArray =
+                positionArray(gl, buffer(gl, GL3.GL_ARRAY_BUFFER, Buffers.newDirectFloatBuffer(overlay.segments())));
+    }
+
+    private int buffer(GL3 gl, int target, Buffer content) {
+        int name = resources.create(gl, GlResources.Kind.BUFFER);
+        resources.upload(gl, target, name, content, GL3.GL_STATIC_DRAW);
+        return name;
     }
 
     private int positionArray(GL3 gl, int positions) {
-        int name = objects.vertexArray(gl);
+        int name = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
         gl.glBindVertexArray(name);
         gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, positions);
         gl.glEnableVertexAttribArray(0);
@@ -71,30 +68,25 @@ final class OverlayBuffers {
 
     void drawLines(GL3 gl) {
         if (lineCount > 0) {
-            gl.glBindVertexArray(nodeArray);
-            gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, lineBuffer);
-            gl.glDrawElements(GL3.GL_LINES, 2 * lineCount, GL3.GL_UNSIGNED_INT, 0);
-            objects.countDraw(2 * lineCount);
+            drawElements(gl, lineBuffer, GL3.GL_LINES, 2 * lineCount);
+            resources.countDraw(2 * lineCount);
         }
-        if (overlay.segments().length > 0) {
+        int fixed = overlay.segments().length / 3;
+        if (fixed > 0) {
             gl.glBindVertexArray(fixedArray);
-            gl.glDrawArrays(GL3.GL_LINES, 0, overlay.segments().length / 3);
-            objects.countDraw(overlay.segments().length / 3);
+            gl.glDrawArrays(GL3.GL_LINES, 0, fixed);
+            resources.countDraw(fixed);
         }
     }
 
     void drawPoints(GL3 gl) {
-        gl.glBindVertexArray(nodeArray);
-        gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, pointBuffer);
-        gl.glDrawElements(GL3.GL_POINTS, pointCount, GL3.GL_UNSIGNED_INT, 0);
-        objects.countDraw(0);
+        drawElements(gl, pointBuffer, GL3.GL_POINTS, pointCount);
+        resources.countDraw(0);
     }
 
-    void dispose(GL3 gl) {
-        objects.deleteVertexArray(gl, nodeArray);
-        objects.deleteVertexArray(gl, fixedArray);
-        objects.deleteBuffer(gl, fixedBuffer);
-        objects.deleteBuffer(gl, lineBuffer);
-        objects.deleteBuffer(gl, pointBuffer);
+    private void drawElements(GL3 gl, int buffer, int primitive, int count) {
+        gl.glBindVertexArray(nodeArray);
+        gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, buffer);
+        gl.glDrawElements(primitive, count, GL3.GL_UNSIGNED_INT, 0);
     }
 }

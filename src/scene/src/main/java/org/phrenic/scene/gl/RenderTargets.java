@@ -2,12 +2,9 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
 
-/**
- * The framebuffers of a picture of one size: the one that is drawn into, the finished one, and those that transparency
- * asks for; made when first wanted.
- */
+/** The framebuffers of a picture of one size; those that transparency needs are made on first use. */
 final class RenderTargets {
-    private final GlResources objects;
+    private final GlResources resources = new GlResources();
     private final int width;
     private final int height;
     private final int scale;
@@ -24,31 +21,31 @@ final class RenderTargets {
      * @param scale pixels drawn for one of the picture, along each side
      * @param samples samples of a pixel, 0 for one
      */
-    RenderTargets(GL3 gl, GlResources objects, int width, int height, int scale, int samples) {
-        this.objects = objects;
+    RenderTargets(GL3 gl, int width, int height, int scale, int samples) {
         this.width = width;
         this.height = height;
         this.scale = scale;
         this.samples = samples;
-        drawTarget = new Framebuffer(gl, objects, width * scale, height * scale, samples, true);
-        resolved = samples > 0 || scale > 1 ? new Framebuffer(gl, objects, width, height, 0, samples > 0) : drawTarget;
+        drawTarget = new Framebuffer(gl, resources, width * scale, height * scale, samples, true);
+        resolved =
+                samples > 0 || scale > 1 ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
     }
 
-    boolean matches(int w, int h, int drawnScale, int drawnSamples) {
-        return width == w && height == h && scale == drawnScale && samples == drawnSamples;
+    boolean matches(int w, int h, int wantedScale, int wantedSamples) {
+        return width == w && height == h && scale == wantedScale && samples == wantedSamples;
     }
 
-    /** What surfaces are drawn into. */
+    /** The framebuffer that surfaces are drawn into. */
     Framebuffer drawTarget() {
         return drawTarget;
     }
 
-    /** What holds the picture in the end. */
+    /** The framebuffer of the finished picture. */
     Framebuffer resolved() {
         return resolved;
     }
 
-    /** The depth of what was drawn so far as a texture. */
+    /** The present depth as a texture. */
     int depthTexture(GL3 gl) {
         if (samples == 0) {
             return drawTarget.depthTexture();
@@ -57,86 +54,69 @@ final class RenderTargets {
         return resolved.depthTexture();
     }
 
-    /** Draws into the colours alone. */
+    /** Directs drawing into the colours alone. */
     void bindColourOnly(GL3 gl) {
-        if (samples > 0) {
-            drawTarget.bind(gl);
-            return;
+        if (samples == 0 && colourOnly == null) {
+            colourOnly = new Framebuffer(gl, resources, drawTarget);
         }
-        if (colourOnly == null) {
-            colourOnly = new Framebuffer(gl, drawTarget);
-        }
-        colourOnly.bind(gl);
+        (samples == 0 ? colourOnly : drawTarget).bind(gl);
     }
 
     /**
-     * Fills the picture with a background that is drawn once and copied from then on: one of many pixels that do not
-     * change.
+     * Fills the picture with a background. Without samples it is drawn once for each key and copied from then on.
      *
-     * @param what tells backgrounds apart
      * @param drawing draws it into what is bound
      */
-    void background(GL3 gl, Object what, Runnable drawing) {
+    void background(GL3 gl, Object key, Runnable drawing) {
         if (samples > 0) {
             drawTarget.bind(gl);
             drawing.run();
             return;
         }
         if (background == null) {
-            background = new Framebuffer(gl, objects, drawTarget.width(), drawTarget.height(), 0, false);
+            background = screen(gl, false);
         }
-        if (!what.equals(backgroundKey)) {
+        if (!key.equals(backgroundKey)) {
             background.bind(gl);
             drawing.run();
-            backgroundKey = what;
+            backgroundKey = key;
         }
         background.blitTo(gl, drawTarget, GL3.GL_COLOR_BUFFER_BIT);
         drawTarget.bind(gl);
     }
 
-    /** Two framebuffers that take layers in turns. */
+    private Framebuffer screen(GL3 gl, boolean withDepth) {
+        return new Framebuffer(gl, resources, drawTarget.width(), drawTarget.height(), 0, withDepth);
+    }
+
+    /** Two framebuffers that take layers in turn. */
     Framebuffer[] layers(GL3 gl) {
         if (layers == null) {
-            layers = new Framebuffer[] {
-                new Framebuffer(gl, objects, drawTarget.width(), drawTarget.height(), 0, true),
-                new Framebuffer(gl, objects, drawTarget.width(), drawTarget.height(), 0, true)
-            };
+            layers = new Framebuffer[] {screen(gl, true), screen(gl, true)};
         }
         return layers;
     }
 
-    /** Where layers are put together. */
+    /** Sum of the layers. */
     Framebuffer accumulation(GL3 gl) {
         if (accumulation == null) {
-            accumulation = new Framebuffer(gl, objects, drawTarget.width(), drawTarget.height(), 0, false);
+            accumulation = screen(gl, false);
         }
         return accumulation;
     }
 
-    /** Makes the finished picture out of what was drawn. */
+    /** Resolves samples and scale into the finished picture. */
     void resolve(GL3 gl) {
         if (resolved != drawTarget) {
             drawTarget.blitTo(gl, resolved, GL3.GL_COLOR_BUFFER_BIT);
         }
     }
 
+    int liveCount() {
+        return resources.liveCount();
+    }
+
     void dispose(GL3 gl) {
-        drawTarget.dispose(gl);
-        if (resolved != drawTarget) {
-            resolved.dispose(gl);
-        }
-        if (colourOnly != null) {
-            colourOnly.dispose(gl);
-        }
-        if (background != null) {
-            background.dispose(gl);
-        }
-        if (layers != null) {
-            layers[0].dispose(gl);
-            layers[1].dispose(gl);
-        }
-        if (accumulation != null) {
-            accumulation.dispose(gl);
-        }
+        resources.deleteAll(gl);
     }
 }

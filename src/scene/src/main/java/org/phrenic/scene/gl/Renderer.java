@@ -6,9 +6,10 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.nio.IntBuffer;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.camera.BoundingBox;
 import org.phrenic.scene.camera.Camera;
@@ -23,10 +24,10 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Draws a scene with OpenGL 3.3 core into a framebuffer of its own, on a screen or without one: background, what is
- * opaque, darkened edges, lines, what is clear. Used by one thread at a time, with its context current; after
- * {@link #dispose} it may be used in another context. The framebuffer, viewport and vertex array that were bound before
- * are bound again afterwards.
+ * Draws a scene with OpenGL 3.3 core into a framebuffer of its own, on screen or off: background, opaque surfaces,
+ * depth edges, lines, translucent surfaces. Used by one thread at a time, with its context current; after
+ * {@link #dispose} it may be used in another context. Framebuffer, viewport and vertex array are restored after
+ * drawing.
  */
 public final class Renderer {
     /** Told when a pass has been handed to the driver. */
@@ -39,20 +40,21 @@ public final class Renderer {
 
     private final List<Surface> surfaces;
     private final List<Overlay> overlays;
-    private final Map<String, BoundingBox> boundingBoxes = new LinkedHashMap<>();
-    private final Map<String, float[]> poses = new LinkedHashMap<>();
-    private final Map<String, float[]> fieldValues = new LinkedHashMap<>();
+    private final Map<String, BoundingBox> boundingBoxes = new HashMap<>();
+    private final Map<String, float[]> poses = new HashMap<>();
+    private final Map<String, float[]> fieldValues = new HashMap<>();
     private int fieldVersion;
-    private final GlResources objects = new GlResources();
+    private final GlResources resources = new GlResources();
     private FrameStatistics statistics = new FrameStatistics(0, 0, 0, 0);
     private PassListener listener = (gl, pass) -> {};
+
     private GraphicsInfo info;
     private GpuScene scene;
     private SurfacePass faces;
     private LinePass lines;
     private ScreenPass screen;
     private CapPass caps;
-    private TranslucentPass clearPass;
+    private TranslucentPass translucent;
     private RenderTargets targets;
     private IntBuffer pixels = IntBuffer.allocate(0);
 
@@ -67,47 +69,44 @@ public final class Renderer {
         draw(gl, frame, camera, style, Tile.whole(width, height));
     }
 
-    /** Draws a part of a picture. */
+    /** Draws a tile of a picture. */
     void draw(GL3 gl, Frame frame, Camera camera, SceneStyle style, Tile tile) {
         long begun = System.nanoTime();
         GlState state = GlState.of(gl);
-        objects.resetStatistics();
+        resources.resetStatistics();
         if (scene == null) {
             createPasses(gl);
         }
-        boolean peeled = style.transparency() == Transparency.PEELED;
-        int samples = peeled ? 0 : Math.min(style.samples(), info.maxSamples());
-        int scale = peeled && style.samples() > 1 ? 2 : 1;
+        boolean peeled = style.quality().transparency() == Transparency.PEELED;
+        int samples = peeled ? 0 : Math.min(style.quality().samples(), info.maxSamples());
+        int scale = peeled && style.quality().samples() > 1 ? 2 : 1;
         resize(gl, tile, scale, samples < 2 ? 0 : samples);
         scene.update(gl, frame, style, fieldValues, fieldVersion);
         scene.setPoses(poses);
         listener.done(gl, "upload");
-        ViewTransform sight = ViewTransform.of(camera, tile, scale);
+        ViewTransform transform = ViewTransform.of(camera, tile, scale);
         gl.glDepthMask(true);
         gl.glDisable(GL3.GL_BLEND);
         gl.glPolygonMode(GL3.GL_FRONT_AND_BACK, GL3.GL_FILL);
-        drawOpaque(gl, sight, style);
-        drawLines(gl, sight, style);
-        gl.glDisable(GL3.GL_CLIP_DISTANCE0);
-        if (style.clip().isPresent()) {
-            gl.glEnable(GL3.GL_CLIP_DISTANCE0);
-        }
-        drawTranslucent(gl, sight, style);
-        gl.glDisable(GL3.GL_CLIP_DISTANCE0);
+        drawOpaque(gl, transform, style);
+        drawLines(gl, transform, style);
+        setClipping(gl, style.clip().isPresent());
+        drawTranslucent(gl, transform, style);
+        setClipping(gl, false);
         targets.resolve(gl);
         listener.done(gl, "finish");
         state.restore(gl);
-        statistics = objects.statistics((System.nanoTime() - begun) / NANOS_PER_MS);
+        statistics = resources.statistics((System.nanoTime() - begun) / NANOS_PER_MS);
     }
 
     private void createPasses(GL3 gl) {
-        info = GraphicsQuery.info(gl);
-        scene = new GpuScene(gl, objects, surfaces, overlays);
-        faces = new SurfacePass(objects);
-        lines = new LinePass(objects);
-        screen = new ScreenPass(gl, objects);
-        caps = new CapPass(gl, objects);
-        clearPass = new TranslucentPass(faces, screen);
+        info = GraphicsInfo.of(gl);
+        scene = new GpuScene(gl, resources, surfaces, overlays);
+        faces = new SurfacePass(resources);
+        lines = new LinePass(resources);
+        screen = new ScreenPass(gl, resources);
+        caps = new CapPass(gl, resources);
+        translucent = new TranslucentPass(faces, screen);
     }
 
     private void resize(GL3 gl, Tile tile, int scale, int samples) {
@@ -115,109 +114,114 @@ public final class Renderer {
             if (targets != null) {
                 targets.dispose(gl);
             }
-            targets = new RenderTargets(gl, objects, tile.width(), tile.height(), scale, samples);
+            targets = new RenderTargets(gl, tile.width(), tile.height(), scale, samples);
         }
     }
 
-    private List<SurfaceBuffers> visibleSurfaces(SceneStyle style, boolean clear) {
+    private static void setClipping(GL3 gl, boolean on) {
+        if (on) {
+            gl.glEnable(GL3.GL_CLIP_DISTANCE0);
+        } else {
+            gl.glDisable(GL3.GL_CLIP_DISTANCE0);
+        }
+    }
+
+    /** Visible surfaces whose appearance fulfils a condition. */
+    private List<SurfaceBuffers> visible(SceneStyle style, Predicate<Appearance> condition) {
         return scene.surfaces().stream()
                 .filter(s -> style.appearance(s.surface().name())
-                        .filter(l -> l.visible() && !l.wireframe() && l.isTranslucent() == clear && l.opacity() > 0)
+                        .filter(Appearance::visible)
+                        .filter(condition)
                         .isPresent())
                 .toList();
     }
 
-    private void drawOpaque(GL3 gl, ViewTransform sight, SceneStyle style) {
+    private BoundingBox box(SurfaceBuffers surface) {
+        return boundingBoxes.get(surface.surface().name());
+    }
+
+    private void drawOpaque(GL3 gl, ViewTransform transform, SceneStyle style) {
         targets.drawTarget().bind(gl);
-        gl.glDisable(GL3.GL_CLIP_DISTANCE0);
+        setClipping(gl, false);
         gl.glClear(GL3.GL_DEPTH_BUFFER_BIT | GL3.GL_STENCIL_BUFFER_BIT);
         gl.glDepthFunc(GL3.GL_LESS);
         targets.background(
                 gl,
-                List.of(style.background(), sight.tile()),
-                () -> screen.drawBackground(gl, style.background(), sight));
+                List.of(style.background(), transform.tile()),
+                () -> screen.drawBackground(gl, style.background(), transform));
         listener.done(gl, "background");
         boolean cut = style.clip().isPresent();
-        if (cut) {
-            gl.glEnable(GL3.GL_CLIP_DISTANCE0);
-        }
+        setClipping(gl, cut);
         gl.glEnable(GL3.GL_DEPTH_TEST);
-        List<SurfaceBuffers> shown = visibleSurfaces(style, false).stream()
-                .sorted(Comparator.comparing(
-                        s -> boundingBoxes.get(s.surface().name()).nearestDepth(sight)))
+        // Near surfaces first: what they hide fails the depth test early.
+        List<SurfaceBuffers> shown = visible(style, a -> !a.wireframe() && !a.isTranslucent()).stream()
+                .sorted(Comparator.comparing(s -> box(s).nearestDepth(transform)))
                 .toList();
         for (SurfaceBuffers surface : shown) {
-            faces.draw(gl, surface, sight, style, cut ? SurfacePass.Faces.BOTH : SurfacePass.Faces.FRONT);
+            faces.draw(gl, surface, transform, style, cut ? SurfacePass.Faces.BOTH : SurfacePass.Faces.FRONT);
         }
-        gl.glDisable(GL3.GL_CLIP_DISTANCE0);
+        setClipping(gl, false);
         if (cut) {
-            caps.draw(gl, shown, faces, sight, style);
+            caps.draw(gl, shown, faces, transform, style);
         }
         listener.done(gl, "opaque");
         int depth = targets.depthTexture(gl);
         targets.bindColourOnly(gl);
-        int[] part = BoundingBox.screenRectangle(
-                shown.stream().map(s -> boundingBoxes.get(s.surface().name())).toList(), sight);
+        int[] part = BoundingBox.screenRectangle(shown.stream().map(this::box).toList(), transform);
         gl.glEnable(GL3.GL_SCISSOR_TEST);
         gl.glScissor(part[0], part[1], part[2], part[3]);
-        screen.darkenDepthEdges(gl, depth, sight);
+        screen.darkenDepthEdges(gl, depth, transform);
         gl.glDisable(GL3.GL_SCISSOR_TEST);
         targets.drawTarget().bind(gl);
         listener.done(gl, "edges");
     }
 
-    private void drawLines(GL3 gl, ViewTransform sight, SceneStyle style) {
-        List<SurfaceBuffers> wired = scene.surfaces().stream()
-                .filter(s -> style.appearance(s.surface().name())
-                        .filter(l -> l.visible() && l.wireframe())
-                        .isPresent())
-                .toList();
+    private void drawLines(GL3 gl, ViewTransform transform, SceneStyle style) {
         gl.glEnable(GL3.GL_DEPTH_TEST);
         gl.glDisable(GL3.GL_CULL_FACE);
         gl.glDepthMask(false);
         gl.glEnable(GL3.GL_BLEND);
         gl.glBlendFunc(GL3.GL_SRC_ALPHA, GL3.GL_ONE_MINUS_SRC_ALPHA);
-        gl.glEnable(GL3.GL_CLIP_DISTANCE0);
+        setClipping(gl, true);
         gl.glEnable(GL3.GL_PROGRAM_POINT_SIZE);
-        wired.forEach(s -> lines.drawEdges(gl, s, sight, style));
-        if (style.restWireframe()) {
-            scene.surfaces().stream()
-                    .filter(s -> showsRest(s.surface(), style))
-                    .forEach(s -> lines.drawRestEdges(gl, s, sight, style));
+        visible(style, Appearance::wireframe).forEach(s -> lines.drawEdges(gl, s, transform, style));
+        if (style.lines().restWireframe()) {
+            visible(style, a -> true).stream()
+                    .filter(s -> hasRestWireframe(s.surface(), style))
+                    .forEach(s -> lines.drawRestEdges(gl, s, transform, style));
         }
-        lines.drawOverlays(gl, scene.overlays(), sight, style);
+        lines.drawOverlays(gl, scene.overlays(), transform, style);
         gl.glDisable(GL3.GL_PROGRAM_POINT_SIZE);
         gl.glDisable(GL3.GL_BLEND);
         gl.glDepthMask(true);
         listener.done(gl, "lines");
     }
 
-    private static boolean showsRest(Surface surface, SceneStyle style) {
-        return style.appearance(surface.name()).filter(Appearance::visible).isPresent()
-                && surface.motion() != Surface.Motion.STILL
+    private static boolean hasRestWireframe(Surface surface, SceneStyle style) {
+        return surface.motion() != Surface.Motion.STILL
                 && (surface.kind() == StructureKind.DIAPHRAGM || style.showsField(surface.name()));
     }
 
-    private void drawTranslucent(GL3 gl, ViewTransform sight, SceneStyle style) {
-        List<SurfaceBuffers> clear = visibleSurfaces(style, true).stream()
-                .sorted(Comparator.comparing(
-                        s -> boundingBoxes.get(s.surface().name()).longestSide()))
-                .toList();
-        if (clear.isEmpty()) {
+    private void drawTranslucent(GL3 gl, ViewTransform transform, SceneStyle style) {
+        List<SurfaceBuffers> shown =
+                visible(style, a -> !a.wireframe() && a.isTranslucent() && a.opacity() > 0).stream()
+                        .sorted(Comparator.comparing(s -> box(s).longestSide()))
+                        .toList();
+        if (shown.isEmpty()) {
             return;
         }
-        if (style.transparency() == Transparency.PEELED) {
-            clearPass.drawPeeled(gl, targets, clear, sight, style);
+        if (style.quality().transparency() == Transparency.PEELED) {
+            translucent.drawPeeled(gl, targets, shown, transform, style);
         } else {
-            clearPass.drawTwoPass(gl, targets, clear, sight, style);
+            translucent.drawTwoPass(gl, targets, shown, transform, style);
         }
-        listener.done(gl, "clear");
+        listener.done(gl, "translucent");
     }
 
     /** The picture, opaque, first row on top. */
     public BufferedImage readPixels(GL3 gl) {
-        BufferedImage image =
-                new BufferedImage(targets.resolved().width(), targets.resolved().height(), BufferedImage.TYPE_INT_RGB);
+        Framebuffer finished = targets.resolved();
+        BufferedImage image = new BufferedImage(finished.width(), finished.height(), BufferedImage.TYPE_INT_RGB);
         readPixels(gl, image);
         return image;
     }
@@ -238,7 +242,7 @@ public final class Renderer {
             pixels = Buffers.newDirectIntBuffer(width * height);
         }
         GlState state = GlState.of(gl);
-        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, targets.resolved().framebuffer());
+        gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, targets.resolved().name());
         gl.glPixelStorei(GL3.GL_PACK_ALIGNMENT, 4);
         gl.glReadPixels(0, 0, width, height, GL3.GL_BGRA, GL3.GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
         state.restore(gl);
@@ -252,13 +256,12 @@ public final class Renderer {
     }
 
     /**
-     * Values of {@link ColourField#DISTANCE} or {@link ColourField#ACCESS} on a structure.
+     * Sets the values of {@link ColourField#DISTANCE} or {@link ColourField#ACCESS} on a structure.
      *
      * @throws IllegalArgumentException if there is no such structure or it has another count of vertices
      */
     public void setField(String structure, float[] valuePerVertex) {
-        Surface surface = surface(structure);
-        int expected = surface.rest().vertexCount();
+        int expected = surface(structure).rest().vertexCount();
         if (valuePerVertex.length != expected) {
             throw new IllegalArgumentException(
                     structure + ": found " + valuePerVertex.length + " values, expected one a vertex, " + expected);
@@ -268,7 +271,7 @@ public final class Renderer {
     }
 
     /**
-     * Puts a surface that stands still somewhere else, from the next picture on.
+     * Moves a surface that stands still, from the next picture on.
      *
      * @param pose three rows of four: x' = M x + t
      * @throws IllegalArgumentException if there is no such structure
@@ -288,25 +291,19 @@ public final class Renderer {
                 .orElseThrow(() -> new IllegalArgumentException("found no structure '" + structure + "' in the scene"));
     }
 
-    /** Gives everything back that the graphics card holds for it. */
+    /** Frees everything on the graphics card. */
     public void dispose(GL3 gl) {
-        if (scene != null) {
-            scene.dispose(gl);
-            faces.dispose(gl);
-            lines.dispose(gl);
-            screen.dispose(gl);
-            caps.dispose(gl);
-            scene = null;
-        }
+        resources.deleteAll(gl);
+        scene = null;
         if (targets != null) {
             targets.dispose(gl);
             targets = null;
         }
     }
 
-    /** Objects of OpenGL that are held now. */
+    /** Number of live OpenGL objects. */
     public int liveObjects() {
-        return objects.liveCount();
+        return resources.liveCount() + (targets == null ? 0 : targets.liveCount());
     }
 
     void setPassListener(PassListener told) {
@@ -318,12 +315,10 @@ public final class Renderer {
         return statistics;
     }
 
-    /** Surfaces this draws. */
     public List<Surface> surfaces() {
         return surfaces;
     }
 
-    /** Overlays this draws. */
     public List<Overlay> overlays() {
         return overlays;
     }

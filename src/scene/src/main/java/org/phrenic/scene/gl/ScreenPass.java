@@ -1,52 +1,52 @@
 package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
+import org.joml.Matrix4d;
 import org.phrenic.scene.camera.Tile;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.SceneBackground;
 
-/** Passes that touch every pixel of a picture: the background, darkened edges, and layers put over each other. */
+/** Full-screen passes: the background, darkened depth edges, and layers blended over each other. */
 final class ScreenPass {
-    /** A step in depth of this size is as dark as it gets, mm. */
+    /** A step in depth of this size is darkened most, mm. */
     private static final float MAX_EDGE_DEPTH_MM = 30;
 
     private static final float EDGE_WIDTH_PIXELS = 1.5f;
 
-    private final GlResources objects;
+    private final GlResources resources;
     private final int emptyVertexArray;
     private final ShaderProgram backdrop;
     private final ShaderProgram edge;
     private final ShaderProgram copy;
 
-    ScreenPass(GL3 gl, GlResources objects) {
-        this.objects = objects;
-        emptyVertexArray = objects.vertexArray(gl);
-        backdrop = new ShaderProgram(gl, objects, "", "screen.vert.glsl", "backdrop.frag.glsl");
-        edge = new ShaderProgram(gl, objects, "", "screen.vert.glsl", "edge.frag.glsl");
-        copy = new ShaderProgram(gl, objects, "", "screen.vert.glsl", "copy.frag.glsl");
+    ScreenPass(GL3 gl, GlResources resources) {
+        this.resources = resources;
+        emptyVertexArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
+        backdrop = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "backdrop.frag.glsl");
+        edge = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "edge.frag.glsl");
+        copy = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "copy.frag.glsl");
     }
 
-    /** Fills the picture with the background. */
-    void drawBackground(GL3 gl, SceneBackground background, ViewTransform sight) {
+    void drawBackground(GL3 gl, SceneBackground background, ViewTransform transform) {
+        Tile tile = transform.tile();
+        int scale = transform.scale();
         backdrop.use(gl);
         backdrop.set(gl, "middle", Appearance.of(background.centreRgb(), 1).rgb());
         backdrop.set(gl, "edge", Appearance.of(background.edgeRgb(), 1).rgb());
-        Tile tile = sight.tile();
-        int scale = sight.scale();
         backdrop.set(gl, "offset", tile.x() * scale, tile.y() * scale);
         backdrop.set(gl, "whole", tile.wholeWidth() * scale, tile.wholeHeight() * scale);
         drawFullScreen(gl);
     }
 
-    /** Darkens what lies behind its neighbours in the picture; a cue of depth. */
-    void darkenDepthEdges(GL3 gl, int depthTexture, ViewTransform sight) {
+    /** Darkens what lies behind its neighbours in the picture: a depth cue. */
+    void darkenDepthEdges(GL3 gl, int depthTexture, ViewTransform transform) {
+        Matrix4d p = transform.fullProjection();
         edge.use(gl);
-        texture(gl, edge, "depth", depthTexture);
-        float[] p = sight.fullProjection();
-        edge.set(gl, "unproject", p[10], p[14], sight.orthographicFlag());
+        edge.setTexture(gl, "depth", 0, GL3.GL_TEXTURE_2D, depthTexture);
+        edge.set(gl, "unproject", (float) p.m22(), (float) p.m32(), transform.orthographicFlag());
         edge.set(gl, "reach", MAX_EDGE_DEPTH_MM);
-        edge.set(gl, "radius", sight.scaledPixels(EDGE_WIDTH_PIXELS));
+        edge.set(gl, "radius", transform.scaledPixels(EDGE_WIDTH_PIXELS));
         gl.glEnable(GL3.GL_BLEND);
         gl.glBlendFunc(GL3.GL_ZERO, GL3.GL_SRC_COLOR);
         drawFullScreen(gl);
@@ -56,14 +56,8 @@ final class ScreenPass {
     /** Draws a texture of colours over the picture; blending is the caller's. */
     void drawTexture(GL3 gl, int colourTexture) {
         copy.use(gl);
-        texture(gl, copy, "source", colourTexture);
+        copy.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
         drawFullScreen(gl);
-    }
-
-    private static void texture(GL3 gl, ShaderProgram program, String name, int texture) {
-        gl.glActiveTexture(GL3.GL_TEXTURE0);
-        gl.glBindTexture(GL3.GL_TEXTURE_2D, texture);
-        program.setSampler(gl, name, 0);
     }
 
     private void drawFullScreen(GL3 gl) {
@@ -71,14 +65,7 @@ final class ScreenPass {
         gl.glDisable(GL3.GL_CULL_FACE);
         gl.glBindVertexArray(emptyVertexArray);
         gl.glDrawArrays(GL3.GL_TRIANGLES, 0, 3);
-        objects.countDraw(1);
+        resources.countDraw(1);
         gl.glEnable(GL3.GL_DEPTH_TEST);
-    }
-
-    void dispose(GL3 gl) {
-        objects.deleteVertexArray(gl, emptyVertexArray);
-        backdrop.dispose(gl);
-        edge.dispose(gl);
-        copy.dispose(gl);
     }
 }

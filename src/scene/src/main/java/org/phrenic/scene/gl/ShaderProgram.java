@@ -1,6 +1,5 @@
 package org.phrenic.scene.gl;
 
-import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,24 +7,25 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
+import org.joml.Matrix4d;
+import org.phrenic.scene.camera.ViewTransform;
+import org.phrenic.scene.style.SceneStyle;
 
 /** A program of shaders from the class path, GLSL 3.30, and its uniforms by name. */
 final class ShaderProgram {
     private static final String VERSION = "#version 330 core\n";
 
-    private final GlResources objects;
     private final int program;
     private final Map<String, Integer> locations = new HashMap<>();
 
     /**
      * @param defines lines of {@code #define} that choose a variant
-     * @param files names of shaders beside this class; they tell the stage: {@code .vert.glsl}, {@code .geom.glsl},
+     * @param files shaders beside this class; the name tells the stage: {@code .vert.glsl}, {@code .geom.glsl},
      *     {@code .frag.glsl}
      * @throws IllegalStateException if the driver refuses one; the message is the driver's
      */
-    ShaderProgram(GL3 gl, GlResources objects, String defines, String... files) {
-        this.objects = objects;
-        program = objects.program(gl);
+    ShaderProgram(GL3 gl, GlResources resources, String defines, String... files) {
+        program = resources.create(gl, GlResources.Kind.PROGRAM);
         int[] shaders = new int[files.length];
         for (int i = 0; i < files.length; i++) {
             shaders[i] = compile(gl, defines, files[i]);
@@ -33,7 +33,7 @@ final class ShaderProgram {
         }
         gl.glLinkProgram(program);
         int[] status = new int[1];
-        gl.glGetProgramiv(program, GL2ES2.GL_LINK_STATUS, status, 0);
+        gl.glGetProgramiv(program, GL3.GL_LINK_STATUS, status, 0);
         if (status[0] == 0) {
             throw new IllegalStateException("shaders " + String.join(", ", files) + ": " + log(gl, program, false));
         }
@@ -45,13 +45,13 @@ final class ShaderProgram {
 
     private static int compile(GL3 gl, String defines, String file) {
         int type = file.contains(".vert")
-                ? GL2ES2.GL_VERTEX_SHADER
-                : file.contains(".geom") ? GL3.GL_GEOMETRY_SHADER : GL2ES2.GL_FRAGMENT_SHADER;
+                ? GL3.GL_VERTEX_SHADER
+                : file.contains(".geom") ? GL3.GL_GEOMETRY_SHADER : GL3.GL_FRAGMENT_SHADER;
         int shader = gl.glCreateShader(type);
         gl.glShaderSource(shader, 1, new String[] {VERSION + defines + source(file)}, null, 0);
         gl.glCompileShader(shader);
         int[] status = new int[1];
-        gl.glGetShaderiv(shader, GL2ES2.GL_COMPILE_STATUS, status, 0);
+        gl.glGetShaderiv(shader, GL3.GL_COMPILE_STATUS, status, 0);
         if (status[0] == 0) {
             throw new IllegalStateException("shader " + file + ": " + log(gl, shader, true));
         }
@@ -81,20 +81,31 @@ final class ShaderProgram {
         gl.glUseProgram(program);
     }
 
+    /** Uses the program and sets the uniforms of camera and clip plane. */
+    void use(GL3 gl, ViewTransform transform, SceneStyle style, Matrix4d toEye) {
+        use(gl);
+        setMatrix(gl, "toEye", toEye);
+        setMatrix(gl, "projection", transform.projection());
+        set(gl, "clip", transform.clipPlane(style.clip()));
+        set(gl, "parallel", transform.orthographicFlag());
+    }
+
     private int location(GL3 gl, String name) {
         return locations.computeIfAbsent(name, key -> gl.glGetUniformLocation(program, key));
     }
 
-    /** The unit of textures that a sampler looks at. */
-    void setSampler(GL3 gl, String name, int value) {
-        gl.glUniform1i(location(gl, name), value);
+    /** Binds a texture to a texture unit and a sampler to that unit. */
+    void setTexture(GL3 gl, String sampler, int unit, int target, int texture) {
+        gl.glActiveTexture(GL3.GL_TEXTURE0 + unit);
+        gl.glBindTexture(target, texture);
+        gl.glUniform1i(location(gl, sampler), unit);
     }
 
     void set(GL3 gl, String name, float value) {
         gl.glUniform1f(location(gl, name), value);
     }
 
-    /** Two, three or four numbers. */
+    /** Sets a vector of two, three or four numbers. */
     void set(GL3 gl, String name, float... v) {
         switch (v.length) {
             case 2 -> gl.glUniform2f(location(gl, name), v[0], v[1]);
@@ -104,17 +115,12 @@ final class ShaderProgram {
         }
     }
 
-    /** An array of points, three numbers each. */
+    /** Sets an array of points, three numbers each. */
     void setPoints(GL3 gl, String name, float[] xyz) {
         gl.glUniform3fv(location(gl, name), xyz.length / 3, xyz, 0);
     }
 
-    /** A column-major 4 x 4 matrix. */
-    void setMatrix(GL3 gl, String name, float[] columns) {
-        gl.glUniformMatrix4fv(location(gl, name), 1, false, columns, 0);
-    }
-
-    void dispose(GL3 gl) {
-        objects.deleteProgram(gl, program);
+    void setMatrix(GL3 gl, String name, Matrix4d matrix) {
+        gl.glUniformMatrix4fv(location(gl, name), 1, false, matrix.get(new float[16]), 0);
     }
 }

@@ -2,91 +2,103 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
+import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import org.joml.Matrix4d;
+import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.surface.AmbientOcclusion;
 import org.phrenic.scene.surface.FieldValues;
-import org.phrenic.scene.surface.MeshEdges;
 import org.phrenic.scene.surface.VertexAttributes;
 import org.phrenic.scene.surface.VertexNormals;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * One surface on the graphics card: positions, normals and traits of its vertices, triangles, and edges once they are
- * asked for.
+ * One surface on the graphics card: positions, normals and attributes of its vertices, triangles, and edges on demand.
  */
 final class SurfaceBuffers {
     private static final int POSITION = 0;
     private static final int NORMAL = 1;
     private static final int ATTRIBUTES = 2;
     private static final int FIELD = 3;
-
-    /** A surface that encloses a body may have this share of edges with one triangle only. */
+    /** Share of edges with one triangle only up to which a surface counts as closed. */
     private static final double MAX_OPEN_EDGE_SHARE = 0.02;
 
-    private final GlResources objects;
+    private static final float[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+    private final GlResources resources;
     private final Surface surface;
     private final int index;
     private final VertexNormals normals;
     private final FloatBuffer positions;
-    private final IntBuffer packed;
-    private final float[] pose = identity();
+    private final IntBuffer packedNormals;
+    private float[] poseRows = IDENTITY;
     private final int vertexArray;
     private final int positionBuffer;
     private final int normalBuffer;
-    private final int attributeBuffer;
     private final int triangleBuffer;
     private final int triangleCount;
+    private final int[] edges;
     private final boolean closed;
     private int restArray;
-    private int restBuffer;
     private int edgeBuffer;
-    private int edgeCount;
     private int fieldBuffer;
     private FieldValues values;
 
     /**
      * @param index of the surface in a frame
-     * @param openness where the light that reaches it is looked up
+     * @param occlusion ambient occlusion of the scene
      */
-    SurfaceBuffers(GL3 gl, GlResources objects, Surface surface, int index, AmbientOcclusion openness) {
-        this.objects = objects;
+    SurfaceBuffers(GL3 gl, GlResources resources, Surface surface, int index, AmbientOcclusion occlusion) {
+        this.resources = resources;
         this.surface = surface;
         this.index = index;
         TriangleMesh mesh = surface.rest();
-        int n = mesh.vertexCount();
         int[] triangles = orientedOutward(mesh);
-        normals = new VertexNormals(triangles, n);
-        positions = Buffers.newDirectFloatBuffer(3 * n);
-        packed = Buffers.newDirectIntBuffer(n);
-        for (int i = 0; i < 3 * n; i++) {
-            positions.put(i, (float) mesh.positions()[i]);
-        }
-        normals.compute(positions, packed);
-        boolean moving = surface.motion() == Surface.Motion.DEFORMING;
-        int usage = moving ? GL3.GL_STREAM_DRAW : GL3.GL_STATIC_DRAW;
-        vertexArray = objects.vertexArray(gl);
-        positionBuffer = objects.buffer(gl);
-        normalBuffer = objects.buffer(gl);
-        attributeBuffer = objects.buffer(gl);
-        triangleBuffer = objects.buffer(gl);
-        triangleCount = triangles.length / 3;
-        int[] uses = MeshEdges.triangleCounts(triangles);
-        closed = Arrays.stream(uses).filter(count -> count == 1).count() <= MAX_OPEN_EDGE_SHARE * uses.length;
+        normals = new VertexNormals(triangles, mesh.vertexCount());
+        positions = restPositions();
+        packedNormals = Buffers.newDirectIntBuffer(mesh.vertexCount());
+        normals.compute(positions, packedNormals);
+        EdgeTable table = new EdgeTable(mesh);
+        edges = table.edges;
+        long open = Arrays.stream(table.edgeTriangleCount).filter(n -> n == 1).count();
+        closed = open <= MAX_OPEN_EDGE_SHARE * table.count();
+        int usage = surface.motion() == Surface.Motion.DEFORMING ? GL3.GL_STREAM_DRAW : GL3.GL_STATIC_DRAW;
+        vertexArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
         gl.glBindVertexArray(vertexArray);
-        objects.upload(gl, GL3.GL_ARRAY_BUFFER, positionBuffer, positions, usage);
+        positionBuffer = buffer(gl, GL3.GL_ARRAY_BUFFER, positions, usage);
         attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
-        objects.upload(gl, GL3.GL_ARRAY_BUFFER, normalBuffer, packed, usage);
+        normalBuffer = buffer(gl, GL3.GL_ARRAY_BUFFER, packedNormals, usage);
         attribute(gl, NORMAL, 4, GL3.GL_INT_2_10_10_10_REV, true);
-        IntBuffer traits = new VertexAttributes(surface).packed(openness.visibility(mesh, normals));
-        objects.upload(gl, GL3.GL_ARRAY_BUFFER, attributeBuffer, traits, GL3.GL_STATIC_DRAW);
+        IntBuffer attributes = new VertexAttributes(surface, table).packed(occlusion.visibility(mesh, normals));
+        buffer(gl, GL3.GL_ARRAY_BUFFER, attributes, GL3.GL_STATIC_DRAW);
         attribute(gl, ATTRIBUTES, 4, GL3.GL_UNSIGNED_BYTE, true);
-        IntBuffer corners = Buffers.newDirectIntBuffer(triangles);
-        objects.upload(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, triangleBuffer, corners, GL3.GL_STATIC_DRAW);
+        triangleBuffer = elements(gl, triangles);
+        triangleCount = triangles.length / 3;
+    }
+
+    private FloatBuffer restPositions() {
+        double[] rest = surface.rest().positions();
+        FloatBuffer at = Buffers.newDirectFloatBuffer(rest.length);
+        for (int i = 0; i < rest.length; i++) {
+            at.put(i, (float) rest[i]);
+        }
+        return at;
+    }
+
+    private int buffer(GL3 gl, int target, Buffer content, int usage) {
+        int name = resources.create(gl, GlResources.Kind.BUFFER);
+        resources.upload(gl, target, name, content, usage);
+        return name;
+    }
+
+    private int elements(GL3 gl, int[] vertices) {
+        return buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, Buffers.newDirectIntBuffer(vertices), GL3.GL_STATIC_DRAW);
     }
 
     private static void attribute(GL3 gl, int location, int size, int type, boolean normalized) {
@@ -94,26 +106,10 @@ final class SurfaceBuffers {
         gl.glVertexAttribPointer(location, size, type, normalized, 0, 0);
     }
 
-    private static float[] identity() {
-        return new float[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    }
-
-    /** The triangles, turned round if they look inwards, which files of others may do. */
+    /** The triangles, reversed if they face inward, as those of foreign files may. */
     private static int[] orientedOutward(TriangleMesh mesh) {
         int[] triangles = mesh.triangles().clone();
-        double[] box = mesh.bounds();
-        double sum = 0;
-        double[] p = mesh.positions();
-        for (int t = 0; t < triangles.length; t += 3) {
-            double[] u = new double[9];
-            for (int k = 0; k < 9; k++) {
-                u[k] = p[3 * triangles[t + k / 3] + k % 3] - (box[k % 3] + box[3 + k % 3]) / 2;
-            }
-            sum += u[0] * (u[4] * u[8] - u[5] * u[7])
-                    + u[1] * (u[5] * u[6] - u[3] * u[8])
-                    + u[2] * (u[3] * u[7] - u[4] * u[6]);
-        }
-        if (sum < 0) {
+        if (MeshMeasure.signedVolume(mesh) < 0) {
             for (int t = 0; t < triangles.length; t += 3) {
                 int swap = triangles[t];
                 triangles[t] = triangles[t + 1];
@@ -128,62 +124,51 @@ final class SurfaceBuffers {
         switch (surface.motion()) {
             case DEFORMING -> {
                 positions.put(0, frame.positions(index));
-                normals.compute(positions, packed);
-                objects.stream(gl, positionBuffer, positions);
-                objects.stream(gl, normalBuffer, packed);
+                normals.compute(positions, packedNormals);
+                resources.stream(gl, positionBuffer, positions);
+                resources.stream(gl, normalBuffer, packedNormals);
             }
-            case RIGID -> {
-                setPose(frame.pose(index));
-            }
+            case RIGID -> setPose(frame.pose(index));
             case STILL -> {
-                // It is where it was.
+                // Stays where it is.
             }
         }
     }
 
-    /** Puts it somewhere by three rows of four. */
+    /** Moves it by a matrix of three rows of four. */
     void setPose(float[] rows) {
-        for (int i = 0; i < Frame.POSE_LENGTH; i++) {
-            pose[4 * (i % 4) + i / 4] = rows[i];
-        }
+        poseRows = rows.clone();
     }
 
-    /** Sends the values of a quantity. */
+    /** Uploads the values of a quantity. */
     void uploadField(GL3 gl, ColourField field, float[] given) {
         if (values == null) {
             values = new FieldValues(surface);
-            fieldBuffer = objects.buffer(gl);
+            fieldBuffer = resources.create(gl, GlResources.Kind.BUFFER);
             gl.glBindVertexArray(vertexArray);
             gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, fieldBuffer);
             attribute(gl, FIELD, 1, GL3.GL_FLOAT, false);
         }
+        boolean deforming = surface.motion() == Surface.Motion.DEFORMING;
         float[] shown =
                 switch (field) {
                     case NONE -> values.zeros();
                     case DISTANCE, ACCESS -> given == null ? values.zeros() : given;
-                    case STRAIN ->
-                        surface.motion() == Surface.Motion.DEFORMING ? values.areaStrain(positions) : values.zeros();
+                    case STRAIN -> deforming ? values.areaStrain(positions) : values.zeros();
                     case DISPLACEMENT ->
                         switch (surface.motion()) {
                             case DEFORMING -> values.displacement(positions);
-                            case RIGID -> values.displacement(poseRows());
+                            case RIGID -> values.displacement(poseRows);
                             case STILL -> values.zeros();
                         };
                 };
-        objects.stream(gl, fieldBuffer, FloatBuffer.wrap(shown));
+        resources.stream(gl, fieldBuffer, FloatBuffer.wrap(shown));
     }
 
-    private float[] poseRows() {
-        float[] rows = new float[Frame.POSE_LENGTH];
-        for (int i = 0; i < rows.length; i++) {
-            rows[i] = pose[4 * (i % 4) + i / 4];
-        }
-        return rows;
-    }
-
-    /** Where it is, a column-major 4 x 4 matrix. */
-    float[] pose() {
-        return pose;
+    /** From the rest pose to the world. */
+    Matrix4d pose() {
+        float[] r = poseRows;
+        return new Matrix4d(r[0], r[4], r[8], 0, r[1], r[5], r[9], 0, r[2], r[6], r[10], 0, r[3], r[7], r[11], 1);
     }
 
     Surface surface() {
@@ -199,47 +184,28 @@ final class SurfaceBuffers {
         gl.glBindVertexArray(vertexArray);
         gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, triangleBuffer);
         gl.glDrawElements(GL3.GL_TRIANGLES, 3 * triangleCount, GL3.GL_UNSIGNED_INT, 0);
-        objects.countDraw(triangleCount);
+        resources.countDraw(triangleCount);
     }
 
-    /** Draws its edges, where it is now or where it rests. */
+    /** Draws its edges, at present or at rest. */
     void drawEdges(GL3 gl, boolean atRest) {
         if (edgeBuffer == 0) {
-            edgeBuffer = objects.buffer(gl);
-            int[] edges = MeshEdges.of(surface.rest().triangles());
-            edgeCount = edges.length / 2;
             gl.glBindVertexArray(vertexArray);
-            IntBuffer pairs = Buffers.newDirectIntBuffer(edges);
-            objects.upload(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, edgeBuffer, pairs, GL3.GL_STATIC_DRAW);
+            edgeBuffer = elements(gl, edges);
         }
-        gl.glBindVertexArray(atRest ? restVertexArray(gl) : vertexArray);
+        gl.glBindVertexArray(atRest ? restArray(gl) : vertexArray);
         gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, edgeBuffer);
-        gl.glDrawElements(GL3.GL_LINES, 2 * edgeCount, GL3.GL_UNSIGNED_INT, 0);
-        objects.countDraw(2 * edgeCount);
+        gl.glDrawElements(GL3.GL_LINES, edges.length, GL3.GL_UNSIGNED_INT, 0);
+        resources.countDraw(edges.length);
     }
 
-    private int restVertexArray(GL3 gl) {
+    private int restArray(GL3 gl) {
         if (restArray == 0) {
-            restArray = objects.vertexArray(gl);
-            restBuffer = objects.buffer(gl);
-            FloatBuffer at = Buffers.newDirectFloatBuffer(positions.capacity());
-            for (int i = 0; i < at.capacity(); i++) {
-                at.put(i, (float) surface.rest().positions()[i]);
-            }
+            restArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
             gl.glBindVertexArray(restArray);
-            objects.upload(gl, GL3.GL_ARRAY_BUFFER, restBuffer, at, GL3.GL_STATIC_DRAW);
+            buffer(gl, GL3.GL_ARRAY_BUFFER, restPositions(), GL3.GL_STATIC_DRAW);
             attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
         }
         return restArray;
-    }
-
-    void dispose(GL3 gl) {
-        objects.deleteVertexArray(gl, vertexArray);
-        objects.deleteVertexArray(gl, restArray);
-        for (int buffer : new int[] {
-            positionBuffer, normalBuffer, attributeBuffer, triangleBuffer, restBuffer, edgeBuffer, fieldBuffer
-        }) {
-            objects.deleteBuffer(gl, buffer);
-        }
     }
 }

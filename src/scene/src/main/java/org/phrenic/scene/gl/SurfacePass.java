@@ -2,6 +2,7 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -16,15 +17,12 @@ import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * Draws faces of surfaces. Each combination of features is a program of its own, so that no pixel pays for what is not
- * asked for.
- */
+/** Draws faces of surfaces. Each combination of features is a shader program of its own. */
 final class SurfacePass {
-    /** What a program can do besides lighting. */
-    enum Feature {
-        CLEAR,
-        DULL,
+    /** What a program does besides lighting; the names are macros of the shaders. */
+    private enum Feature {
+        TRANSLUCENT,
+        BACK_FACES,
         FIELD,
         TENDON,
         CLIP,
@@ -40,51 +38,78 @@ final class SurfacePass {
     }
 
     /**
-     * What depth peeling draws: what lies before the opaque and behind the layer before.
+     * The depths between which a layer of depth peeling lies.
      *
-     * @param opaqueDepth texture
-     * @param peeledDepth texture; not looked at for the first layer
+     * @param opaqueDepth texture of the opaque surfaces' depth
+     * @param peeledDepth texture of the previous layer's depth; not read for the first layer
      */
     record PeelLayer(int opaqueDepth, int peeledDepth, boolean first) {}
 
-    /** Beyond this a clear surface is as good as opaque. */
+    /** Keeps the logarithm of the transparency finite. */
     private static final float MAX_TRANSLUCENT_OPACITY = 0.9999f;
 
-    private static final float EYE_OFFSET_MM = 5;
+    private static final float LUNG_OFFSET_MM = 5;
     private static final int COLOUR_MAP_SIZE = 256;
     private static final double GAMMA = 2.2;
     private static final float[] HIGHLIGHT_RGB = {1.0f, 0.62f, 0.10f};
     private static final float HIGHLIGHT_STRENGTH = 0.42f;
 
-    private final GlResources objects;
+    private final GlResources resources;
     private final Map<Set<Feature>, ShaderProgram> programs = new HashMap<>();
-    private final Map<ColourMap, Integer> colourMapTexture = new EnumMap<>(ColourMap.class);
+    private final Map<ColourMap, Integer> colourMapTextures = new EnumMap<>(ColourMap.class);
 
-    SurfacePass(GlResources objects) {
-        this.objects = objects;
+    SurfacePass(GlResources resources) {
+        this.resources = resources;
     }
 
     /** Draws one surface. */
-    void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform sight, SceneStyle style, Faces faces) {
-        draw(gl, buffers, sight, style, faces, null);
+    void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces) {
+        draw(gl, buffers, transform, style, faces, null);
     }
 
     /**
-     * Draws of one surface what lies between two depths.
+     * Draws the part of a surface that lies between two depths.
      *
      * @param layer the depths; null for all of it
      */
-    void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform sight, SceneStyle style, Faces faces, PeelLayer layer) {
+    void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces, PeelLayer layer) {
         Surface surface = buffers.surface();
         Appearance look = style.appearance(surface.name()).orElseThrow();
-        Set<Feature> features = EnumSet.noneOf(Feature.class);
+        SurfaceMaterial material = SurfaceMaterial.of(surface.kind());
+        Set<Feature> features = features(surface, look, style, faces);
         if (layer != null) {
             features.add(Feature.PEEL);
         }
+        ShaderProgram program = program(gl, features);
+        program.use(gl, transform, style, transform.toEyeSpace(buffers.pose()));
+        program.set(gl, "base", linear(look));
+        program.set(gl, "tendonBase", linear(Appearance.of(SurfaceMaterial.TENDON_RGB, 1)));
+        program.set(gl, "shine", material.specular(), material.shininess());
+        double transparency = 1 - Math.min(look.opacity(), MAX_TRANSLUCENT_OPACITY);
+        program.set(gl, "thinness", (float) (Math.log(transparency) / Math.log(2)));
+        program.set(gl, "lift", surface.kind() == StructureKind.LUNG ? LUNG_OFFSET_MM : 0);
+        float accent = surface.name().equals(style.highlighted()) ? HIGHLIGHT_STRENGTH : 0;
+        program.set(gl, "accent", HIGHLIGHT_RGB[0], HIGHLIGHT_RGB[1], HIGHLIGHT_RGB[2], accent);
+        if (features.contains(Feature.FIELD)) {
+            ColourScale scale = style.scale();
+            program.setTexture(gl, "colours", 0, GL3.GL_TEXTURE_1D, colourMapTexture(gl, scale.map()));
+            program.set(gl, "range", (float) scale.min(), (float) (1 / (scale.max() - scale.min())));
+        }
+        if (layer != null) {
+            program.setTexture(gl, "opaqueDepth", 1, GL3.GL_TEXTURE_2D, layer.opaqueDepth());
+            program.setTexture(gl, "peeledDepth", 2, GL3.GL_TEXTURE_2D, layer.peeledDepth());
+            program.set(gl, "firstLayer", layer.first() ? 1f : 0f);
+        }
+        setCulling(gl, faces);
+        buffers.draw(gl);
+    }
+
+    private static Set<Feature> features(Surface surface, Appearance look, SceneStyle style, Faces faces) {
+        Set<Feature> features = EnumSet.noneOf(Feature.class);
         if (look.isTranslucent()) {
-            features.add(Feature.CLEAR);
+            features.add(Feature.TRANSLUCENT);
             if (faces == Faces.BACK) {
-                features.add(Feature.DULL);
+                features.add(Feature.BACK_FACES);
             }
         }
         if (style.showsField(surface.name())) {
@@ -98,42 +123,7 @@ final class SurfacePass {
                 features.add(Feature.CUT);
             }
         }
-        ShaderProgram program = program(gl, features);
-        program.use(gl);
-        program.setMatrix(gl, "toEye", sight.toEyeSpace(buffers.pose()));
-        program.setMatrix(gl, "projection", sight.projection());
-        program.set(gl, "clip", sight.clipPlane(style.clip()));
-        program.set(gl, "base", linear(look.rgb()));
-        program.set(
-                gl,
-                "tendonBase",
-                linear(Appearance.of(SurfaceMaterial.TENDON_RGB, 1).rgb()));
-        SurfaceMaterial material = SurfaceMaterial.of(surface.kind());
-        program.set(gl, "shine", material.specular(), material.shininess());
-        program.set(gl, "parallel", sight.orthographicFlag());
-        program.set(gl, "thinness", (float)
-                (Math.log(1 - Math.min(look.opacity(), MAX_TRANSLUCENT_OPACITY)) / Math.log(2)));
-        program.set(gl, "lift", surface.kind() == StructureKind.LUNG ? EYE_OFFSET_MM : 0);
-        float accent = surface.name().equals(style.highlighted()) ? HIGHLIGHT_STRENGTH : 0;
-        program.set(gl, "accent", HIGHLIGHT_RGB[0], HIGHLIGHT_RGB[1], HIGHLIGHT_RGB[2], accent);
-        if (features.contains(Feature.FIELD)) {
-            ColourScale scale = style.scale();
-            gl.glActiveTexture(GL3.GL_TEXTURE0);
-            gl.glBindTexture(GL3.GL_TEXTURE_1D, colourMapTexture(gl, scale.map()));
-            program.setSampler(gl, "colours", 0);
-            program.set(gl, "range", (float) scale.min(), (float) (1 / (scale.max() - scale.min())));
-        }
-        if (layer != null) {
-            gl.glActiveTexture(GL3.GL_TEXTURE1);
-            gl.glBindTexture(GL3.GL_TEXTURE_2D, layer.opaqueDepth());
-            program.setSampler(gl, "opaqueDepth", 1);
-            gl.glActiveTexture(GL3.GL_TEXTURE2);
-            gl.glBindTexture(GL3.GL_TEXTURE_2D, layer.peeledDepth());
-            program.setSampler(gl, "peeledDepth", 2);
-            program.set(gl, "firstLayer", layer.first() ? 1f : 0f);
-        }
-        setCulling(gl, faces);
-        buffers.draw(gl);
+        return features;
     }
 
     private static void setCulling(GL3 gl, Faces faces) {
@@ -149,40 +139,29 @@ final class SurfacePass {
         return programs.computeIfAbsent(features, key -> {
             StringBuilder defines = new StringBuilder();
             features.forEach(f -> defines.append("#define ").append(f).append('\n'));
-            return new ShaderProgram(gl, objects, defines.toString(), "surface.vert.glsl", "surface.frag.glsl");
+            return new ShaderProgram(gl, resources, defines.toString(), "surface.vert.glsl", "surface.frag.glsl");
         });
     }
 
     private int colourMapTexture(GL3 gl, ColourMap map) {
-        return colourMapTexture.computeIfAbsent(map, m -> {
-            int texture = objects.texture(gl);
-            gl.glBindTexture(GL3.GL_TEXTURE_1D, texture);
-            gl.glTexImage1D(
-                    GL3.GL_TEXTURE_1D,
-                    0,
-                    GL3.GL_RGB8,
-                    COLOUR_MAP_SIZE,
-                    0,
-                    GL3.GL_RGB,
-                    GL3.GL_FLOAT,
-                    Buffers.newDirectFloatBuffer(m.table(COLOUR_MAP_SIZE)));
-            gl.glTexParameteri(GL3.GL_TEXTURE_1D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_LINEAR);
-            gl.glTexParameteri(GL3.GL_TEXTURE_1D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_LINEAR);
-            gl.glTexParameteri(GL3.GL_TEXTURE_1D, GL3.GL_TEXTURE_WRAP_S, GL3.GL_CLAMP_TO_EDGE);
+        return colourMapTextures.computeIfAbsent(map, m -> {
+            int target = GL3.GL_TEXTURE_1D;
+            int texture = resources.create(gl, GlResources.Kind.TEXTURE);
+            FloatBuffer table = Buffers.newDirectFloatBuffer(m.table(COLOUR_MAP_SIZE));
+            gl.glBindTexture(target, texture);
+            gl.glTexImage1D(target, 0, GL3.GL_RGB8, COLOUR_MAP_SIZE, 0, GL3.GL_RGB, GL3.GL_FLOAT, table);
+            gl.glTexParameteri(target, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_LINEAR);
+            gl.glTexParameteri(target, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_LINEAR);
+            gl.glTexParameteri(target, GL3.GL_TEXTURE_WRAP_S, GL3.GL_CLAMP_TO_EDGE);
             return texture;
         });
     }
 
-    private static float[] linear(float[] rgb) {
-        float[] out = new float[3];
+    private static float[] linear(Appearance look) {
+        float[] linear = look.rgb().clone();
         for (int i = 0; i < 3; i++) {
-            out[i] = (float) Math.pow(rgb[i], GAMMA);
+            linear[i] = (float) Math.pow(linear[i], GAMMA);
         }
-        return out;
-    }
-
-    void dispose(GL3 gl) {
-        programs.values().forEach(p -> p.dispose(gl));
-        colourMapTexture.values().forEach(t -> objects.deleteTexture(gl, t));
+        return linear;
     }
 }

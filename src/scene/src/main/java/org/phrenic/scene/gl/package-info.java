@@ -1,2 +1,4 @@
-/** OpenGL: renderer, passes, buffers, framebuffers, with and without a display. */
+/**
+ * The renderer: OpenGL contexts, resources, shaders and passes. The only package that calls OpenGL.
+ */
 package org.phrenic.scene.gl;

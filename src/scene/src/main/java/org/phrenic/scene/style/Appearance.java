@@ -42,6 +42,11 @@ public record Appearance(boolean visible, float[] rgb, float opacity, boolean wi
         return new Appearance(visible, rgb, opacity, edges);
     }
 
+    /** The colour as {@code 0xRRGGBB}. */
+    public int packedRgb() {
+        return Math.round(255 * rgb[0]) << 16 | Math.round(255 * rgb[1]) << 8 | Math.round(255 * rgb[2]);
+    }
+
     public boolean isTranslucent() {
         return opacity < 1;
     }

@@ -1,5 +1,6 @@
 package org.phrenic.scene.style;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -12,11 +13,19 @@ import java.util.Optional;
  * @param unit of the values, such as {@code mm}
  */
 public record ColourScale(ColourMap map, double min, double max, String unit) {
+    private static final List<Double> ROUND_RANGES =
+            List.of(1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0);
+
     /** @throws IllegalArgumentException if the range is none, with one sentence */
     public ColourScale {
         rangeProblem(min, max).ifPresent(problem -> {
             throw new IllegalArgumentException("colour scale: " + problem);
         });
+    }
+
+    /** The smallest round range that holds a value, at most 1000. */
+    public static double roundRange(double value) {
+        return ROUND_RANGES.stream().filter(range -> range >= value).findFirst().orElse(1000.0);
     }
 
     /** Magnitudes from 0 to {@code max}. */

@@ -7,183 +7,165 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
+import java.util.function.BiFunction;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
  * How a scene is drawn.
  *
- * @param appearances look of each structure by name; one that is not named is not drawn
- * @param background behind it
- * @param restWireframe edges of the rest shape of what deforms, over the shape of now
- * @param field quantity shown in colours
- * @param fieldStructure structure that shows it; empty for none
- * @param scale colours of the field
- * @param overlays what is drawn over the surfaces
+ * @param appearances appearance of each structure by name; a structure that is not named is not drawn
+ * @param background behind the body
+ * @param colouring quantity shown in colours
+ * @param lines what is drawn over the surfaces as lines and points
  * @param clip plane that cuts the body open
- * @param transparency how to look through
- * @param samples samples a pixel, 0 for no smoothing of edges; the driver's most is the most that is taken
+ * @param quality transparency and smoothing
  * @param highlighted structure that stands out; empty for none
  */
 public record SceneStyle(
         Map<String, Appearance> appearances,
         SceneBackground background,
-        boolean restWireframe,
-        ColourField field,
-        String fieldStructure,
-        ColourScale scale,
-        Set<Overlay.Kind> overlays,
+        Colouring colouring,
+        Lines lines,
         Optional<ClipPlane> clip,
-        Transparency transparency,
-        int samples,
+        Quality quality,
         String highlighted) {
     private static final double DEFAULT_RANGE_MM = 15;
 
-    public SceneStyle {
-        appearances = Collections.unmodifiableMap(new LinkedHashMap<>(appearances));
-        Set<Overlay.Kind> kinds = EnumSet.noneOf(Overlay.Kind.class);
-        kinds.addAll(overlays);
-        overlays = Collections.unmodifiableSet(kinds);
+    /**
+     * A quantity shown in colours.
+     *
+     * @param structure that shows it; empty for none
+     */
+    public record Colouring(ColourField field, String structure, ColourScale scale) {}
+
+    /** @param restWireframe edges of the rest shape of what deforms, over the present shape */
+    public record Lines(Set<Overlay.Kind> overlays, boolean restWireframe) {
+        public Lines {
+            Set<Overlay.Kind> kinds = EnumSet.noneOf(Overlay.Kind.class);
+            kinds.addAll(overlays);
+            overlays = Collections.unmodifiableSet(kinds);
+        }
     }
 
-    /** Every surface in the colours of an anatomy atlas, the skin clear. */
+    /** @param samples samples a pixel, 0 for no smoothing of edges; limited to what the driver offers */
+    public record Quality(Transparency transparency, int samples) {}
+
+    public SceneStyle {
+        appearances = Collections.unmodifiableMap(new LinkedHashMap<>(appearances));
+    }
+
+    /** Every surface in the colours of an anatomy atlas, the skin translucent. */
     public static SceneStyle atlas(List<Surface> surfaces) {
-        Map<String, Appearance> looks = new LinkedHashMap<>();
-        surfaces.forEach(s -> looks.put(s.name(), SurfaceMaterial.of(s.kind()).appearance()));
+        Map<String, Appearance> appearances = new LinkedHashMap<>();
+        surfaces.forEach(
+                s -> appearances.put(s.name(), SurfaceMaterial.of(s.kind()).appearance()));
+        ColourScale scale = ColourScale.sequential(DEFAULT_RANGE_MM, ColourField.DISPLACEMENT.unit());
         return new SceneStyle(
-                looks,
+                appearances,
                 SceneBackground.LIGHT,
-                false,
-                ColourField.NONE,
-                "",
-                ColourScale.sequential(DEFAULT_RANGE_MM, ColourField.DISPLACEMENT.unit()),
-                Set.of(),
+                new Colouring(ColourField.NONE, "", scale),
+                new Lines(Set.of(), false),
                 Optional.empty(),
-                Transparency.TWO_PASS,
-                0,
+                new Quality(Transparency.TWO_PASS, 0),
                 "");
     }
 
-    /** Look of a structure, if it has one. */
+    /** Appearance of a structure, if it has one. */
     public Optional<Appearance> appearance(String structure) {
         return Optional.ofNullable(appearances.get(structure));
     }
 
+    /** Whether a structure is visible. */
+    public boolean shows(String structure) {
+        return appearance(structure).filter(Appearance::visible).isPresent();
+    }
+
     /** Whether a structure shows a quantity in colours. */
     public boolean showsField(String structure) {
-        return field != ColourField.NONE && structure.equals(fieldStructure);
+        return field() != ColourField.NONE && structure.equals(colouring.structure);
+    }
+
+    public ColourField field() {
+        return colouring.field;
+    }
+
+    public ColourScale scale() {
+        return colouring.scale;
     }
 
     public SceneStyle withAppearances(Map<String, Appearance> changed) {
-        return edited(draft -> draft.appearances = changed);
+        return new SceneStyle(changed, background, colouring, lines, clip, quality, highlighted);
     }
 
-    public SceneStyle withAppearance(String structure, Appearance look) {
+    /** Changes the appearance of each of these surfaces that has one. */
+    public SceneStyle withAppearances(List<Surface> surfaces, BiFunction<Surface, Appearance, Appearance> change) {
         Map<String, Appearance> changed = new LinkedHashMap<>(appearances);
-        changed.put(structure, look);
+        surfaces.forEach(s -> changed.computeIfPresent(s.name(), (name, usual) -> change.apply(s, usual)));
+        return withAppearances(changed);
+    }
+
+    public SceneStyle withAppearance(String structure, Appearance appearance) {
+        Map<String, Appearance> changed = new LinkedHashMap<>(appearances);
+        changed.put(structure, appearance);
         return withAppearances(changed);
     }
 
     public SceneStyle withBackground(SceneBackground behind) {
-        return edited(draft -> draft.background = behind);
+        return new SceneStyle(appearances, behind, colouring, lines, clip, quality, highlighted);
     }
 
-    public SceneStyle withRestWireframe(boolean shown) {
-        return edited(draft -> draft.restWireframe = shown);
+    private SceneStyle with(Colouring changed) {
+        return new SceneStyle(appearances, background, changed, lines, clip, quality, highlighted);
     }
 
     /** Shows a quantity on a structure. */
     public SceneStyle withField(ColourField quantity, String structure, ColourScale colours) {
-        return edited(draft -> {
-            draft.field = quantity;
-            draft.fieldStructure = structure;
-            draft.scale = colours;
-        });
+        return with(new Colouring(quantity, structure, colours));
     }
 
     public SceneStyle withScale(ColourScale colours) {
-        return edited(draft -> draft.scale = colours);
+        return with(new Colouring(colouring.field, colouring.structure, colours));
+    }
+
+    private SceneStyle with(Lines changed) {
+        return new SceneStyle(appearances, background, colouring, changed, clip, quality, highlighted);
+    }
+
+    public SceneStyle withRestWireframe(boolean shown) {
+        return with(new Lines(lines.overlays, shown));
     }
 
     public SceneStyle withOverlays(Set<Overlay.Kind> shown) {
-        return edited(draft -> draft.overlays = shown);
+        return with(new Lines(shown, lines.restWireframe));
     }
 
     public SceneStyle withOverlay(Overlay.Kind kind, boolean shown) {
-        Set<Overlay.Kind> changed = EnumSet.noneOf(Overlay.Kind.class);
-        changed.addAll(overlays);
-        if (shown) {
-            changed.add(kind);
-        } else {
+        Set<Overlay.Kind> changed = EnumSet.of(kind);
+        changed.addAll(lines.overlays);
+        if (!shown) {
             changed.remove(kind);
         }
         return withOverlays(changed);
     }
 
     public SceneStyle withClip(Optional<ClipPlane> plane) {
-        return edited(draft -> draft.clip = plane);
+        return new SceneStyle(appearances, background, colouring, lines, plane, quality, highlighted);
+    }
+
+    private SceneStyle with(Quality changed) {
+        return new SceneStyle(appearances, background, colouring, lines, clip, changed, highlighted);
     }
 
     public SceneStyle withTransparency(Transparency way) {
-        return edited(draft -> draft.transparency = way);
+        return with(new Quality(way, quality.samples));
     }
 
     public SceneStyle withSamples(int count) {
-        return edited(draft -> draft.samples = count);
+        return with(new Quality(quality.transparency, count));
     }
 
     public SceneStyle withHighlighted(String structure) {
-        return edited(draft -> draft.highlighted = structure);
-    }
-
-    private SceneStyle edited(Consumer<Draft> change) {
-        Draft draft = new Draft(this);
-        change.accept(draft);
-        return draft.style();
-    }
-
-    /** A style being changed: the one place where all of its parts are handed on. */
-    private static final class Draft {
-        private Map<String, Appearance> appearances;
-        private SceneBackground background;
-        private boolean restWireframe;
-        private ColourField field;
-        private String fieldStructure;
-        private ColourScale scale;
-        private Set<Overlay.Kind> overlays;
-        private Optional<ClipPlane> clip;
-        private Transparency transparency;
-        private int samples;
-        private String highlighted;
-
-        Draft(SceneStyle of) {
-            appearances = of.appearances;
-            background = of.background;
-            restWireframe = of.restWireframe;
-            field = of.field;
-            fieldStructure = of.fieldStructure;
-            scale = of.scale;
-            overlays = of.overlays;
-            clip = of.clip;
-            transparency = of.transparency;
-            samples = of.samples;
-            highlighted = of.highlighted;
-        }
-
-        SceneStyle style() {
-            return new SceneStyle(
-                    appearances,
-                    background,
-                    restWireframe,
-                    field,
-                    fieldStructure,
-                    scale,
-                    overlays,
-                    clip,
-                    transparency,
-                    samples,
-                    highlighted);
-        }
+        return new SceneStyle(appearances, background, colouring, lines, clip, quality, structure);
     }
 }

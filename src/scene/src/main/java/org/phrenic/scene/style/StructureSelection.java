@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.KeySuggestion;
 import org.phrenic.simulation.observe.Surface;
 
@@ -29,6 +30,11 @@ public final class StructureSelection {
                 kinds.add(kind);
             }
         }
+    }
+
+    /** The first surface of a kind. */
+    public static Surface first(List<Surface> surfaces, StructureKind kind) {
+        return surfaces.stream().filter(s -> s.kind() == kind).findFirst().orElseThrow();
     }
 
     private void add(String word, Surface surface) {

@@ -1,16 +1,16 @@
 package org.phrenic.scene.surface;
 
-import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How much light from all around reaches a place of the body at rest: 1 in the open, less in clefts and behind ribs.
- * Bone, cartilage and liver are scattered into a grid of cells, the grid is halved a few times, and along the normal of
- * a vertex ever coarser grids are looked up ever farther away, as if a cone were traced (Crassin and others 2011, doi
- * 10.1111/j.1467-8659.2011.02063.x, with a grid instead of an octree). Worked out once; costs nothing a picture.
+ * Ambient occlusion of the body at rest: the share of ambient light that reaches a vertex, 1 in the open, less in
+ * clefts and behind ribs. Bone, cartilage and liver are voxelized, the grid is downsampled a few times, and along the
+ * normal of a vertex ever coarser grids are sampled ever farther away, as in voxel cone tracing (Crassin and others
+ * 2011, doi 10.1111/j.1467-8659.2011.02063.x, with a grid in place of an octree). Computed once for all pictures.
  */
 public final class AmbientOcclusion {
     private static final double CELL_MM = 4;
@@ -26,12 +26,9 @@ public final class AmbientOcclusion {
     private final float[][] levels = new float[LEVELS][];
 
     public AmbientOcclusion(List<Surface> surfaces) {
-        List<TriangleMesh> blockers = surfaces.stream()
-                .filter(s -> occludes(s.kind()))
-                .map(Surface::rest)
-                .toList();
-        double[] box = {1, 1, 1, -1, -1, -1};
-        blockers.forEach(mesh -> extend(box, mesh.bounds()));
+        List<Surface> occluders =
+                surfaces.stream().filter(s -> occludes(s.kind())).toList();
+        double[] box = SceneBounds.of(occluders);
         int even = 1 << LEVELS;
         for (int i = 0; i < 3; i++) {
             origin[i] = box[i] - 2 * CELL_MM;
@@ -39,7 +36,7 @@ public final class AmbientOcclusion {
             size[i] = Math.max(even, (cells + even - 1) / even * even);
         }
         levels[0] = new float[size[0] * size[1] * size[2]];
-        blockers.forEach(this::voxelize);
+        occluders.forEach(s -> voxelize(s.rest()));
         for (int level = 1; level < LEVELS; level++) {
             levels[level] = downsampled(levels[level - 1], level - 1);
         }
@@ -49,23 +46,14 @@ public final class AmbientOcclusion {
         return kind != StructureKind.SKIN && kind != StructureKind.LUNG && kind != StructureKind.DIAPHRAGM;
     }
 
-    private static void extend(double[] box, double[] with) {
-        boolean first = box[0] > box[3];
-        for (int i = 0; i < 3; i++) {
-            box[i] = first ? with[i] : Math.min(box[i], with[i]);
-            box[3 + i] = first ? with[3 + i] : Math.max(box[3 + i], with[3 + i]);
-        }
-    }
-
     /** Fills the cells that a surface passes through. */
     private void voxelize(TriangleMesh mesh) {
         int[] t = mesh.triangles();
         double[] p = mesh.positions();
         for (int i = 0; i < t.length; i += 3) {
-            int a = 3 * t[i];
-            int b = 3 * t[i + 1];
-            int c = 3 * t[i + 2];
-            double longest = Math.max(distance(p, a, b), Math.max(distance(p, b, c), distance(p, c, a)));
+            double ab = MeshMeasure.distance(mesh, t[i], t[i + 1]);
+            double bc = MeshMeasure.distance(mesh, t[i + 1], t[i + 2]);
+            double longest = Math.max(ab, Math.max(bc, MeshMeasure.distance(mesh, t[i + 2], t[i])));
             int parts = Math.max(1, (int) Math.ceil(longest / (CELL_MM / 2)));
             for (int u = 0; u <= parts; u++) {
                 for (int v = 0; v <= parts - u; v++) {
@@ -73,7 +61,8 @@ public final class AmbientOcclusion {
                     double wc = (double) v / parts;
                     int cell = 0;
                     for (int k = 2; k >= 0; k--) {
-                        double x = p[a + k] + wb * (p[b + k] - p[a + k]) + wc * (p[c + k] - p[a + k]);
+                        double a = p[3 * t[i] + k];
+                        double x = a + wb * (p[3 * t[i + 1] + k] - a) + wc * (p[3 * t[i + 2] + k] - a);
                         int at = (int) Math.floor((x - origin[k]) / CELL_MM);
                         cell = cell * size[k] + Math.max(0, Math.min(size[k] - 1, at));
                     }
@@ -81,13 +70,6 @@ public final class AmbientOcclusion {
                 }
             }
         }
-    }
-
-    private static double distance(double[] p, int a, int b) {
-        double x = p[a] - p[b];
-        double y = p[a + 1] - p[b + 1];
-        double z = p[a + 2] - p[b + 2];
-        return Math.sqrt(x * x + y * y + z * z);
     }
 
     private float[] downsampled(float[] fine, int level) {
@@ -105,34 +87,26 @@ public final class AmbientOcclusion {
         return coarse;
     }
 
-    /**
-     * Openness of every vertex, 0 to 1.
-     *
-     * @param normals of the mesh as it rests
-     */
+    /** Visibility of ambient light at every vertex, 0 to 1, along the normals of the mesh at rest. */
     public float[] visibility(TriangleMesh mesh, VertexNormals normals) {
-        float[] open = new float[mesh.vertexCount()];
+        float[] visibility = new float[mesh.vertexCount()];
         double[] n = new double[3];
-        for (int i = 0; i < open.length; i++) {
+        for (int i = 0; i < visibility.length; i++) {
             normals.normal(i, n);
             double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
             double light = 1;
             for (int level = 0; level < LEVELS && length > 0; level++) {
                 double away = CELL_MM * (1 << level) * 1.6 / length;
-                light *= 1
-                        - LEVEL_WEIGHT[level]
-                                * occupancy(
-                                        level,
-                                        mesh.x(i) + away * n[0],
-                                        mesh.y(i) + away * n[1],
-                                        mesh.z(i) + away * n[2]);
+                double full =
+                        occupancy(level, mesh.x(i) + away * n[0], mesh.y(i) + away * n[1], mesh.z(i) + away * n[2]);
+                light *= 1 - LEVEL_WEIGHT[level] * full;
             }
-            open[i] = (float) Math.max(MIN_VISIBILITY, light);
+            visibility[i] = (float) Math.max(MIN_VISIBILITY, light);
         }
-        return open;
+        return visibility;
     }
 
-    /** How full a grid is about a place, between its cells in a straight line; empty outside. */
+    /** Occupancy of a grid by trilinear interpolation, 0 to 1; 0 outside. */
     private double occupancy(int level, double x, double y, double z) {
         double cell = CELL_MM * (1 << level);
         double[] at = {(x - origin[0]) / cell - 0.5, (y - origin[1]) / cell - 0.5, (z - origin[2]) / cell - 0.5};
@@ -158,14 +132,7 @@ public final class AmbientOcclusion {
                 sum += weight * levels[level][index];
             }
         }
-        // A surface fills a share of a coarse cell that falls with its size: made up for.
+        // A surface fills a smaller share of a coarser cell: compensated here.
         return Math.min(1, sum * (1 + 0.5 * level));
-    }
-
-    /** Openness of a mesh that nothing shades. */
-    static float[] unoccluded(TriangleMesh mesh) {
-        float[] open = new float[mesh.vertexCount()];
-        Arrays.fill(open, 1);
-        return open;
     }
 }

@@ -1,127 +1,134 @@
 package org.phrenic.scene.surface;
 
+import java.util.Arrays;
+import org.joml.Matrix4d;
+import org.joml.Matrix4f;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Surface;
 
-/** Things that are no part of a body, as surfaces that stand still: a ball, a rod. */
+/** Balls and rods that mark places in a scene, as surfaces. */
 public final class Markers {
     private static final int SEGMENTS = 24;
+    private static final int RINGS = SEGMENTS / 2;
+    /** Movable markers rest here, away from all that would shade them. */
+    private static final Matrix4d PARKED = new Matrix4d().translation(0, 0, -5000);
+    /** What names of movable markers begin with. */
+    public static final String PREFIX = "marker_";
+    /** Radius 1, about the origin. */
+    private static final TriangleMesh BALL = ball();
+    /** Radius 1, along z from 0 to 1. */
+    private static final TriangleMesh ROD = surfaceOfRevolution(0, 1, 0, 1, 1, 1);
 
     private Markers() {}
 
-    /** Markers that move rest out here, where nothing shades them. */
-    private static final double[] PARKED = {0, 0, -5000};
-
-    /** What names of markers that move begin with. */
-    public static final String PREFIX = "marker_";
-
-    /** Whether a surface is a marker that moves. */
+    /** Whether a surface is a movable marker. */
     public static boolean isMovable(String name) {
         return name.startsWith(PREFIX);
     }
 
     /** A ball of radius 1 that {@link #ballPose} puts somewhere. */
     public static Surface movingBall(String name) {
-        return ball(name, PARKED, 1);
+        return surface(name, BALL, PARKED);
     }
 
     /** A rod of length and radius 1 that {@link #rodPose} puts somewhere. */
     public static Surface movingRod(String name) {
-        return rod(name, PARKED, new double[] {PARKED[0], PARKED[1], PARKED[2] + 1}, 1);
+        return surface(name, ROD, PARKED);
     }
 
-    /** Pose of a moving ball, three rows of four. */
-    public static float[] ballPose(double[] middle, double radius) {
-        return pose(new double[][] {{radius, 0, 0}, {0, radius, 0}, {0, 0, radius}}, middle);
+    /** Pose of a movable ball, three rows of four. */
+    public static float[] ballPose(double[] centre, double radius) {
+        return rows(ballTransform(centre, radius));
     }
 
-    /** Pose of a moving rod, three rows of four. */
+    /** Pose of a movable rod, three rows of four. */
     public static float[] rodPose(double[] from, double[] to, double radius) {
-        double[] along = Vectors.subtract(to, from);
-        double[] w = Vectors.normalize(along);
-        double[] u = perpendicular(w);
-        double[] v = Vectors.cross(w, u);
-        return pose(
-                new double[][] {
-                    {radius * u[0], radius * v[0], along[0]},
-                    {radius * u[1], radius * v[1], along[1]},
-                    {radius * u[2], radius * v[2], along[2]}
-                },
-                from);
+        return rows(rodTransform(from, to, radius));
     }
 
-    private static float[] pose(double[][] m, double[] at) {
-        float[] pose = new float[12];
-        for (int row = 0; row < 3; row++) {
-            for (int k = 0; k < 3; k++) {
-                pose[4 * row + k] = (float) m[row][k];
-            }
-            pose[4 * row + 3] = (float) (at[row] - Vectors.dot(m[row], PARKED));
-        }
-        return pose;
+    private static float[] rows(Matrix4d transform) {
+        Matrix4f fromParked = new Matrix4f(transform.mul(PARKED.invert(new Matrix4d())));
+        return Arrays.copyOf(fromParked.transpose().get(new float[16]), 12);
     }
 
-    /** A ball. */
-    public static Surface ball(String name, double[] middle, double radius) {
-        int rings = SEGMENTS / 2;
-        double[] profile = new double[2 * (rings - 1)];
-        for (int i = 1; i < rings; i++) {
-            profile[2 * i - 2] = -radius * StrictMath.cos(Math.PI * i / rings);
-            profile[2 * i - 1] = radius * StrictMath.sin(Math.PI * i / rings);
-        }
-        double[] axis = {0, 0, 1};
-        return surface(name, surfaceOfRevolution(middle, axis, -radius, radius, profile));
+    /** A ball that stays where it is. */
+    public static Surface ball(String name, double[] centre, double radius) {
+        return surface(name, BALL, ballTransform(centre, radius));
     }
 
-    /** A round rod between two points. */
+    /** A round rod between two points that stays where it is. */
     public static Surface rod(String name, double[] from, double[] to, double radius) {
-        double[] axis = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-        double length = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-        for (int i = 0; i < 3; i++) {
-            axis[i] /= length;
+        return surface(name, ROD, rodTransform(from, to, radius));
+    }
+
+    private static Matrix4d ballTransform(double[] centre, double radius) {
+        return new Matrix4d().translation(new Vector3d(centre)).scale(radius);
+    }
+
+    private static Matrix4d rodTransform(double[] from, double[] to, double radius) {
+        Vector3d start = new Vector3d(from);
+        Vector3d axis = new Vector3d(to).sub(start);
+        return new Matrix4d()
+                .translation(start)
+                .rotate(new Quaterniond().rotationTo(new Vector3d(0, 0, 1), axis))
+                .scale(radius, radius, axis.length());
+    }
+
+    private static Surface surface(String name, TriangleMesh unit, Matrix4d transform) {
+        double[] p = unit.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            Vector3d at = transform.transformPosition(new Vector3d(p[i], p[i + 1], p[i + 2]));
+            p[i] = at.x;
+            p[i + 1] = at.y;
+            p[i + 2] = at.z;
         }
-        return surface(name, surfaceOfRevolution(from, axis, 0, length, new double[] {0, radius, length, radius}));
+        return new Surface(
+                name,
+                StructureKind.OTHER,
+                0,
+                Side.MIDLINE,
+                unit.withPositions(p),
+                Surface.Motion.STILL,
+                new boolean[0]);
     }
 
-    private static Surface surface(String name, TriangleMesh mesh) {
-        return new Surface(name, StructureKind.OTHER, 0, Side.MIDLINE, mesh, Surface.Motion.STILL, new boolean[0]);
+    private static TriangleMesh ball() {
+        double[] profile = new double[2 * (RINGS - 1)];
+        for (int i = 1; i < RINGS; i++) {
+            profile[2 * i - 2] = -StrictMath.cos(Math.PI * i / RINGS);
+            profile[2 * i - 1] = StrictMath.sin(Math.PI * i / RINGS);
+        }
+        return surfaceOfRevolution(-1, 1, profile);
     }
 
-    /** A profile of pairs (along the axis, away from it) turned about the axis and closed at both ends. */
-    private static TriangleMesh surfaceOfRevolution(
-            double[] origin, double[] axis, double start, double end, double[] profile) {
-        double[] u = perpendicular(axis);
-        double[] v = {axis[1] * u[2] - axis[2] * u[1], axis[2] * u[0] - axis[0] * u[2], axis[0] * u[1] - axis[1] * u[0]
-        };
+    /** A profile of pairs (z, radius) turned about the z axis and closed at both ends. */
+    private static TriangleMesh surfaceOfRevolution(double start, double end, double... profile) {
         int rings = profile.length / 2;
-        double[] p = new double[3 * (rings * SEGMENTS + 2)];
-        for (int r = 0; r < rings; r++) {
-            for (int k = 0; k < SEGMENTS; k++) {
-                double c = profile[2 * r + 1] * StrictMath.cos(2 * Math.PI * k / SEGMENTS);
-                double s = profile[2 * r + 1] * StrictMath.sin(2 * Math.PI * k / SEGMENTS);
-                for (int i = 0; i < 3; i++) {
-                    p[3 * (r * SEGMENTS + k) + i] = origin[i] + profile[2 * r] * axis[i] + c * u[i] + s * v[i];
-                }
-            }
-        }
         int bottom = rings * SEGMENTS;
-        for (int i = 0; i < 3; i++) {
-            p[3 * bottom + i] = origin[i] + start * axis[i];
-            p[3 * bottom + 3 + i] = origin[i] + end * axis[i];
+        double[] p = new double[3 * (bottom + 2)];
+        for (int v = 0; v < bottom; v++) {
+            int ring = v / SEGMENTS;
+            double angle = 2 * Math.PI * (v % SEGMENTS) / SEGMENTS;
+            p[3 * v] = profile[2 * ring + 1] * StrictMath.cos(angle);
+            p[3 * v + 1] = profile[2 * ring + 1] * StrictMath.sin(angle);
+            p[3 * v + 2] = profile[2 * ring];
         }
-        int[] t = new int[6 * rings * SEGMENTS];
+        p[3 * bottom + 2] = start;
+        p[3 * bottom + 5] = end;
+        int[] t = new int[6 * bottom];
         int n = 0;
         for (int k = 0; k < SEGMENTS; k++) {
             int next = (k + 1) % SEGMENTS;
             int top = (rings - 1) * SEGMENTS;
             n = putTriangle(t, n, bottom, next, k);
             n = putTriangle(t, n, bottom + 1, top + k, top + next);
-            for (int r = 0; r + 1 < rings; r++) {
-                n = putTriangle(t, n, r * SEGMENTS + k, r * SEGMENTS + next, (r + 1) * SEGMENTS + next);
-                n = putTriangle(t, n, r * SEGMENTS + k, (r + 1) * SEGMENTS + next, (r + 1) * SEGMENTS + k);
+            for (int r = 0; r < top; r += SEGMENTS) {
+                n = putTriangle(t, n, r + k, r + next, r + SEGMENTS + next);
+                n = putTriangle(t, n, r + k, r + SEGMENTS + next, r + SEGMENTS + k);
             }
         }
         return new TriangleMesh(p, t);
@@ -132,20 +139,5 @@ public final class Markers {
         t[at + 1] = b;
         t[at + 2] = c;
         return at + 3;
-    }
-
-    /** A unit direction at a right angle. */
-    private static double[] perpendicular(double[] axis) {
-        double[] u = Math.abs(axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
-        double along = u[0] * axis[0] + u[1] * axis[1] + u[2] * axis[2];
-        double sum = 0;
-        for (int i = 0; i < 3; i++) {
-            u[i] -= along * axis[i];
-            sum += u[i] * u[i];
-        }
-        for (int i = 0; i < 3; i++) {
-            u[i] /= Math.sqrt(sum);
-        }
-        return u;
     }
 }

@@ -3,46 +3,49 @@ package org.phrenic.scene.surface;
 import com.jogamp.common.nio.Buffers;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.Geodesics;
+import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * What a vertex keeps for good: how open it lies, how much tendon it is, and how much is left of it near an open
- * border, where skin that a scan cut off fades out. A byte each.
+ * Constant attributes of vertices, a byte each: ambient light, share of tendon, and opacity near an open border, where
+ * skin that a scan cuts off fades out.
  */
 public final class VertexAttributes {
     private static final int BYTE = 0xff;
     private static final int SMOOTHING_ROUNDS = 3;
-
-    /** Skin fades in over this distance from its border, mm. */
+    /** Skin is opaque at this distance from its border, mm, and clear at the other. */
     private static final double FADE_END_MM = 45;
 
     private static final double FADE_START_MM = 6;
 
     private final Surface surface;
-    private final int[] edges;
+    private final EdgeTable table;
 
-    public VertexAttributes(Surface surface) {
+    public VertexAttributes(Surface surface, EdgeTable table) {
         this.surface = surface;
-        edges = MeshEdges.of(surface.rest().triangles());
+        this.table = table;
     }
 
-    /** One number a vertex: openness in the lowest byte, then tendon, then what is left. */
-    public IntBuffer packed(float[] openness) {
-        int n = openness.length;
+    /** One number a vertex: visibility in the lowest byte, then tendon, then opacity. */
+    public IntBuffer packed(float[] visibility) {
+        int n = visibility.length;
         float[] tendon = smoothedTendon(n);
         double[] border = distanceToBorder();
-        IntBuffer traits = Buffers.newDirectIntBuffer(n);
+        IntBuffer attributes = Buffers.newDirectIntBuffer(n);
         for (int i = 0; i < n; i++) {
             double inside = Math.max(0, Math.min(1, (border[i] - FADE_START_MM) / (FADE_END_MM - FADE_START_MM)));
-            int left = (int) Math.round(BYTE * inside * inside * (3 - 2 * inside));
-            traits.put(i, Math.round(BYTE * openness[i]) | (Math.round(BYTE * tendon[i]) << 8) | (left << 16));
+            int opacity = (int) Math.round(BYTE * inside * inside * (3 - 2 * inside));
+            attributes.put(i, Math.round(BYTE * visibility[i]) | (Math.round(BYTE * tendon[i]) << 8) | (opacity << 16));
         }
-        return traits;
+        return attributes;
     }
 
-    /** 1 in tendon, 0 in muscle, evened out over a few rings of neighbours, so that the seam is no staircase. */
+    /** 1 in tendon, 0 in muscle, averaged over neighbours a few times so that the seam is smooth. */
     private float[] smoothedTendon(int n) {
         float[] share = new float[n];
         if (surface.tendon().length != n) {
@@ -51,10 +54,10 @@ public final class VertexAttributes {
         for (int i = 0; i < n; i++) {
             share[i] = surface.tendon()[i] ? 1 : 0;
         }
-        float[] sum = new float[n];
+        int[] edges = table.edges;
         float[] count = new float[n];
         for (int round = 0; round < SMOOTHING_ROUNDS; round++) {
-            System.arraycopy(share, 0, sum, 0, n);
+            float[] sum = share.clone();
             Arrays.fill(count, 1);
             for (int e = 0; e < edges.length; e += 2) {
                 sum[edges[e]] += share[edges[e + 1]];
@@ -70,45 +73,20 @@ public final class VertexAttributes {
     }
 
     /**
-     * Length of the shortest way along edges to an edge that has one triangle only, mm; infinite if there is none, and
-     * for all but skin: lobes of lungs are open where they touch.
+     * Distance of skin from its border along edges, mm. Infinite for all else: lobes of lungs are open where they
+     * touch.
      */
     private double[] distanceToBorder() {
         TriangleMesh mesh = surface.rest();
-        double[] distance = new double[mesh.vertexCount()];
-        Arrays.fill(distance, Double.POSITIVE_INFINITY);
-        if (surface.kind() != StructureKind.SKIN) {
-            return distance;
+        int[] border = IntStream.range(0, surface.kind() == StructureKind.SKIN ? table.count() : 0)
+                .filter(e -> table.edgeTriangleCount[e] == 1)
+                .flatMap(e -> IntStream.of(table.edges[2 * e], table.edges[2 * e + 1]))
+                .toArray();
+        if (border.length == 0) {
+            double[] none = new double[mesh.vertexCount()];
+            Arrays.fill(none, Double.POSITIVE_INFINITY);
+            return none;
         }
-        int[] used = MeshEdges.triangleCounts(mesh.triangles());
-        for (int e = 0; e < used.length; e++) {
-            if (used[e] == 1) {
-                distance[edges[2 * e]] = 0;
-                distance[edges[2 * e + 1]] = 0;
-            }
-        }
-        for (boolean changed = true; changed; ) {
-            changed = false;
-            for (int e = 0; e < edges.length; e += 2) {
-                int a = edges[e];
-                int b = edges[e + 1];
-                double length = Math.sqrt(squared(mesh.x(a) - mesh.x(b))
-                        + squared(mesh.y(a) - mesh.y(b))
-                        + squared(mesh.z(a) - mesh.z(b)));
-                if (distance[a] < FADE_END_MM && distance[a] + length < distance[b]) {
-                    distance[b] = distance[a] + length;
-                    changed = true;
-                }
-                if (distance[b] < FADE_END_MM && distance[b] + length < distance[a]) {
-                    distance[a] = distance[b] + length;
-                    changed = true;
-                }
-            }
-        }
-        return distance;
-    }
-
-    private static double squared(double x) {
-        return x * x;
+        return Geodesics.distances(mesh, new MeshTopology(mesh), border);
     }
 }

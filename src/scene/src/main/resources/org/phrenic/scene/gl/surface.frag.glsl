@@ -70,7 +70,7 @@ void main() {
 #else
     float up = n.y * 0.5 + 0.5;
     vec3 ambient = mix(vec3(0.22, 0.17, 0.15), vec3(0.36, 0.36, 0.37), up) * openness;
-#ifdef DULL
+#ifdef BACK_FACES
     float gloss = 0.0;
 #else
     vec3 halfway = normalize(KEY + toEye);
@@ -84,7 +84,7 @@ void main() {
     vec3 encoded = film(light * 1.05);
 #endif
 
-#ifdef CLEAR
+#ifdef TRANSLUCENT
     // What passes a thin shell falls with the length of the way through it, 1 / cos: a clear middle and a full outline.
     float through = exp2(thinness / max(facing, 0.08));
     colour = vec4(encoded, (1.0 - through) * shownTrait.z);

@@ -9,7 +9,7 @@ out float shownQuantity;
 
 uniform mat4 toEye;
 uniform mat4 projection;
-#ifdef CLEAR
+#ifdef TRANSLUCENT
 uniform float lift;                   // mm
 #endif
 #ifdef CLIP
@@ -32,7 +32,7 @@ void main() {
     gl_ClipDistance[0] = dot(clip.xyz, eye.xyz) + clip.w;
 #endif
     gl_Position = projection * eye;
-#ifdef CLEAR
+#ifdef TRANSLUCENT
     // The far side of what is clear and lies on something else, as a lung on the diaphragm, would be hidden in patches: its depth is taken a little nearer.
     float turnedAway = dot(eyeNormal, eye.xyz) > 0.0 ? 1.0 : 0.0;
     vec4 nearer = projection * vec4(eye.xyz + vec3(0.0, 0.0, lift * turnedAway), 1.0);

@@ -7,6 +7,8 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.Optional;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,10 +30,9 @@ class AnnotationsTest {
         g.setColor(new Color(light ? LIGHT : DARK));
         g.fillRect(0, 0, width, height);
         g.dispose();
-        Annotations.forBackground(light)
+        new Annotations(light, "", "", "Displacement of the diaphragm", Optional.of(ColourScale.sequential(20, "mm")))
                 .withTitle("Quiet breath, virtual adult male with a name that is long")
                 .withTimestamp("1.25 s, breath 1 at 31 %")
-                .withScale("Displacement of the diaphragm", ColourScale.sequential(20, "mm"))
                 .draw(picture, camera);
         return picture;
     }
@@ -77,8 +78,6 @@ class AnnotationsTest {
     @EnumSource(AnatomicalView.class)
     void lettersNameTheSidesOfThePicture(AnatomicalView view) {
         Camera camera = Camera.of(view, BODY);
-        double[] r = camera.right();
-        double[] u = camera.up();
         String expected =
                 switch (view) {
                     case ANTERIOR -> "LS";
@@ -88,16 +87,16 @@ class AnnotationsTest {
                     case SUPERIOR -> "LP";
                     case INFERIOR -> "LA";
                 };
-        assertThat(PatientOrientation.letters(r[0], r[1], r[2]) + PatientOrientation.letters(u[0], u[1], u[2]))
+        assertThat(PatientOrientation.letters(camera.right()) + PatientOrientation.letters(camera.up()))
                 .isEqualTo(expected);
     }
 
     @Test
     void aSlantedSideHasTwoLettersTheStrongerFirst() {
-        double[] r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(30, 0).right();
-        assertThat(PatientOrientation.letters(r[0], r[1], r[2])).isEqualTo("LP");
+        Vector3d r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(30, 0).right();
+        assertThat(PatientOrientation.letters(r)).isEqualTo("LP");
         r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(20, 0).right();
-        assertThat(PatientOrientation.letters(r[0], r[1], r[2])).isEqualTo("L");
+        assertThat(PatientOrientation.letters(r)).isEqualTo("L");
     }
 
     @Test

@@ -7,6 +7,10 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -54,20 +58,12 @@ class CameraTest {
             @ForAll @DoubleRange(min = -100, max = 100) double y,
             @ForAll @DoubleRange(min = 950, max = 1400) double z) {
         Camera camera = camera(azimuth, elevation, parallel);
-        double[] clip = times(camera.projectionMatrix(1.5), times(camera.viewMatrix(), new double[] {x, y, z, 1}));
+        Vector4d clip = camera.projectionMatrix(1.5).mul(camera.viewMatrix()).transform(new Vector4d(x, y, z, 1));
         double[] xy = new double[2];
         camera.project(x, y, z, 900, 600, xy);
-        assertThat((clip[0] / clip[3] + 1) * 450).isCloseTo(xy[0], within(0.01));
-        assertThat((1 - clip[1] / clip[3]) * 300).isCloseTo(xy[1], within(0.01));
-        assertThat(clip[2] / clip[3]).as("depth of what is in the body").isBetween(-1.0, 1.0);
-    }
-
-    private static double[] times(float[] columnMajor, double[] v) {
-        double[] product = new double[4];
-        for (int i = 0; i < 16; i++) {
-            product[i % 4] += columnMajor[i] * v[i / 4];
-        }
-        return product;
+        assertThat((clip.x / clip.w + 1) * 450).isCloseTo(xy[0], within(0.01));
+        assertThat((1 - clip.y / clip.w) * 300).isCloseTo(xy[1], within(0.01));
+        assertThat(clip.z / clip.w).as("depth of what is in the body").isBetween(-1.0, 1.0);
     }
 
     @Property
@@ -75,15 +71,12 @@ class CameraTest {
             @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
             @ForAll @DoubleRange(min = -200, max = 200) double elevation) {
         Camera camera = camera(azimuth, elevation, false);
-        float[] m = camera.viewMatrix();
-        double determinant = m[0] * (m[5] * m[10] - m[9] * m[6])
-                - m[4] * (m[1] * m[10] - m[9] * m[2])
-                + m[8] * (m[1] * m[6] - m[5] * m[2]);
-        assertThat(determinant).isCloseTo(1, within(1e-6));
-        assertThat(camera.up()[2]).as("superior stays up").isGreaterThanOrEqualTo(0);
-        float[] p = camera.projectionMatrix(1);
-        assertThat(p[0]).isPositive();
-        assertThat(p[5]).isPositive();
+        Matrix4d m = camera.viewMatrix();
+        assertThat(m.determinant3x3()).isCloseTo(1, within(1e-6));
+        assertThat(camera.up().z).as("superior stays up").isGreaterThanOrEqualTo(0);
+        Matrix4d p = camera.projectionMatrix(1);
+        assertThat(p.m00()).isPositive();
+        assertThat(p.m11()).isPositive();
     }
 
     @Property
@@ -96,11 +89,9 @@ class CameraTest {
             @ForAll @IntRange(min = 0, max = 480) int py) {
         Camera before = camera(azimuth, elevation, parallel);
         double[] ray = before.ray(px, py, 640, 480);
-        double[] d = before.towardsViewer();
-        double toPlane = ((before.targetX() - ray[0]) * d[0]
-                        + (before.targetY() - ray[1]) * d[1]
-                        + (before.targetZ() - ray[2]) * d[2])
-                / (ray[3] * d[0] + ray[4] * d[1] + ray[5] * d[2]);
+        Vector3d d = before.towardsViewer();
+        double toPlane =
+                before.target().sub(ray[0], ray[1], ray[2], new Vector3d()).dot(d) / d.dot(ray[3], ray[4], ray[5]);
         double[] xy = new double[2];
         Camera after = before.zoom(factor, px, py, 640, 480);
         after.project(ray[0] + toPlane * ray[3], ray[1] + toPlane * ray[4], ray[2] + toPlane * ray[5], 640, 480, xy);
@@ -116,7 +107,8 @@ class CameraTest {
             @ForAll @DoubleRange(min = -300, max = 300) double dy) {
         Camera before = camera(azimuth, 20, false);
         double[] xy = new double[2];
-        before.pan(dx, dy, 480).project(before.targetX(), before.targetY(), before.targetZ(), 640, 480, xy);
+        Vector3dc target = before.target();
+        before.pan(dx, dy, 480).project(target.x(), target.y(), target.z(), 640, 480, xy);
         assertThat(xy[0]).isCloseTo(320 + dx, within(PIXEL));
         assertThat(xy[1]).isCloseTo(240 + dy, within(PIXEL));
     }
@@ -135,22 +127,19 @@ class CameraTest {
     void thePolesAreTheEndOfTheTurntable() {
         Camera top = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(0, 500);
         assertThat(top.elevationDeg()).isEqualTo(90);
-        assertThat(top.right()[0]).isCloseTo(1, within(UNIT));
-        assertThat(top.up()[1]).as("from above the front is at the bottom").isCloseTo(1, within(UNIT));
+        assertThat(top.right().x).isCloseTo(1, within(UNIT));
+        assertThat(top.up().y).as("from above the front is at the bottom").isCloseTo(1, within(UNIT));
     }
 
     @Test
     void bothProjectionsShowTheSameExtentAtTheTarget() {
         Camera perspective = Camera.of(AnatomicalView.LEFT, BODY);
         Camera parallel = perspective.withProjection(true);
-        double[] u = perspective.up();
+        Vector3d at = new Vector3d(perspective.target()).fma(50, perspective.up());
         double[] one = new double[2];
         double[] other = new double[2];
-        double x = perspective.targetX() + 50 * u[0];
-        double y = perspective.targetY() + 50 * u[1];
-        double z = perspective.targetZ() + 50 * u[2];
-        perspective.project(x, y, z, 640, 480, one);
-        parallel.project(x, y, z, 640, 480, other);
+        perspective.project(at.x, at.y, at.z, 640, 480, one);
+        parallel.project(at.x, at.y, at.z, 640, 480, other);
         assertThat(one[1]).isCloseTo(other[1], within(PIXEL));
         assertThat(50 / perspective.mmPerPixel(480)).isCloseTo(240 - one[1], within(PIXEL));
     }
@@ -194,17 +183,17 @@ class CameraTest {
                     default -> new double[] {0, 0, 1};
                 };
         for (int i = 0; i < 3; i++) {
-            assertThat(camera.right()[i]).isCloseTo(rightward[i], within(UNIT));
-            assertThat(camera.up()[i]).isCloseTo(upward[i], within(UNIT));
+            assertThat(camera.right().get(i)).isCloseTo(rightward[i], within(UNIT));
+            assertThat(camera.up().get(i)).isCloseTo(upward[i], within(UNIT));
         }
     }
 
     @Test
     void aPointBehindTheEyeIsNotSeen() {
         Camera camera = Camera.of(AnatomicalView.ANTERIOR, BODY);
-        double[] eye = camera.eye();
+        Vector3d eye = camera.eye();
         double[] xy = {7, 7};
-        assertThat(camera.project(eye[0], eye[1] - 10, eye[2], 640, 480, xy)).isFalse();
+        assertThat(camera.project(eye.x, eye.y - 10, eye.z, 640, 480, xy)).isFalse();
         assertThat(xy).containsExactly(7, 7);
     }
 
@@ -214,7 +203,8 @@ class CameraTest {
             Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
             Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
         };
-        for (float number : Camera.of(AnatomicalView.LEFT, none).projectionMatrix(1)) {
+        for (double number :
+                Camera.of(AnatomicalView.LEFT, none).projectionMatrix(1).get(new double[16])) {
             assertThat(number).isFinite();
         }
     }

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -89,13 +90,13 @@ class PickerTest {
         for (int i = 0; i < player.surfaces().size(); i++) {
             Surface s = player.surfaces().get(i);
             double[] at = middleOfATriangle(i);
-            double[] centre =
+            Vector3d centre =
                     Camera.of(AnatomicalView.ANTERIOR, s.rest().bounds()).eye();
             double[] sight = new double[6];
             double length = 0;
             for (int k = 0; k < 3; k++) {
-                sight[k] = centre[k];
-                sight[3 + k] = at[k] - centre[k];
+                sight[k] = centre.get(k);
+                sight[3 + k] = at[k] - centre.get(k);
                 length += sight[3 + k] * sight[3 + k];
             }
             for (int k = 3; k < 6; k++) {

@@ -87,11 +87,9 @@ class RendererTest {
             gl.glViewport(1, 2, 30, 40);
             renderer.draw(gl, fixture.rest, fixture.camera(AnatomicalView.LEFT), everything(), WIDTH, HEIGHT);
             renderer.readPixels(gl);
-            assertThat(GraphicsQuery.number(gl, GL3.GL_DRAW_FRAMEBUFFER_BINDING))
-                    .isEqualTo(name[0]);
-            assertThat(GraphicsQuery.number(gl, GL3.GL_READ_FRAMEBUFFER_BINDING))
-                    .isEqualTo(name[0]);
-            assertThat(GraphicsQuery.number(gl, GL3.GL_VERTEX_ARRAY_BINDING))
+            assertThat(GraphicsInfo.number(gl, GL3.GL_DRAW_FRAMEBUFFER_BINDING)).isEqualTo(name[0]);
+            assertThat(GraphicsInfo.number(gl, GL3.GL_READ_FRAMEBUFFER_BINDING)).isEqualTo(name[0]);
+            assertThat(GraphicsInfo.number(gl, GL3.GL_VERTEX_ARRAY_BINDING))
                     .isEqualTo(gl.getContext().getDefaultVAO());
             int[] viewport = new int[4];
             gl.glGetIntegerv(GL3.GL_VIEWPORT, viewport, 0);

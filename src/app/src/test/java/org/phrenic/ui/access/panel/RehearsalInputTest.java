@@ -10,6 +10,7 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JSlider;
 import javax.swing.JTable;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -225,8 +226,8 @@ class RehearsalInputTest {
         Camera camera = WindowHarness.onEdt(() -> window.window().view().camera());
         NeedleState now = WindowHarness.onEdt(() -> state());
         double[] along = Vectors.normalize(Vectors.subtract(now.tip(), now.hub()));
-        double[] viewer = camera.towardsViewer();
-        assertThat(Vectors.dot(along, viewer))
+        Vector3d viewer = camera.towardsViewer();
+        assertThat(viewer.dot(along[0], along[1], along[2]))
                 .as("the viewer is behind the hub")
                 .isLessThan(-0.999);
         window.key("1");
