@@ -5,7 +5,7 @@ import com.jogamp.opengl.GL3;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.joml.Matrix4d;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
@@ -65,9 +65,11 @@ final class SurfaceBuffers {
         packedNormals = Buffers.newDirectIntBuffer(mesh.vertexCount());
         normals.compute(positions, packedNormals);
         EdgeTable table = new EdgeTable(mesh);
-        edges = table.edges;
-        long open = Arrays.stream(table.edgeTriangleCount).filter(n -> n == 1).count();
-        closed = open <= MAX_OPEN_EDGE_SHARE * table.count();
+        edges = table.edges();
+        long open = IntStream.range(0, table.edgeCount())
+                .filter(e -> table.faceCount(e) == 1)
+                .count();
+        closed = open <= MAX_OPEN_EDGE_SHARE * table.edgeCount();
         int usage = surface.motion() == Surface.Motion.DEFORMING ? GL3.GL_STREAM_DRAW : GL3.GL_STATIC_DRAW;
         vertexArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
         gl.glBindVertexArray(vertexArray);

@@ -54,7 +54,7 @@ public final class VertexAttributes {
         for (int i = 0; i < n; i++) {
             share[i] = surface.tendon()[i] ? 1 : 0;
         }
-        int[] edges = table.edges;
+        int[] edges = table.edges();
         float[] count = new float[n];
         for (int round = 0; round < SMOOTHING_ROUNDS; round++) {
             float[] sum = share.clone();
@@ -78,9 +78,9 @@ public final class VertexAttributes {
      */
     private double[] distanceToBorder() {
         TriangleMesh mesh = surface.rest();
-        int[] border = IntStream.range(0, surface.kind() == StructureKind.SKIN ? table.count() : 0)
-                .filter(e -> table.edgeTriangleCount[e] == 1)
-                .flatMap(e -> IntStream.of(table.edges[2 * e], table.edges[2 * e + 1]))
+        int[] border = IntStream.range(0, surface.kind() == StructureKind.SKIN ? table.edgeCount() : 0)
+                .filter(e -> table.faceCount(e) == 1)
+                .flatMap(e -> IntStream.of(table.edges()[2 * e], table.edges()[2 * e + 1]))
                 .toArray();
         if (border.length == 0) {
             double[] none = new double[mesh.vertexCount()];
