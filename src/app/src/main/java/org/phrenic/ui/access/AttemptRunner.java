@@ -20,15 +20,13 @@ import org.phrenic.ui.session.Session;
  */
 final class AttemptRunner implements AutoCloseable {
     private final Session session;
-    private final ObservedRun run;
     private final BackgroundWorker work;
     private final RehearsalController controller;
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
     private volatile LiveRehearsal rehearsal;
 
-    AttemptRunner(Session session, ObservedRun run, BackgroundWorker work, RehearsalController controller) {
+    AttemptRunner(Session session, BackgroundWorker work, RehearsalController controller) {
         this.session = session;
-        this.run = run;
         this.work = work;
         this.controller = controller;
     }
@@ -73,10 +71,11 @@ final class AttemptRunner implements AutoCloseable {
                 });
         entry.ifPresent(watching::enterAt);
         rehearsal = watching;
-        run.restartAtUserSpeed(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), (frame, label) -> {
+        session.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), (frame, label) -> {
             watching.onStep(frame, label);
             feed.offer(frame, watching.state());
         });
+        session.restoreSpeed();
     }
 
     /** Composes the report in the background; it is never discarded. */

@@ -15,13 +15,11 @@ import org.phrenic.ui.session.Session;
 /** Records one breath of the run, as fast as it can be simulated. Used on the event dispatch thread. */
 final class BreathCapture {
     private final Session session;
-    private final ObservedRun run;
     private Scenario recorded = Scenario.defaults();
     private List<BreathMoment> cycle = List.of();
 
-    BreathCapture(Session session, ObservedRun run) {
+    BreathCapture(Session session) {
         this.session = session;
-        this.run = run;
     }
 
     void clear() {
@@ -48,7 +46,8 @@ final class BreathCapture {
                     cycle = whole;
                     done.run();
                 }));
-        run.restartFast(recorder, recorder);
+        session.live().setSpeed(Double.POSITIVE_INFINITY);
+        session.restart(recorder, recorder);
     }
 
     private static void onEventThread(BooleanSupplier wanted, Runnable what) {

@@ -29,7 +29,6 @@ public final class RehearsalController extends RehearsalState implements Session
     private final AppearanceModel appearance;
     private final SceneViewport view;
     private final BackgroundWorker worker = new BackgroundWorker("phrenic-rehearsal");
-    private final ObservedRun run;
     private final RehearsalPreparation preparation;
     private final AttemptRunner attempt;
     private final EntrySelection entrySelection;
@@ -41,9 +40,8 @@ public final class RehearsalController extends RehearsalState implements Session
         this.session = session;
         this.appearance = appearance;
         this.view = view;
-        run = new ObservedRun(session);
-        preparation = new RehearsalPreparation(session, appearance, worker, run, this);
-        attempt = new AttemptRunner(session, run, worker, this);
+        preparation = new RehearsalPreparation(session, appearance, worker, this);
+        attempt = new AttemptRunner(session, worker, this);
         entrySelection = new EntrySelection(session, this, worker);
         pickMode = new PickMode(session, this, view);
         needle = new NeedleController(session, this, view);
@@ -67,7 +65,7 @@ public final class RehearsalController extends RehearsalState implements Session
             stage = RehearsalStage.CLOSED;
             pickMode.toggle(PickMode.Kind.NONE);
             detachRun();
-            run.restoreUserSpeed();
+            session.restoreSpeed();
             view.setMarkSource(Optional::empty);
             appearance.overrideStyle(style -> style, Optional.empty());
         }
@@ -75,7 +73,7 @@ public final class RehearsalController extends RehearsalState implements Session
 
     /** Stops observing the run; results of background tasks are discarded. */
     void detachRun() {
-        run.stopObserving();
+        session.live().stopListening();
         worker.discardPending();
         attempt.detach();
     }

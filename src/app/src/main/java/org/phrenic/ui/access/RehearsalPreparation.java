@@ -27,23 +27,17 @@ final class RehearsalPreparation {
     private final Session session;
     private final AppearanceModel appearance;
     private final BackgroundWorker worker;
-    private final ObservedRun run;
     private final RehearsalController rehearsal;
     private final BreathCapture capture;
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
     RehearsalPreparation(
-            Session session,
-            AppearanceModel appearance,
-            BackgroundWorker worker,
-            ObservedRun run,
-            RehearsalController rehearsal) {
+            Session session, AppearanceModel appearance, BackgroundWorker worker, RehearsalController rehearsal) {
         this.session = session;
         this.appearance = appearance;
         this.worker = worker;
-        this.run = run;
         this.rehearsal = rehearsal;
-        capture = new BreathCapture(session, run);
+        capture = new BreathCapture(session);
     }
 
     /** A body is being loaded. */
@@ -118,7 +112,7 @@ final class RehearsalPreparation {
 
     private void computeMap(Callable<TargetLesion> target) {
         enter(RehearsalStage.MAPPING);
-        run.restoreUserSpeed();
+        session.restoreSpeed();
         rehearsal.fireState();
         RehearsalBody body = rehearsal.body.orElseThrow();
         Scenario scenario = session.scenario().with("hold=false");

@@ -1,28 +1,25 @@
 package org.phrenic.ui.chart;
 
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
-import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.PaintedComponent;
 
 /**
  * Inspiration, expiration and pause as bands of their durations, with a cursor at the present phase. A breath hold
  * fills the bar, and so does every phase of a pattern of other phases.
  */
-public final class PhaseBar extends JComponent {
+public final class PhaseBar extends PaintedComponent {
     private static final int HEIGHT = 30;
     private static final int ARC = 8;
     private static final int PHASE = Observation.COLUMNS.indexOf("phase");
@@ -36,21 +33,8 @@ public final class PhaseBar extends JComponent {
     private boolean threePhases = true;
 
     public PhaseBar() {
+        super(AccessibleRole.PROGRESS_BAR, "Phase of the breath");
         setToolTipText("Present phase of the breath");
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.PROGRESS_BAR;
-                }
-            };
-            accessibleContext.setAccessibleName("Phase of the breath");
-        }
-        return accessibleContext;
     }
 
     /** Takes the durations of the phases from a scenario. */
@@ -86,9 +70,7 @@ public final class PhaseBar extends JComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Controls.smooth(graphics);
-        g.setFont(getFont());
+    protected void paint(Graphics2D g) {
         int w = getWidth();
         g.clip(new RoundRectangle2D.Double(0, 0, w, getHeight(), ARC, ARC));
         if (!threePhases || label == RespiratoryPhase.HOLD) {
@@ -101,7 +83,6 @@ public final class PhaseBar extends JComponent {
             paintBand(g, out, w, RespiratoryPhase.PAUSE);
         }
         paintCursor(g, phase * w);
-        g.dispose();
     }
 
     private void paintBand(Graphics2D g, double from, double to, RespiratoryPhase what) {

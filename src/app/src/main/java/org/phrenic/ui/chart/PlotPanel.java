@@ -1,125 +1,104 @@
 package org.phrenic.ui.chart;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
-import java.util.function.Consumer;
-import javax.swing.UIManager;
+import java.util.function.DoubleConsumer;
 import org.jfree.chart.ChartPanel;
-import org.jfree.chart.panel.AbstractOverlay;
-import org.jfree.chart.panel.Overlay;
+import org.jfree.chart.panel.CrosshairOverlay;
+import org.jfree.chart.plot.Crosshair;
 import org.jfree.chart.ui.RectangleEdge;
 import org.phrenic.ui.widget.Theme;
 
 /**
- * The chart on the screen: dragging zooms into times, a double click shows all again, and a line follows the mouse
- * whose time others are told.
+ * The panel of the chart: dragging zooms into a time range, a double click resets it, and a crosshair follows the
+ * mouse.
  */
 final class PlotPanel extends ChartPanel {
     private final transient PlotChart plot;
-    private final transient Consumer<Double> cursorListener;
+    private final transient DoubleConsumer cursorListener;
     private final transient Runnable zoomListener;
     private final transient Runnable resetListener;
-    private double cursorTime = Double.NaN;
-    private double markedTime = Double.NaN;
+    private final transient Crosshair cursor = crosshair(Theme.SECONDARY_TEXT, 1);
+    private final transient Crosshair marked = crosshair(Theme.ACCENT, 2);
 
     /**
-     * @param cursor told the time under the mouse, NaN when it has left
-     * @param zoomed told when the user has chosen the times to be seen
-     * @param reset told when all is to be seen again
+     * @param cursorListener gets the time under the mouse, NaN outside of the plot
+     * @param zoomListener runs after a time range is chosen
+     * @param resetListener runs when the whole range is to be shown
      */
-    PlotPanel(PlotChart plot, Consumer<Double> cursor, Runnable zoomed, Runnable reset) {
-        // Drawn at the size it has, whatever that is; into a buffer, so that the cursor moves without drawing the
-        // curves again.
+    PlotPanel(PlotChart plot, DoubleConsumer cursorListener, Runnable zoomListener, Runnable resetListener) {
+        // Drawn at its own size, into a buffer, so that the crosshair moves without drawing the curves again.
         super(plot.chart(), 400, 200, 40, 40, 10_000, 10_000, true, false, false, false, false, false);
         this.plot = plot;
-        this.cursorListener = cursor;
-        this.zoomListener = zoomed;
-        this.resetListener = reset;
+        this.cursorListener = cursorListener;
+        this.zoomListener = zoomListener;
+        this.resetListener = resetListener;
         setRangeZoomable(false);
         setMouseWheelEnabled(false);
         setZoomTriggerDistance(6);
-        addOverlay(new CursorOverlay());
+        CrosshairOverlay overlay = new CrosshairOverlay();
+        overlay.addDomainCrosshair(marked);
+        overlay.addDomainCrosshair(cursor);
+        addOverlay(overlay);
         getAccessibleContext().setAccessibleName("Plot of the chosen curves over time");
-        MouseAdapter mouse = new MouseAdapter() {
-            @Override
-            public void mouseMoved(MouseEvent e) {
-                Rectangle2D area = getScreenDataArea();
-                setCursorTime(
-                        area.contains(e.getPoint())
-                                ? plot.timeAxis().java2DToValue(e.getX(), area, RectangleEdge.BOTTOM)
-                                : Double.NaN);
-            }
-
-            @Override
-            public void mouseExited(MouseEvent e) {
-                setCursorTime(Double.NaN);
-            }
-
-            @Override
-            public void mouseClicked(MouseEvent e) {
-                if (e.getClickCount() == 2) {
-                    reset.run();
-                }
-            }
-        };
+        MouseAdapter mouse = new CursorMouse();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
     }
 
-    private void setCursorTime(double time) {
-        if (Double.compare(time, cursorTime) != 0) {
-            cursorTime = time;
-            cursorListener.accept(time);
-            repaint();
-        }
+    private static Crosshair crosshair(Color colour, int width) {
+        return new Crosshair(Double.NaN, colour, new BasicStroke(width));
     }
 
-    /** Marks the time of the recorded frame that is looked at; NaN for none. */
+    /** Marks the time of the recorded frame that is shown; NaN for none. */
     void setMarkedTime(double time) {
-        if (Double.compare(time, markedTime) != 0) {
-            markedTime = time;
-            repaint();
-        }
+        marked.setValue(time);
     }
 
-    /** Time under the mouse, s; NaN if it is elsewhere. */
+    /** Time under the mouse, s; NaN outside of the plot. */
     double cursorTime() {
-        return cursorTime;
+        return cursor.getValue();
     }
 
     @Override
     public void zoom(Rectangle2D selection) {
         super.zoom(selection);
-        if (zoomListener != null) {
-            zoomListener.run();
-        }
+        zoomListener.run();
     }
 
+    /** Dragging to the left asks for the whole range. The axes have no automatic range. */
     @Override
     public void restoreAutoBounds() {
-        // Dragging to the left means "all of it again"; the axes have no automatic range of their own.
-        if (resetListener != null) {
-            resetListener.run();
-        }
+        resetListener.run();
     }
 
-    private final class CursorOverlay extends AbstractOverlay implements Overlay {
+    private final class CursorMouse extends MouseAdapter {
         @Override
-        public void paintOverlay(Graphics2D g, ChartPanel panel) {
-            Color text = UIManager.getColor("Label.foreground");
-            line(g, markedTime, Theme.ACCENT, 2);
-            line(g, cursorTime, new Color(text.getRed(), text.getGreen(), text.getBlue(), 150), 1);
+        public void mouseMoved(MouseEvent e) {
+            Rectangle2D area = getScreenDataArea();
+            boolean inside = area.contains(e.getPoint());
+            setCursor(inside ? plot.timeAxis().java2DToValue(e.getX(), area, RectangleEdge.BOTTOM) : Double.NaN);
         }
 
-        private void line(Graphics2D g, double time, Color colour, int width) {
-            if (!Double.isNaN(time) && plot.timeAxis().getRange().contains(time)) {
-                Rectangle2D area = getScreenDataArea();
-                int x = (int) Math.round(plot.timeAxis().valueToJava2D(time, area, RectangleEdge.BOTTOM));
-                g.setColor(colour);
-                g.fillRect(x - width / 2, (int) area.getMinY(), width, (int) area.getHeight());
+        @Override
+        public void mouseExited(MouseEvent e) {
+            setCursor(Double.NaN);
+        }
+
+        private void setCursor(double time) {
+            if (Double.compare(time, cursor.getValue()) != 0) {
+                cursor.setValue(time);
+                cursorListener.accept(time);
+            }
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (e.getClickCount() == 2) {
+                resetListener.run();
             }
         }
     }

@@ -4,9 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
@@ -15,24 +13,22 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.AbstractAction;
-import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.ui.session.NumberFormats;
-import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.PaintedComponent;
 import org.phrenic.ui.widget.Theme;
 
 /**
- * Recorded time from left to right: bands of what the breath did, times below, and a mark to drag. Arrow keys go a
- * frame, page keys ten, Home to the first; End follows the present.
+ * The recorded time with bands of the respiratory phases and a cursor to drag. Arrow keys go one frame, page keys ten,
+ * Home to the first; End follows the present.
  */
-final class TimelineBar extends JComponent {
+final class TimelineBar extends PaintedComponent {
     private static final int BAND_HEIGHT = 22;
     private static final int SIDE_MARGIN = 10;
     private static final double[] TICK_STEPS_S = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60};
@@ -45,13 +41,14 @@ final class TimelineBar extends JComponent {
     private double markTime = Double.NaN;
 
     /**
-     * @param toTime told the time that is dragged to
-     * @param byFrames told by how many frames to go; {@link Integer#MAX_VALUE} for the present
+     * @param seekListener gets the time that is dragged to
+     * @param stepListener gets the number of frames to go; {@link Integer#MAX_VALUE} for the present
      */
-    TimelineBar(DoubleConsumer toTime, IntConsumer byFrames) {
-        this.seekListener = toTime;
+    TimelineBar(DoubleConsumer seekListener, IntConsumer stepListener) {
+        super(AccessibleRole.SLIDER, "Recorded time");
+        this.seekListener = seekListener;
         setFocusable(true);
-        setToolTipText("Drag through what was recorded; arrow keys go one frame");
+        setToolTipText("Drag through what is recorded; arrow keys go one frame");
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
@@ -66,12 +63,20 @@ final class TimelineBar extends JComponent {
         };
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        bind("LEFT", () -> byFrames.accept(-1));
-        bind("RIGHT", () -> byFrames.accept(1));
-        bind("PAGE_UP", () -> byFrames.accept(-10));
-        bind("PAGE_DOWN", () -> byFrames.accept(10));
-        bind("HOME", () -> byFrames.accept(-Integer.MAX_VALUE));
-        bind("END", () -> byFrames.accept(Integer.MAX_VALUE));
+        Map.of(
+                        "LEFT",
+                        -1,
+                        "RIGHT",
+                        1,
+                        "PAGE_UP",
+                        -10,
+                        "PAGE_DOWN",
+                        10,
+                        "HOME",
+                        -Integer.MAX_VALUE,
+                        "END",
+                        Integer.MAX_VALUE)
+                .forEach((key, frames) -> bind(key, () -> stepListener.accept(frames)));
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent e) {
@@ -86,13 +91,7 @@ final class TimelineBar extends JComponent {
     }
 
     private void bind(String key, Runnable what) {
-        getInputMap().put(KeyStroke.getKeyStroke(key), key);
-        getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                what.run();
-            }
-        });
+        registerKeyboardAction(e -> what.run(), KeyStroke.getKeyStroke(key), WHEN_FOCUSED);
     }
 
     private void seek(int x) {
@@ -124,9 +123,7 @@ final class TimelineBar extends JComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Controls.smooth(graphics);
-        g.setFont(getFont());
+    protected void paint(Graphics2D g) {
         RoundRectangle2D strip =
                 new RoundRectangle2D.Double(SIDE_MARGIN, 2, getWidth() - 2.0 * SIDE_MARGIN, BAND_HEIGHT, 6, 6);
         Graphics2D inside = (Graphics2D) g.create();
@@ -139,7 +136,6 @@ final class TimelineBar extends JComponent {
         if (!Double.isNaN(markTime)) {
             paintMark(g);
         }
-        g.dispose();
     }
 
     private void paintBand(Graphics2D g, PhaseBands.Band band) {
@@ -182,19 +178,5 @@ final class TimelineBar extends JComponent {
 
     private double x(double time) {
         return SIDE_MARGIN + (time - from) / (to - from) * (getWidth() - 2 * SIDE_MARGIN);
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.SLIDER;
-                }
-            };
-            accessibleContext.setAccessibleName("Recorded time");
-        }
-        return accessibleContext;
     }
 }

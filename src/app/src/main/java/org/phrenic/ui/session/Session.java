@@ -14,6 +14,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.simulation.live.StepListener;
 
 /**
  * The running simulation, its scene, the history of edits, and the events between them and the parts of the window. All
@@ -205,6 +206,20 @@ public final class Session implements AutoCloseable {
     /** The speed that the user wants. */
     public double speed() {
         return speed;
+    }
+
+    /** Goes back to the speed that the user wants. */
+    public void restoreSpeed() {
+        live.setSpeed(speed);
+    }
+
+    /** Restarts and runs without a breath hold; {@code listener} is called after steps. */
+    public void restart(StepListener.Trigger when, StepListener listener) {
+        if (scenario().hold()) {
+            live.change(List.of(Assignment.of("window", Breathing.HOLD, false)));
+        }
+        live.restart(when, listener);
+        live.play();
     }
 
     /** Plays or pauses; leaves a recorded frame for the present. */

@@ -17,6 +17,7 @@ import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.camera.Picker;
+import org.phrenic.scene.gl.FrameStatistics;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
@@ -36,6 +37,41 @@ import org.phrenic.simulation.observe.Surface;
  * {@value #MAX_FRAME_MS} ms. All OpenGL calls are made on this thread.
  */
 public final class RenderLoop implements AutoCloseable {
+    /**
+     * What the view should show.
+     *
+     * @param reference surface from which distances are measured
+     * @param accessColours map that colours the skin
+     * @param width of the frame, device pixels
+     * @param height of the frame, device pixels
+     * @param historyFrame recorded frame; -1 for the present
+     */
+    record Request(
+            LiveScene scene,
+            Camera camera,
+            SceneStyle style,
+            Optional<DistanceField> reference,
+            Optional<AccessMapField> accessColours,
+            int width,
+            int height,
+            int historyFrame) {}
+
+    /**
+     * A drawn frame.
+     *
+     * @param step simulation step that is shown
+     * @param timeText time and phase of the breath
+     * @param needleMarks needle and target in it
+     * @param cost of drawing it
+     */
+    public record RenderedFrame(
+            BufferedImage image,
+            Request request,
+            long step,
+            String timeText,
+            Optional<NeedleMarkers> needleMarks,
+            FrameStatistics cost) {}
+
     /** Called on the render thread. */
     interface Listener {
         void onFrame(RenderedFrame picture);
@@ -70,7 +106,7 @@ public final class RenderLoop implements AutoCloseable {
     private final ReentrantLock lock = new ReentrantLock();
     private final Queue<Consumer<OffscreenContext>> tasks = new ArrayDeque<>();
     private final ImagePool imagePool = new ImagePool();
-    private RenderRequest requested;
+    private Request requested;
     private long version;
     private boolean closed;
 
@@ -96,7 +132,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /** Requests a frame; the last request counts. */
-    void request(RenderRequest wanted) {
+    void request(Request wanted) {
         update(() -> {
             requested = wanted;
             version++;
@@ -124,11 +160,7 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Picks the surface under a pixel; {@code done} gets the result on the render thread. */
     void pick(
-            double px,
-            double py,
-            RenderRequest at,
-            ToDoubleFunction<Surface> opacity,
-            Consumer<Optional<PickResult>> done) {
+            double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         update(() -> tasks.add(gl -> {
             if (scene != null && scene.id() == at.scene().id()) {
                 if (picker == null) {
@@ -165,7 +197,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void loop(OffscreenContext gl) {
         while (true) {
-            RenderRequest wanted;
+            Request wanted;
             long now;
             Consumer<OffscreenContext> task;
             lock.lock();
@@ -229,7 +261,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /** Draws if anything has changed. */
-    private boolean draw(OffscreenContext gl, RenderRequest wanted, boolean asAsked, BufferedImage canvas) {
+    private boolean draw(OffscreenContext gl, Request wanted, boolean asAsked, BufferedImage canvas) {
         boolean fresh = wanted.historyFrame() < 0
                 ? live.copyNewestFrame(frame)
                 : wanted.historyFrame() != historyFrame && takeHistoryFrame(wanted.historyFrame());
@@ -268,7 +300,7 @@ public final class RenderLoop implements AutoCloseable {
         }
     }
 
-    private String timeText(RenderRequest wanted) {
+    private String timeText(Request wanted) {
         return Annotations.timestamp(
                 frame.timeS(), wanted.historyFrame() < 0 ? live.status().phaseLabel() : "recorded");
     }

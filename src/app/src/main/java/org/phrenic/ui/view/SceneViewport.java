@@ -37,7 +37,7 @@ public final class SceneViewport extends JPanel {
     private transient Camera camera = Camera.of(AnatomicalView.ANTERIOR, new double[6]);
     private transient Camera homeCamera = camera;
     private transient LiveScene scene;
-    private transient RenderedFrame frame;
+    private transient RenderLoop.RenderedFrame frame;
     private transient Consumer<String> pickListener = text -> {};
     private transient Optional<MouseTool> tool = Optional.empty();
     private String placeholder = "Building the thorax";
@@ -114,9 +114,9 @@ public final class SceneViewport extends JPanel {
         pickListener = listener;
     }
 
-    private RenderRequest request() {
+    private RenderLoop.Request request() {
         double scale = scale();
-        return new RenderRequest(
+        return new RenderLoop.Request(
                 scene,
                 camera,
                 appearance.style(),
@@ -280,7 +280,7 @@ public final class SceneViewport extends JPanel {
         renderLoop.close();
     }
 
-    public Optional<RenderedFrame> frame() {
+    public Optional<RenderLoop.RenderedFrame> frame() {
         return Optional.ofNullable(frame);
     }
 
@@ -292,7 +292,7 @@ public final class SceneViewport extends JPanel {
         }
 
         @Override
-        public void onFrame(RenderedFrame drawn) {
+        public void onFrame(RenderLoop.RenderedFrame drawn) {
             SwingUtilities.invokeLater(() -> {
                 if (frame != null) {
                     renderLoop.release(frame);
