@@ -5,7 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibAxisTable;
 import org.phrenic.anatomy.cage.RibCage;
@@ -323,17 +323,12 @@ public final class Simulation implements AutoCloseable {
 
     /** The step as the stability limit has it: empty if it is within, else a sentence. */
     public String stabilityMessage() {
-        if (stepper.substeps() == 1) {
-            return "";
-        }
-        String why = stepper.substepRefinementReason().isEmpty()
-                ? stepper.limit().describe(stepper.integrator().kind(), stepper.dt())
-                : String.format(
-                        Locale.ROOT,
-                        "time step %.6g s is too long for what the scene has become (%s)",
-                        stepper.dt(),
-                        stepper.substepRefinementReason());
-        return why + ": split into " + stepper.substeps() + " substeps";
+        return substepReason().map(SubstepReason::message).orElse("");
+    }
+
+    /** Why steps are split into substeps; empty if they are not. */
+    public Optional<SubstepReason> substepReason() {
+        return stepper.substeps() == 1 ? Optional.empty() : Optional.of(SubstepReason.of(stepper));
     }
 
     public Scene scene() {

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.AbstractAction;
 import javax.swing.JButton;
@@ -27,6 +26,7 @@ import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SubstepReason;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.session.EditName;
@@ -40,7 +40,6 @@ import org.phrenic.ui.widget.ScrollablePanel;
  */
 public final class ParameterDock extends JPanel implements Session.Listener {
     private static final int MOST_OFFERED_THREADS = 16;
-    private static final Pattern NUMBER = Pattern.compile("\\d+\\.\\d+(e-?\\d+)?");
 
     private final transient Session session;
     private final transient Map<Group, CollapsibleGroup> groups = new EnumMap<>(Group.class);
@@ -177,7 +176,7 @@ public final class ParameterDock extends JPanel implements Session.Listener {
 
     @Override
     public void onTick(RunStatus status) {
-        String now = limitInWords(status);
+        String now = substepText(status);
         if (!now.equals(limit)) {
             limit = now;
             Scenario scenario = session.scenario();
@@ -189,15 +188,18 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         }
     }
 
-    /** The sentence of the limit as it fits below a row: what is done, and why; no more digits than somebody reads. */
-    public static String limitInWords(RunStatus status) {
-        if (status.stabilityMessage().isEmpty()) {
-            return "";
-        }
-        String why =
-                status.stabilityMessage().replaceFirst(": split into.*$", "").replaceFirst(" \\([^)]*\\)$", "");
-        why = NUMBER.matcher(why).replaceAll(found -> NumberFormats.format(Double.parseDouble(found.group()), 3));
-        return "Runs with " + status.substeps() + " substeps, because the " + why + ".";
+    /** Why steps are split into substeps, in a short sentence; empty if they are not. */
+    public static String substepText(RunStatus status) {
+        return status.substepReason().map(ParameterDock::text).orElse("");
+    }
+
+    private static String text(SubstepReason reason) {
+        String step = "Runs with " + reason.substeps() + " substeps, because the time step "
+                + NumberFormats.format(reason.dtS(), 3) + " s is ";
+        return reason.cause().isEmpty()
+                ? step + "beyond the stability limit " + NumberFormats.format(reason.limitS(), 3) + " s of "
+                        + reason.integrator() + " for this scene."
+                : step + "too long for what the scene has become.";
     }
 
     /**

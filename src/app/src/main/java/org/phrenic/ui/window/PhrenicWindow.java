@@ -278,7 +278,7 @@ public final class PhrenicWindow {
             if (!now.stabilityMessage().equals(limitSentence)) {
                 limitSentence = now.stabilityMessage();
                 if (!limitSentence.isEmpty()) {
-                    session.note(ParameterDock.limitInWords(now));
+                    session.note(ParameterDock.substepText(now));
                 }
             }
         }

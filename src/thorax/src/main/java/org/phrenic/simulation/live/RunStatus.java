@@ -1,5 +1,8 @@
 package org.phrenic.simulation.live;
 
+import java.util.Optional;
+import org.phrenic.simulation.SubstepReason;
+
 /**
  * How a run stands.
  *
@@ -10,7 +13,7 @@ package org.phrenic.simulation.live;
  * @param stepsPerS steps a second of wall time, while it runs; 0 while it does not
  * @param realtimeFactor simulated over wall time
  * @param playing whether it runs
- * @param stabilityMessage why steps are split; empty if the step is within the stability limit
+ * @param substepReason why steps are split; empty if the step is within the stability limit
  * @param phaseLabel what the breath is doing: inspiration, expiration, pause, hold; empty before the first scene
  */
 public record RunStatus(
@@ -21,8 +24,13 @@ public record RunStatus(
         double stepsPerS,
         double realtimeFactor,
         boolean playing,
-        String stabilityMessage,
+        Optional<SubstepReason> substepReason,
         String phaseLabel) {
     /** Before the first scene. */
-    public static final RunStatus NOTHING = new RunStatus(0, 0, 0, 1, 0, 0, false, "", "");
+    public static final RunStatus NOTHING = new RunStatus(0, 0, 0, 1, 0, 0, false, Optional.empty(), "");
+
+    /** Why steps are split, in one sentence; empty if they are not. */
+    public String stabilityMessage() {
+        return substepReason.map(SubstepReason::message).orElse("");
+    }
 }

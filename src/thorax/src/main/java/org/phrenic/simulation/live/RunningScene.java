@@ -1,12 +1,14 @@
 package org.phrenic.simulation.live;
 
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SubstepReason;
 import org.phrenic.simulation.observe.Frame;
 
 /** A scene that runs, with what is seen of it. Used by the simulation's thread, but for what it gives out. */
@@ -30,7 +32,7 @@ final class RunningScene implements AutoCloseable {
     private long publishedStep;
     private long keptNs;
     private Frame listenerFrame;
-    private String stabilityMessage = "";
+    private Optional<SubstepReason> substepReason = Optional.empty();
     private StabilityLimit limitSaid;
     private int substepsSaid;
 
@@ -59,18 +61,17 @@ final class RunningScene implements AutoCloseable {
     }
 
     /**
-     * See {@link Simulation#stabilityMessage}; worked out anew only when the limit was measured anew, for it costs a
-     * search.
+     * See {@link Simulation#substepReason}; computed when the limit has been measured again, since it takes a search.
      */
     @SuppressWarnings("ReferenceEquality")
-    String stabilityMessage() {
+    Optional<SubstepReason> substepReason() {
         Stepper stepper = simulation.stepper();
         if (stepper.limit() != limitSaid || stepper.substeps() != substepsSaid) {
-            stabilityMessage = simulation.stabilityMessage();
+            substepReason = simulation.substepReason();
             limitSaid = stepper.limit();
             substepsSaid = stepper.substeps();
         }
-        return stabilityMessage;
+        return substepReason;
     }
 
     /** One step, and what is to be seen of it. */

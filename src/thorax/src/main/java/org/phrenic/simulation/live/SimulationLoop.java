@@ -206,7 +206,7 @@ final class SimulationLoop implements Runnable {
                 playing ? pacer.stepsPerS() : 0,
                 playing ? pacer.realtimeFactor() : 0,
                 playing,
-                running.stabilityMessage(),
+                running.substepReason(),
                 simulation.breathLabel().name().toLowerCase(Locale.ROOT));
     }
 }

@@ -1,0 +1,36 @@
+package org.phrenic.simulation;
+
+import java.util.Locale;
+import org.phrenic.engine.integrator.Stepper;
+
+/**
+ * Why each step is split into substeps.
+ *
+ * @param dtS time step, s
+ * @param substeps parts into which it is split
+ * @param limitS largest stable step, s
+ * @param integrator label of the integrator
+ * @param limitMessage sentence on step and limit
+ * @param cause what made a step within the limit too long; empty if the limit is the reason
+ */
+public record SubstepReason(
+        double dtS, int substeps, double limitS, String integrator, String limitMessage, String cause) {
+    static SubstepReason of(Stepper stepper) {
+        return new SubstepReason(
+                stepper.dt(),
+                stepper.substeps(),
+                stepper.limit().largestStep(stepper.integrator().kind()),
+                stepper.integrator().kind().label(),
+                stepper.limit().describe(stepper.integrator().kind(), stepper.dt()),
+                stepper.substepRefinementReason());
+    }
+
+    /** One sentence with all numbers. */
+    public String message() {
+        String reason = cause.isEmpty()
+                ? limitMessage
+                : String.format(
+                        Locale.ROOT, "time step %.6g s is too long for what the scene has become (%s)", dtS, cause);
+        return reason + ": split into " + substeps + " substeps";
+    }
+}
