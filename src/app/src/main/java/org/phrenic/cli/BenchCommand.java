@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
-import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
@@ -74,9 +73,8 @@ final class BenchCommand implements Callable<Integer> {
     @Option(
             names = "--kernel",
             paramLabel = "NAME",
-            description = "loops, vector (needs java --add-modules jdk.incubator.vector) or reference;"
-                    + " without it, the fastest here by a short measurement.")
-    private String kernel;
+            description = "How forces of springs are computed: ${DEFAULT-VALUE}, the only way there is.")
+    private String kernel = BareWorkload.KERNEL;
 
     @Option(names = "--json", description = "Print JSON instead of a table.")
     private boolean json;
@@ -94,8 +92,8 @@ final class BenchCommand implements Callable<Integer> {
                 .withIntegrator(IntegratorKind.of(integrator))
                 .withThreads(threads)
                 .withSteps(steps);
-        if (kernel != null) {
-            settings = settings.withKernel(kernel(kernel));
+        if (!kernel.equals(BareWorkload.KERNEL)) {
+            throw new BadInputException("--kernel: found '" + kernel + "', expected " + BareWorkload.KERNEL);
         }
         BareScene scene = BareScene.read(files.mesh, files.fixed, files.loaded, files.links);
         if (scene.loaded().length == 0) {
@@ -111,16 +109,6 @@ final class BenchCommand implements Callable<Integer> {
         }
         print(result);
         return ExitCode.SUCCESS;
-    }
-
-    private static SpringKernel kernel(String name) {
-        SpringKernel kernel = SpringKernel.of(name);
-        if (!kernel.isAvailable()) {
-            throw new BadInputException("--kernel: found '" + name
-                    + "', which Java has only if started with --add-modules jdk.incubator.vector, expected that or"
-                    + " another kernel");
-        }
-        return kernel;
     }
 
     private void print(BareResult result) {

@@ -1,7 +1,7 @@
 package org.phrenic.mesh;
 
 import java.util.Arrays;
-import org.phrenic.engine.math.DenseVectors;
+import org.phrenic.engine.math.ConjugateGradient;
 
 /**
  * The smoothest field with given values at given vertices: the solution u of Laplace's equation on the surface. With
@@ -147,41 +147,27 @@ public final class HarmonicField {
             diagonal[edges[2 * e]] += weights[e];
             diagonal[edges[2 * e + 1]] += weights[e];
         }
+        ConjugateGradient solver = new ConjugateGradient(count, count) {
+            @Override
+            protected void multiply(double[] x, double[] out) {
+                HarmonicField.multiply(edges, weights, isFixed, x, out);
+            }
+
+            @Override
+            protected void precondition(double[] residual, double[] out) {
+                for (int v = 0; v < out.length; v++) {
+                    out[v] = diagonal[v] > 0 ? residual[v] / diagonal[v] : 0;
+                }
+            }
+        };
         double[] residual = new double[count];
         multiply(edges, weights, isFixed, u, residual);
-        double[] z = new double[count];
-        double[] direction = new double[count];
-        double[] product = new double[count];
         for (int v = 0; v < count; v++) {
             residual[v] = -residual[v];
         }
-        precondition(residual, diagonal, z);
-        System.arraycopy(z, 0, direction, 0, count);
-        double rho = DenseVectors.dot(residual, z);
-        double enough = rho * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
-        int iteration = 0;
-        while (rho > enough && iteration < 10 * count + 100) {
-            multiply(edges, weights, isFixed, direction, product);
-            double curvature = DenseVectors.dot(direction, product);
-            if (!(curvature > 0)) {
-                break;
-            }
-            double step = rho / curvature;
-            DenseVectors.addScaled(u, step, direction);
-            DenseVectors.addScaled(residual, -step, product);
-            precondition(residual, diagonal, z);
-            double next = DenseVectors.dot(residual, z);
-            DenseVectors.scaleAndAdd(direction, next / rho, z);
-            rho = next;
-            iteration++;
-        }
-        return iteration;
-    }
-
-    private static void precondition(double[] residual, double[] diagonal, double[] z) {
-        for (int v = 0; v < z.length; v++) {
-            z[v] = diagonal[v] > 0 ? residual[v] / diagonal[v] : 0;
-        }
+        double goal = solver.start(residual) * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
+        solver.solve(u, residual, goal, 10 * count + 100);
+        return solver.iterations();
     }
 
     /** Writes L x into {@code out} for the free vertices, 0 for the fixed ones. */

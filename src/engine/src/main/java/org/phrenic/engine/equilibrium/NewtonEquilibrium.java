@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.math.ConjugateGradient;
 import org.phrenic.engine.math.DenseVectors;
 
 /**
@@ -62,15 +63,13 @@ public final class NewtonEquilibrium {
     private final double[] ahead;
     private final double[] behind;
     private final double[] residual;
-    private final double[] direction;
-    private final double[] image;
-    private final double[] scaled;
     private final double[] step;
     private final double[] kept;
     private final double[] here;
     private final double[] stiffness;
     private double[] lambda = {};
     private final ActiveConstraints rows;
+    private final StepSolver stepSolver;
     private final int freeCount;
     private double shift;
     private int krylov;
@@ -111,9 +110,6 @@ public final class NewtonEquilibrium {
         ahead = new double[x.length];
         behind = new double[x.length];
         residual = new double[x.length];
-        direction = new double[x.length];
-        image = new double[x.length];
-        scaled = new double[x.length];
         step = new double[x.length];
         kept = new double[x.length];
         here = new double[x.length];
@@ -126,6 +122,7 @@ public final class NewtonEquilibrium {
         }
         freeCount = count;
         rows = new ActiveConstraints(system, isFree);
+        stepSolver = new StepSolver();
         Arrays.fill(system.velocities(), 0);
     }
 
@@ -252,70 +249,62 @@ public final class NewtonEquilibrium {
     private boolean solve(double tolerance) {
         Arrays.fill(stiffness, 0);
         system.addRowSums(stiffness, new double[stiffness.length]);
-        double[] mass = system.masses();
         Arrays.fill(step, 0);
         double[] left = residual.clone();
-        precondition(left, mass);
-        System.arraycopy(scaled, 0, direction, 0, direction.length);
-        double rho = DenseVectors.dot(left, scaled);
-        double goal = tolerance * tolerance * DenseVectors.dot(left, left);
-        for (int i = 0; i < MOST_KRYLOV && DenseVectors.dot(left, left) > goal; i++) {
-            multiply(mass);
-            krylov++;
-            double curvature = DenseVectors.dot(direction, image);
-            if (!(curvature > 0)) {
-                return false;
-            }
-            double alpha = rho / curvature;
-            for (int k = 0; k < step.length; k++) {
-                step[k] += alpha * direction[k];
-                left[k] -= alpha * image[k];
-            }
-            precondition(left, mass);
-            double next = DenseVectors.dot(left, scaled);
-            double beta = next / rho;
-            rho = next;
-            for (int k = 0; k < direction.length; k++) {
-                direction[k] = scaled[k] + beta * direction[k];
-            }
-        }
-        return true;
+        stepSolver.start(left);
+        boolean positive =
+                stepSolver.solve(step, left, tolerance * tolerance * DenseVectors.dot(left, left), MOST_KRYLOV);
+        krylov += stepSolver.iterations() + (positive ? 0 : 1);
+        return positive;
     }
 
-    private void precondition(double[] u, double[] mass) {
-        for (int k = 0; k < u.length; k++) {
-            // Half a row sum is the diagonal of a graph Laplacian; where no spring holds a node any scale will do.
-            double diagonal = 0.5 * stiffness[k / 3] + shift * mass[k / 3];
-            scaled[k] = diagonal > 0 ? u[k] / diagonal : u[k];
-        }
-        rows.project(scaled);
-    }
+    /** P (K + σ M) P with its diagonal as preconditioner. */
+    private final class StepSolver extends ConjugateGradient {
+        private final double[] mass = system.masses();
 
-    /** image = P (K + σ M) direction. */
-    private void multiply(double[] mass) {
-        double greatest = 0;
-        for (double d : direction) {
-            greatest = Math.max(greatest, Math.abs(d));
+        StepSolver() {
+            super(x.length, x.length);
         }
-        double epsilon = DIFFERENCE_MM / greatest;
-        difference(epsilon, ahead);
-        difference(-epsilon, behind);
-        for (int k = 0; k < image.length; k++) {
-            image[k] = (behind[k] - ahead[k]) / (2 * epsilon) + shift * mass[k / 3] * direction[k];
-        }
-        rows.collect();
-        rows.project(image);
-    }
 
-    /** g at x + ε direction. */
-    private void difference(double epsilon, double[] out) {
-        System.arraycopy(x, 0, here, 0, x.length);
-        for (int k = 0; k < x.length; k++) {
-            x[k] += epsilon * direction[k];
+        @Override
+        protected double stopMeasure(double rho, double[] left) {
+            return DenseVectors.dot(left, left);
         }
-        system.forces(timeS, x, still, out);
-        rows.collect();
-        rows.addForces(lambda, -1, out);
-        System.arraycopy(here, 0, x, 0, x.length);
+
+        @Override
+        protected void precondition(double[] u, double[] out) {
+            for (int k = 0; k < u.length; k++) {
+                // Half a row sum is the diagonal of a graph Laplacian; where no spring holds a node any scale will do.
+                double diagonal = 0.5 * stiffness[k / 3] + shift * mass[k / 3];
+                out[k] = diagonal > 0 ? u[k] / diagonal : u[k];
+            }
+            rows.project(out);
+        }
+
+        @Override
+        protected void multiply(double[] d, double[] out) {
+            double greatest = 0;
+            for (double each : d) {
+                greatest = Math.max(greatest, Math.abs(each));
+            }
+            double epsilon = DIFFERENCE_MM / greatest;
+            difference(d, epsilon, ahead);
+            difference(d, -epsilon, behind);
+            for (int k = 0; k < out.length; k++) {
+                out[k] = (behind[k] - ahead[k]) / (2 * epsilon) + shift * mass[k / 3] * d[k];
+            }
+            rows.collect();
+            rows.project(out);
+        }
+
+        /** g at x + ε d. */
+        private void difference(double[] d, double epsilon, double[] out) {
+            System.arraycopy(x, 0, here, 0, x.length);
+            DenseVectors.addScaled(x, epsilon, d);
+            system.forces(timeS, x, still, out);
+            rows.collect();
+            rows.addForces(lambda, -1, out);
+            System.arraycopy(here, 0, x, 0, x.length);
+        }
     }
 }

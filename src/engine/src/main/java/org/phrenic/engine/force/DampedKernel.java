@@ -1,32 +1,26 @@
 package org.phrenic.engine.force;
 
-import static org.phrenic.engine.force.EdgeLoops.give;
-import static org.phrenic.engine.force.EdgeLoops.inverseLength;
-import static org.phrenic.engine.force.EdgeLoops.take;
-
 import org.phrenic.engine.parallel.BlockedEdges;
 
-/**
- * Springs with a dashpot along each; rest lengths are those of the moment. The formula is that of {@link EdgeLoops}.
- */
-final class DampedKernel {
-    private DampedKernel() {}
+/** Springs with a dashpot along each. */
+final class DampedKernel extends SpringKernel {
+    /** N s/m. */
+    private final double damping;
 
-    /**
-     * Entries of which three in a row have the same first node, which is read and written once for the three; both
-     * ends.
-     */
-    static void stars(EdgeBatch batch, BlockedEdges edges, SpringData c, int from, int to) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] rest = c.currentRest;
-        double[] k = c.stiffness;
-        double damping = c.damping;
-        double[] x = batch.x;
-        double[] v = batch.v;
-        double[] force = batch.force;
+    DampedKernel(BlockedEdges edges, SpringData data) {
+        super(edges, data);
+        damping = data.damping;
+    }
+
+    @Override
+    void stars(double[] x, double[] v, double[] force, int from, int to) {
+        int[] firsts = own;
+        int[] others = other;
+        double[] k = stiffness;
+        double[] l = rest;
+        double c = damping;
         for (int i = from; i < to; i += 3) {
-            int a = own[i];
+            int a = firsts[i];
             double ax = x[a];
             double ay = x[a + 1];
             double az = x[a + 2];
@@ -34,58 +28,50 @@ final class DampedKernel {
             double uy = v[a + 1];
             double uz = v[a + 2];
 
-            int b = other[i];
+            int b = others[i];
             double dx = x[b] - ax;
             double dy = x[b + 1] - ay;
             double dz = x[b + 2] - az;
             double q = inverseLength(dx, dy, dz);
             double along = (v[b] - ux) * dx + (v[b + 1] - uy) * dy + (v[b + 2] - uz) * dz;
-            double t = k[i] * (1 - rest[i] * q) + damping * (along * (q * q));
+            double t = k[i] * (1 - l[i] * q) + c * (along * (q * q));
             double sx = dx * t;
             double sy = dy * t;
             double sz = dz * t;
-            take(force, b, sx, sy, sz);
+            subtract(force, b, sx, sy, sz);
 
-            b = other[i + 1];
+            b = others[i + 1];
             dx = x[b] - ax;
             dy = x[b + 1] - ay;
             dz = x[b + 2] - az;
             q = inverseLength(dx, dy, dz);
             along = (v[b] - ux) * dx + (v[b + 1] - uy) * dy + (v[b + 2] - uz) * dz;
-            t = k[i + 1] * (1 - rest[i + 1] * q) + damping * (along * (q * q));
+            t = k[i + 1] * (1 - l[i + 1] * q) + c * (along * (q * q));
             double fx = dx * t;
             double fy = dy * t;
             double fz = dz * t;
-            take(force, b, fx, fy, fz);
+            subtract(force, b, fx, fy, fz);
             sx += fx;
             sy += fy;
             sz += fz;
 
-            b = other[i + 2];
+            b = others[i + 2];
             dx = x[b] - ax;
             dy = x[b + 1] - ay;
             dz = x[b + 2] - az;
             q = inverseLength(dx, dy, dz);
             along = (v[b] - ux) * dx + (v[b + 1] - uy) * dy + (v[b + 2] - uz) * dz;
-            t = k[i + 2] * (1 - rest[i + 2] * q) + damping * (along * (q * q));
+            t = k[i + 2] * (1 - l[i + 2] * q) + c * (along * (q * q));
             fx = dx * t;
             fy = dy * t;
             fz = dz * t;
-            take(force, b, fx, fy, fz);
-            give(force, a, sx + fx, sy + fy, sz + fz);
+            subtract(force, b, fx, fy, fz);
+            add(force, a, sx + fx, sy + fy, sz + fz);
         }
     }
 
-    /** Any entries, both ends. */
-    static void both(EdgeBatch batch, BlockedEdges edges, SpringData c, int from, int to) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] rest = c.currentRest;
-        double[] k = c.stiffness;
-        double damping = c.damping;
-        double[] x = batch.x;
-        double[] v = batch.v;
-        double[] force = batch.force;
+    @Override
+    void singles(double[] x, double[] v, double[] force, int from, int to, boolean bothEnds) {
         for (int i = from; i < to; i++) {
             int a = own[i];
             int b = other[i];
@@ -94,35 +80,14 @@ final class DampedKernel {
             double dz = x[b + 2] - x[a + 2];
             double q = inverseLength(dx, dy, dz);
             double along = (v[b] - v[a]) * dx + (v[b + 1] - v[a + 1]) * dy + (v[b + 2] - v[a + 2]) * dz;
-            double t = k[i] * (1 - rest[i] * q) + damping * (along * (q * q));
+            double t = stiffness[i] * (1 - rest[i] * q) + damping * (along * (q * q));
             double fx = dx * t;
             double fy = dy * t;
             double fz = dz * t;
-            give(force, a, fx, fy, fz);
-            take(force, b, fx, fy, fz);
-        }
-    }
-
-    /** Any entries, first ends alone. */
-    static void first(EdgeBatch batch, BlockedEdges edges, SpringData c, int from, int to) {
-        int[] own = edges.own;
-        int[] other = edges.other;
-        double[] rest = c.currentRest;
-        double[] k = c.stiffness;
-        double damping = c.damping;
-        double[] x = batch.x;
-        double[] v = batch.v;
-        double[] force = batch.force;
-        for (int i = from; i < to; i++) {
-            int a = own[i];
-            int b = other[i];
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            double dz = x[b + 2] - x[a + 2];
-            double q = inverseLength(dx, dy, dz);
-            double along = (v[b] - v[a]) * dx + (v[b + 1] - v[a + 1]) * dy + (v[b + 2] - v[a + 2]) * dz;
-            double t = k[i] * (1 - rest[i] * q) + damping * (along * (q * q));
-            give(force, a, dx * t, dy * t, dz * t);
+            add(force, a, fx, fy, fz);
+            if (bothEnds) {
+                subtract(force, b, fx, fy, fz);
+            }
         }
     }
 }

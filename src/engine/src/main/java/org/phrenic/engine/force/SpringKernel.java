@@ -1,93 +1,61 @@
 package org.phrenic.engine.force;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
-import java.util.stream.Collectors;
 import org.phrenic.engine.parallel.BlockedEdges;
 
 /**
- * How the forces of springs are computed. All give the same bits, on any number of threads: which is used is a matter
- * of speed alone, and may be decided by measuring.
+ * Forces of springs, fused loops that gather both ends of an edge, compute its force and scatter it. With d = x(b) -
+ * x(a), u = v(b) - v(a) and the rest length L at the present activation
+ *
+ * <pre>
+ * q = 1 / |d|,   t = k (1 - L q) + c (u·d) (q q),   f = t d on a, -f on b
+ * </pre>
+ *
+ * <p>Operations are rounded one by one in this order. There is a kernel a kind of springs, so that none reads what it
+ * does not need: a step waits for memory as much as for arithmetic.
  */
-public enum SpringKernel {
-    /** Plain loops, one edge at a time, as the formula stands; the default. */
-    LOOPS("loops"),
-    /**
-     * Batches of edges with vector instructions by name; only where Java was started with {@code --add-modules
-     * jdk.incubator.vector}.
-     */
-    VECTOR("vector");
+abstract class SpringKernel {
+    /** First and other node of each entry times 3. */
+    final int[] own;
 
-    private static final String MODULE = "jdk.incubator.vector";
+    final int[] other;
+    /** N/m. */
+    final double[] stiffness;
+    /** {@link SpringData#currentRest}, mm. */
+    final double[] rest;
 
-    private final String label;
-
-    SpringKernel(String label) {
-        this.label = label;
+    SpringKernel(BlockedEdges edges, SpringData data) {
+        own = edges.own;
+        other = edges.other;
+        stiffness = data.stiffness;
+        rest = data.currentRest;
     }
 
-    /** Name in reports and options. */
-    public String label() {
-        return label;
-    }
-
-    /** @throws IllegalArgumentException if none has this label; the sentence lists them */
-    public static SpringKernel of(String label) {
-        return Arrays.stream(values())
-                .filter(kernel -> kernel.label.equals(label))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("kernel: found '" + label + "', expected one of "
-                        + Arrays.stream(values()).map(SpringKernel::label).collect(Collectors.joining(", "))));
-    }
-
-    /** Whether it can run in this Java virtual machine. */
-    public boolean isAvailable() {
-        return this != VECTOR || ModuleLayer.boot().findModule(MODULE).isPresent();
-    }
-
-    /** Those that can run here. */
-    public static List<SpringKernel> available() {
-        return Arrays.stream(values()).filter(SpringKernel::isAvailable).toList();
-    }
-
-    /**
-     * The passes over entries in stars.
-     *
-     * @throws IllegalStateException if it cannot run here; one sentence says what is missing
-     */
-    List<EdgeBatch.Pass> starPasses(BlockedEdges edges, SpringData c) {
-        if (!isAvailable()) {
-            throw new IllegalStateException(
-                    "kernel: found vector, but Java was started without --add-modules " + MODULE);
+    static SpringKernel of(BlockedEdges edges, SpringData data) {
+        if (data.damping != 0) {
+            return new DampedKernel(edges, data);
         }
-        if (this == LOOPS) {
-            return EdgeLoops.stars(edges, c);
-        }
-        int[] own = edges.own;
-        int[] other = edges.other;
-        List<EdgeBatch.Pass> passes = new ArrayList<>();
-        passes.add((t, from, n) -> EdgeBatch.differencesInStars(own, other, t.x, t.difference, from, n));
-        if (c.damping != 0) {
-            passes.add((t, from, n) -> EdgeBatch.differencesInStars(own, other, t.v, t.rate, from, n));
-        }
-        passes.addAll(vectorMath().passes(c));
-        passes.add((t, from, n) -> EdgeBatch.giveInStars(own, other, t.difference, t.force, from, n));
-        return passes;
+        return data.shortening == null ? new ElasticKernel(edges, data) : new ContractileKernel(edges, data);
     }
 
-    /**
-     * By name: naming the class in code would let the virtual machine load it, and with it a module that need not be
-     * there.
-     */
-    private static EdgeMath vectorMath() {
-        try {
-            return Class.forName("org.phrenic.engine.force.VectorMath")
-                    .asSubclass(EdgeMath.class)
-                    .getDeclaredConstructor()
-                    .newInstance();
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException("kernel: the vector kernel was not built", e);
-        }
+    /** Entries from {@code from} to before {@code to}, of which three in a row have the same first node; both ends. */
+    abstract void stars(double[] x, double[] v, double[] force, int from, int to);
+
+    /** Any entries; forces on first nodes, and on the other nodes if {@code bothEnds}. */
+    abstract void singles(double[] x, double[] v, double[] force, int from, int to, boolean bothEnds);
+
+    static double inverseLength(double dx, double dy, double dz) {
+        return 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    static void add(double[] force, int node, double fx, double fy, double fz) {
+        force[node] += fx;
+        force[node + 1] += fy;
+        force[node + 2] += fz;
+    }
+
+    static void subtract(double[] force, int node, double fx, double fy, double fz) {
+        force[node] -= fx;
+        force[node + 1] -= fy;
+        force[node + 2] -= fz;
     }
 }

@@ -1,7 +1,6 @@
 package org.phrenic.engine.force;
 
 import java.util.Arrays;
-import java.util.List;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.parallel.BlockedEdges;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -13,15 +12,17 @@ import org.phrenic.engine.parallel.NodeLayout;
  * passive tissue).
  */
 public final class Springs implements ForceField {
+    /**
+     * Entries a call, a multiple of 3: short calls are compiled sooner, and what a call reads stays in the first cache.
+     */
+    private static final int CHUNK = 480;
+
     private final BlockedEdges edges;
     private final double[] stiffness;
     private final double[] rest;
     private final double[] share;
     private final SpringData constants;
-    private final ThreadLocal<EdgeBatch> batches = ThreadLocal.withInitial(EdgeBatch::new);
-    private final EdgeBatch.Pass[] loosePasses;
-    private final EdgeBatch.Pass[] outerPasses;
-    private EdgeBatch.Pass[] starPasses;
+    private final SpringKernel kernel;
 
     private Springs(Builder b) {
         edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
@@ -37,41 +38,7 @@ public final class Springs implements ForceField {
             }
         }
         constants = new SpringData(edges.toEntries(stiffness), entryRest, shortening, b.damping);
-        constants.oneStiffness = uniform(stiffness);
-        loosePasses = array(EdgeLoops.both(edges, constants));
-        outerPasses = array(EdgeLoops.first(edges, constants));
-        setKernel(SpringKernel.LOOPS);
-    }
-
-    /**
-     * Computes forces in another way from now on, with the same bits.
-     *
-     * @throws IllegalStateException if the kernel cannot run here
-     */
-    public void setKernel(SpringKernel kernel) {
-        starPasses = array(kernel.starPasses(edges, constants));
-    }
-
-    private static EdgeBatch.Pass[] array(List<EdgeBatch.Pass> passes) {
-        return passes.toArray(EdgeBatch.Pass[]::new);
-    }
-
-    /**
-     * Uses the kernel that is fastest here from now on, by a measurement of about a third of a second on the caller's
-     * thread (none where there is only one); the bits do not depend on it.
-     *
-     * @param x positions, mm, internal order; not written to
-     * @param v velocities, mm/s, likewise
-     * @return the kernel
-     */
-    public SpringKernel useFastestKernel(double[] x, double[] v) {
-        double[] force = new double[x.length];
-        int blocks = edges.outerStart.length;
-        return KernelChoice.fastest(this, () -> {
-            for (int block = 0; block < blocks; block++) {
-                addForces(x, v, force, block);
-            }
-        });
+        kernel = SpringKernel.of(edges, constants);
     }
 
     /**
@@ -143,7 +110,6 @@ public final class Springs implements ForceField {
                 share[e] = length[e] == 0 ? 0 : shortening[e] / length[e];
             }
         }
-        constants.oneStiffness = uniform(stiffness);
     }
 
     /** Ends of each spring in the caller's numbering: two a spring. */
@@ -172,22 +138,17 @@ public final class Springs implements ForceField {
 
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
-        EdgeBatch batch = batches.get();
-        batch.x = x;
-        batch.v = v;
-        batch.force = force;
-        batch.run(starPasses, edges.innerStart[block], edges.singleStart[block]);
-        batch.run(loosePasses, edges.singleStart[block], edges.outerStart[block]);
-        batch.run(outerPasses, edges.outerStart[block], edges.innerStart[block + 1]);
-    }
-
-    private static boolean uniform(double[] values) {
-        for (double value : values) {
-            if (value != values[0]) {
-                return false;
-            }
+        int single = edges.singleStart[block];
+        int outer = edges.outerStart[block];
+        int end = edges.innerStart[block + 1];
+        for (int from = edges.innerStart[block]; from < single; from += CHUNK) {
+            int to = Math.min(single, from + CHUNK);
+            constants.updateRest(from, to);
+            kernel.stars(x, v, force, from, to);
         }
-        return true;
+        constants.updateRest(single, end);
+        kernel.singles(x, v, force, single, outer, true);
+        kernel.singles(x, v, force, outer, end, false);
     }
 
     @Override

@@ -2,6 +2,8 @@ package org.phrenic.engine.integrator;
 
 import java.util.Arrays;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.math.ConjugateGradient;
+import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.Workers;
 
 /**
@@ -24,36 +26,27 @@ final class BackwardEuler extends AbstractIntegrator {
 
     private final double[] right;
     private final double[] residual;
-    private final double[] direction;
     private final double[] image;
     private final double[] diagonal;
     private final double[] stiffnessSum;
     private final double[] dampingSum;
-    private final double[] partial;
+    private final VelocitySolver solver;
     private double h;
-    private double[] operand;
-    private final Workers.Task apply = this::apply;
-    private final Workers.Task dotTask = this::dotBlock;
-    private double[] dotP;
-    private double[] dotQ;
-    private boolean dotWeighted;
-    private int lastIterationCount;
 
     BackwardEuler(ParticleSystem system) {
         super(IntegratorKind.BACKWARD_EULER, system);
         right = new double[x.length];
         residual = new double[x.length];
-        direction = new double[x.length];
         image = new double[x.length];
         diagonal = new double[system.nodeCount()];
         stiffnessSum = new double[system.nodeCount()];
         dampingSum = new double[system.nodeCount()];
-        partial = new double[layout.blockCount()];
+        solver = new VelocitySolver();
     }
 
     /** Conjugate-gradient iterations of the last step. */
     int lastIterationCount() {
-        return lastIterationCount;
+        return solver.iterations();
     }
 
     @Override
@@ -82,82 +75,79 @@ final class BackwardEuler extends AbstractIntegrator {
         system.project(time + step, step);
     }
 
-    /** Conjugate gradients on the free nodes, starting from v; nodes of given motion keep their v. */
+    /** Solves on the free nodes, starting from v; nodes of prescribed motion keep their v. */
     private void solve() {
-        multiply(v);
+        solver.multiply(v, image);
         for (int i = 0; i < x.length; i++) {
             residual[i] = inverseMass[i / 3] == 0 ? 0 : right[i] - image[i];
-            direction[i] = residual[i] * diagonal[i / 3];
         }
-        double goal = TOLERANCE * TOLERANCE * dot(right, right, true);
-        double rho = dot(residual, residual, true);
-        lastIterationCount = 0;
-        if (!Double.isFinite(rho)) {
-            // A force that is no number must show in the velocity of its node, not be passed over.
-            for (int i = 0; i < x.length; i++) {
-                v[i] += residual[i];
-            }
-            return;
-        }
-        while (lastIterationCount < MAX_ITERATIONS && rho > goal) {
-            multiply(direction);
-            double alpha = rho / dot(direction, image, false);
-            for (int i = 0; i < x.length; i++) {
-                v[i] += alpha * direction[i];
-                residual[i] -= alpha * image[i];
-            }
-            double next = dot(residual, residual, true);
-            double beta = next / rho;
-            rho = next;
-            for (int i = 0; i < x.length; i++) {
-                direction[i] = residual[i] * diagonal[i / 3] + beta * direction[i];
-            }
-            lastIterationCount++;
+        solver.precondition(right, image);
+        double goal = TOLERANCE * TOLERANCE * solver.dot(right, image);
+        // A force or stiffness that is not finite shows in the velocities, where the divergence guard sees it.
+        if (!Double.isFinite(solver.start(residual))) {
+            DenseVectors.addScaled(v, 1, residual);
+        } else if (!solver.solve(v, residual, goal, MAX_ITERATIONS)) {
+            Arrays.fill(v, Double.NaN);
         }
     }
 
-    private void multiply(double[] u) {
-        operand = u;
-        system.workers().run(layout.blockCount(), apply);
-    }
+    /** M + h Γ + h² K on the free nodes with its diagonal as preconditioner; sums are formed block by block. */
+    private final class VelocitySolver extends ConjugateGradient {
+        private final double[] partial = new double[layout.blockCount()];
+        private final Workers.Task multiplyTask = this::multiplyBlock;
+        private final Workers.Task dotTask = this::dotBlock;
+        private double[] left;
+        private double[] other;
 
-    private void apply(int block) {
-        double[] mass = system.masses();
-        Arrays.fill(image, 3 * layout.start(block), 3 * layout.end(block), 0);
-        system.addStiffness(x, operand, image, block);
-        for (int n = layout.start(block); n < layout.end(block); n++) {
-            double own = mass[n] + h * viscosity[n];
-            for (int i = 3 * n; i < 3 * n + 3; i++) {
-                image[i] = inverseMass[n] == 0 ? 0 : own * operand[i] + h * h * image[i];
+        VelocitySolver() {
+            super(x.length, x.length);
+        }
+
+        @Override
+        protected void multiply(double[] u, double[] out) {
+            left = u;
+            other = out;
+            system.workers().run(partial.length, multiplyTask);
+        }
+
+        private void multiplyBlock(int block) {
+            double[] mass = system.masses();
+            Arrays.fill(other, 3 * layout.start(block), 3 * layout.end(block), 0);
+            system.addStiffness(x, left, other, block);
+            for (int n = layout.start(block); n < layout.end(block); n++) {
+                double own = mass[n] + h * viscosity[n];
+                for (int i = 3 * n; i < 3 * n + 3; i++) {
+                    other[i] = inverseMass[n] == 0 ? 0 : own * left[i] + h * h * other[i];
+                }
             }
         }
-    }
 
-    /**
-     * Dot product summed block by block, so that it is the same for any number of threads; optionally in the
-     * preconditioner's measure.
-     */
-    private double dot(double[] p, double[] q, boolean preconditioned) {
-        dotP = p;
-        dotQ = q;
-        dotWeighted = preconditioned;
-        system.workers().run(partial.length, dotTask);
-        double sum = 0;
-        for (double part : partial) {
-            sum += part;
-        }
-        return sum;
-    }
-
-    private void dotBlock(int block) {
-        double sum = 0;
-        for (int n = layout.start(block); n < layout.end(block); n++) {
-            double weight = dotWeighted ? diagonal[n] : 1;
-            for (int i = 3 * n; i < 3 * n + 3; i++) {
-                sum += weight * dotP[i] * dotQ[i];
+        @Override
+        protected void precondition(double[] u, double[] out) {
+            for (int i = 0; i < out.length; i++) {
+                out[i] = u[i] * diagonal[i / 3];
             }
         }
-        partial[block] = sum;
+
+        @Override
+        protected double dot(double[] a, double[] b) {
+            left = a;
+            other = b;
+            system.workers().run(partial.length, dotTask);
+            double sum = 0;
+            for (double part : partial) {
+                sum += part;
+            }
+            return sum;
+        }
+
+        private void dotBlock(int block) {
+            double sum = 0;
+            for (int i = 3 * layout.start(block); i < 3 * layout.end(block); i++) {
+                sum += left[i] * other[i];
+            }
+            partial[block] = sum;
+        }
     }
 
     static double[][] amplification(double a, double b) {

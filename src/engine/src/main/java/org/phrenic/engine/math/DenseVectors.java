@@ -1,9 +1,6 @@
 package org.phrenic.engine.math;
 
-/**
- * What conjugate gradients and Lanczos' method are made of: sums over vectors of many numbers, all of one length, in
- * short loops and in the order of the numbers.
- */
+/** Vectors of many numbers, all of one length; sums run in the order of the numbers. */
 public final class DenseVectors {
     private DenseVectors() {}
 
@@ -15,17 +12,10 @@ public final class DenseVectors {
         return sum;
     }
 
-    /** to + share what, in place. */
-    public static void addScaled(double[] to, double share, double[] what) {
+    /** {@code to += scale * other}. */
+    public static void addScaled(double[] to, double scale, double[] other) {
         for (int i = 0; i < to.length; i++) {
-            to[i] += share * what[i];
-        }
-    }
-
-    /** The next direction of conjugate gradients: fresh + keep direction, in place. */
-    public static void scaleAndAdd(double[] direction, double keep, double[] fresh) {
-        for (int i = 0; i < direction.length; i++) {
-            direction[i] = fresh[i] + keep * direction[i];
+            to[i] += scale * other[i];
         }
     }
 }

@@ -11,9 +11,6 @@ import org.phrenic.engine.math.RadixSort;
 public final class BlockedEdges {
     private static final int SWEEPS = 8;
 
-    /** Doubles in the widest vector of any processor in sight. */
-    private static final int WIDEST_VECTOR = 32;
-
     /** Edges as the caller listed them, in internal nodes. */
     public final int[] nodeA;
 
@@ -172,9 +169,9 @@ public final class BlockedEdges {
         return nodeA.length;
     }
 
-    /** One value an edge into one value an entry, with room behind the last for a whole vector. */
+    /** One value an edge into one value an entry. */
     public double[] toEntries(double[] perEdge) {
-        double[] out = new double[edge.length + WIDEST_VECTOR];
+        double[] out = new double[edge.length];
         for (int i = 0; i < edge.length; i++) {
             out[i] = perEdge[edge[i]];
         }

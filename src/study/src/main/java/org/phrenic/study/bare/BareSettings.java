@@ -1,7 +1,5 @@
 package org.phrenic.study.bare;
 
-import java.util.Optional;
-import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
@@ -15,8 +13,6 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param integrator the scheme
  * @param threads that share the work, 1 or more
  * @param steps in each of the timed runs, 1 or more
- * @param kernel how forces of springs are computed; empty for the fastest, found by a short measurement (the bits do
- *     not depend on it)
  */
 public record BareSettings(
         double mass,
@@ -26,12 +22,11 @@ public record BareSettings(
         double step,
         IntegratorKind integrator,
         int threads,
-        int steps,
-        Optional<SpringKernel> kernel) {
+        int steps) {
 
     /** The numbers on which published figures of other engines rest: symplectic Euler at 0.01 s, one thread. */
     public static final BareSettings DEFAULT =
-            new BareSettings(0.1, 15, 0.02, -0.0005, 0.01, IntegratorKind.SYMPLECTIC_EULER, 1, 1000, Optional.empty());
+            new BareSettings(0.1, 15, 0.02, -0.0005, 0.01, IntegratorKind.SYMPLECTIC_EULER, 1, 1000);
 
     /**
      * @throws IllegalArgumentException if threads or steps are less than 1, or the time step is not positive and finite
@@ -49,18 +44,14 @@ public record BareSettings(
     }
 
     public BareSettings withIntegrator(IntegratorKind kind) {
-        return new BareSettings(mass, stiffness, damping, load, step, kind, threads, steps, kernel);
+        return new BareSettings(mass, stiffness, damping, load, step, kind, threads, steps);
     }
 
     public BareSettings withThreads(int count) {
-        return new BareSettings(mass, stiffness, damping, load, step, integrator, count, steps, kernel);
+        return new BareSettings(mass, stiffness, damping, load, step, integrator, count, steps);
     }
 
     public BareSettings withSteps(int count) {
-        return new BareSettings(mass, stiffness, damping, load, step, integrator, threads, count, kernel);
-    }
-
-    public BareSettings withKernel(SpringKernel one) {
-        return new BareSettings(mass, stiffness, damping, load, step, integrator, threads, steps, Optional.of(one));
+        return new BareSettings(mass, stiffness, damping, load, step, integrator, threads, count);
     }
 }

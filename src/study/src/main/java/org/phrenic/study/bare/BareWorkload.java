@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.force.ConstantLoad;
-import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -22,6 +21,9 @@ public final class BareWorkload implements AutoCloseable {
     /** Steps from rest after which displacement and hash are taken. */
     public static final int CHECKED_STEPS = 200;
 
+    /** How forces of springs are computed, in reports and options: fused loops. */
+    public static final String KERNEL = "loops";
+
     private static final int RUNS = 7;
     /** Steps by which the just-in-time compiler has settled. */
     private static final int WARM_UP_STEPS = 1000;
@@ -31,7 +33,6 @@ public final class BareWorkload implements AutoCloseable {
     private final Workers workers;
     private final ParticleSystem system;
     private final Integrator integrator;
-    private final Springs springs;
     private final int edges;
     private long stepsDone;
 
@@ -48,7 +49,7 @@ public final class BareWorkload implements AutoCloseable {
         system = new ParticleSystem(layout, rest, mass, workers);
         long[] pairs = edges(mesh.triangles());
         edges = pairs.length;
-        springs = Springs.between(
+        Springs springs = Springs.between(
                         layout,
                         Arrays.stream(pairs).mapToInt(e -> (int) (e >>> 32)).toArray(),
                         Arrays.stream(pairs).mapToInt(e -> (int) e).toArray())
@@ -66,7 +67,6 @@ public final class BareWorkload implements AutoCloseable {
         if (scene.links().length > 0) {
             system.add(RigidLinks.singlePass(layout, column(scene.links(), 0), column(scene.links(), 1), rest));
         }
-        settings.kernel().ifPresent(springs::setKernel);
         integrator = settings.integrator().create(system);
     }
 
@@ -85,18 +85,6 @@ public final class BareWorkload implements AutoCloseable {
         int[] out = new int[pairs.length / 2];
         Arrays.setAll(out, i -> pairs[2 * i + which]);
         return out;
-    }
-
-    /** Computes the forces of the springs in another way from now on, with the same bits. */
-    public void setKernel(SpringKernel kernel) {
-        springs.setKernel(kernel);
-    }
-
-    /**
-     * Computes them in the way that is fastest here from now on, by a short measurement; the bits do not depend on it.
-     */
-    public SpringKernel useFastestKernel() {
-        return springs.useFastestKernel(system.positions(), system.velocities());
     }
 
     /** Particles. */
@@ -139,8 +127,7 @@ public final class BareWorkload implements AutoCloseable {
     }
 
     /**
-     * The whole of it: 200 steps that are checked, the machine measured, the kernel chosen, a warm-up, and seven timed
-     * runs.
+     * The whole of it: 200 steps that are checked, the machine measured, a warm-up, and seven timed runs.
      *
      * @param scene mesh, fixed and loaded vertices, links
      * @param settings numbers
@@ -151,7 +138,6 @@ public final class BareWorkload implements AutoCloseable {
             double dz = work.meanDz();
             String hash = work.stateSha256();
             Roofline floor = Roofline.measure(work.system.nodeCount(), work.edges, settings.threads());
-            SpringKernel kernel = settings.kernel().orElseGet(work::useFastestKernel);
             work.advance(WARM_UP_STEPS);
             double[] rate = new double[RUNS];
             for (int run = 0; run < RUNS; run++) {
@@ -169,7 +155,7 @@ public final class BareWorkload implements AutoCloseable {
                     scene.links().length / 2,
                     settings.threads(),
                     settings.integrator().label(),
-                    kernel.label(),
+                    KERNEL,
                     dz,
                     floor,
                     hash);

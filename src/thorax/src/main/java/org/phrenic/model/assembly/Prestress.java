@@ -1,5 +1,7 @@
 package org.phrenic.model.assembly;
 
+import java.util.Arrays;
+import org.phrenic.engine.math.ConjugateGradient;
 import org.phrenic.engine.math.DenseVectors;
 
 /**
@@ -55,24 +57,42 @@ public final class Prestress {
         projectOutConstraints(residual);
         double norm = Math.sqrt(DenseVectors.dot(residual, residual));
         residual = unbalancedForce(load, tension);
-        double[] gradient = new double[tension.length];
-        transpose(residual, gradient);
-        double[] step = gradient.clone();
-        double[] image = new double[3 * nodes];
-        double rho = DenseVectors.dot(gradient, gradient);
-        for (int i = 0; i < iterations && rho > 0; i++) {
-            java.util.Arrays.fill(image, 0);
-            addForces(step, image);
-            projectOutConstraints(image);
-            double alpha = rho / DenseVectors.dot(image, image);
-            DenseVectors.addScaled(tension, -alpha, step);
-            DenseVectors.addScaled(residual, -alpha, image);
-            transpose(residual, gradient);
-            double next = DenseVectors.dot(gradient, gradient);
-            DenseVectors.scaleAndAdd(step, next / rho, gradient);
-            rho = next;
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] = -residual[i];
         }
+        TensionSolver solver = new TensionSolver();
+        solver.start(residual);
+        solver.solve(tension, residual, 0, iterations);
         return norm > 0 ? Math.sqrt(DenseVectors.dot(residual, residual)) / norm : 0;
+    }
+
+    /** Least squares: the projected matrix of edge directions, and its transpose. */
+    private final class TensionSolver extends ConjugateGradient {
+        TensionSolver() {
+            super(nodeA.length, 3 * nodes);
+        }
+
+        @Override
+        protected void multiply(double[] tension, double[] force) {
+            Arrays.fill(force, 0);
+            addForces(tension, force);
+            projectOutConstraints(force);
+        }
+
+        @Override
+        protected void precondition(double[] force, double[] gradient) {
+            transpose(force, gradient);
+        }
+
+        @Override
+        protected double rho(double[] force, double[] gradient) {
+            return dot(gradient, gradient);
+        }
+
+        @Override
+        protected double curvature(double[] tension, double[] force) {
+            return dot(force, force);
+        }
     }
 
     /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */

@@ -14,7 +14,6 @@ import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.force.Attachments;
-import org.phrenic.engine.force.SpringKernel;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -54,7 +53,6 @@ public final class SceneBuilder {
     private SlidingSheet slidingSheet;
     private RestPressure restPressure;
     private Springs sheet;
-    private SpringKernel kernel;
     private Springs passive;
     private RigidLinks links;
     private Attachments lungBase;
@@ -192,7 +190,6 @@ public final class SceneBuilder {
     /** Adds the springs of the diaphragm; the kernel that is fastest for them serves the others too. */
     public void addSheet(Springs springs) {
         sheet = springs;
-        kernel = springs.useFastestKernel(system.positions(), system.velocities());
         system.add(springs);
     }
 
@@ -203,7 +200,6 @@ public final class SceneBuilder {
     /** Adds all other springs between nodes. */
     public void addPassive(Springs springs) {
         passive = springs;
-        springs.setKernel(kernel);
         system.add(springs);
     }
 

@@ -1,0 +1,103 @@
+package org.phrenic.engine.math;
+
+/**
+ * Preconditioned conjugate gradients for A x = b without a matrix (Hestenes and Stiefel 1952, doi
+ * 10.6028/jres.049.044):
+ *
+ * <pre>
+ * z = M⁻¹ r,  ρ = r · z,  q = A d,  α = ρ / d · q,  x += α d,  r -= α q,  d = z' + (ρ' / ρ) d
+ * </pre>
+ *
+ * <p>A subclass gives A and M⁻¹. A least-squares problem min |b - A x| has z = Aᵀ r, ρ = z · z and α = ρ / q · q
+ * (CGLS). Sums are formed in a fixed order; a solve allocates nothing.
+ */
+public abstract class ConjugateGradient {
+    private final double[] z;
+    private final double[] direction;
+    private final double[] image;
+    private double rho;
+    private int iterations;
+
+    /**
+     * @param unknowns length of x
+     * @param equations length of b
+     */
+    protected ConjugateGradient(int unknowns, int equations) {
+        z = new double[unknowns];
+        direction = new double[unknowns];
+        image = new double[equations];
+    }
+
+    /** Writes A d. */
+    protected abstract void multiply(double[] d, double[] out);
+
+    /** Writes z = M⁻¹ r. */
+    protected abstract void precondition(double[] residual, double[] out);
+
+    /** a · b. */
+    protected double dot(double[] a, double[] b) {
+        return DenseVectors.dot(a, b);
+    }
+
+    /** ρ. */
+    protected double rho(double[] residual, double[] preconditioned) {
+        return dot(residual, preconditioned);
+    }
+
+    /** Denominator of α. */
+    protected double curvature(double[] d, double[] q) {
+        return dot(d, q);
+    }
+
+    /** What is held against the goal: ρ, unless a subclass measures the residual otherwise. */
+    protected double stopMeasure(double currentRho, double[] residual) {
+        return currentRho;
+    }
+
+    /**
+     * Takes the first direction from the residual b - A x.
+     *
+     * @return ρ of this residual
+     */
+    public final double start(double[] residual) {
+        precondition(residual, z);
+        System.arraycopy(z, 0, direction, 0, z.length);
+        rho = rho(residual, z);
+        return rho;
+    }
+
+    /**
+     * Iterates after {@link #start} until the stop measure is at most the goal.
+     *
+     * @param x first guess, improved in place
+     * @param residual b - A x, kept up to date
+     * @param goal bound of the stop measure
+     * @param maxIterations at most so many
+     * @return whether A was positive along all directions; it ends at the first along which it is not
+     */
+    public final boolean solve(double[] x, double[] residual, double goal, int maxIterations) {
+        for (iterations = 0; iterations < maxIterations && stopMeasure(rho, residual) > goal; iterations++) {
+            multiply(direction, image);
+            double curvature = curvature(direction, image);
+            if (!(curvature > 0)) {
+                return false;
+            }
+            double alpha = rho / curvature;
+            DenseVectors.addScaled(x, alpha, direction);
+            DenseVectors.addScaled(residual, -alpha, image);
+            precondition(residual, z);
+            double next = rho(residual, z);
+            double beta = next / rho;
+            for (int i = 0; i < direction.length; i++) {
+                direction[i] = z[i] + beta * direction[i];
+            }
+            rho = next;
+        }
+        return true;
+    }
+
+    /** Iterations of the last solve. */
+    public final int iterations() {
+        return iterations;
+    }
+}
