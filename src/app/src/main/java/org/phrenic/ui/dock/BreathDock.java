@@ -1,6 +1,5 @@
 package org.phrenic.ui.dock;
 
-import java.awt.BorderLayout;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,7 +22,6 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
@@ -34,18 +32,16 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.Icons;
-import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
- * How it breathes: presets by a press, hold where it is, rate, depth and balance, a recorded breath, and a bar that
- * shows where in the breath it is.
+ * The breathing pattern: presets, hold, rate, depth, inspiratory fraction, chest share, a recorded trace, and the
+ * present phase.
  */
-public final class BreathDock extends JPanel implements Session.Listener {
+public final class BreathDock extends SessionDock {
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
     private static final List<Parameter> PRESET_PARAMETERS =
             List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE);
 
-    private final transient Session session;
     private final PhaseBar bar = new PhaseBar();
     private final JLabel breath = Controls.secondaryLabel(" ");
     private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
@@ -57,9 +53,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
     private final transient List<SliderRow> rows = new ArrayList<>();
 
     public BreathDock(Session session) {
-        super(new BorderLayout());
-        this.session = session;
-        JPanel body = new ScrollablePanel();
+        super(session);
         body.add(phasePanel());
         body.add(presetButtons());
         for (Parameter p :
@@ -69,9 +63,7 @@ public final class BreathDock extends JPanel implements Session.Listener {
             body.add(row);
         }
         body.add(trace());
-        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
-        onChange();
-        session.addListener(this);
+        follow();
     }
 
     private JComponent phasePanel() {
@@ -156,11 +148,6 @@ public final class BreathDock extends JPanel implements Session.Listener {
         } catch (IOException e) {
             session.refuse(e.getMessage());
         }
-    }
-
-    @Override
-    public void onScene(LiveScene scene) {
-        onChange();
     }
 
     @Override

@@ -1,11 +1,8 @@
 package org.phrenic.ui.dock;
 
 import java.awt.Component;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.BiConsumer;
-import java.util.function.Predicate;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
@@ -13,23 +10,22 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.widget.Controls;
 
-/** A choice among names. One that cannot be changed while the scene runs says that the scene starts anew. */
+/** A choice among options. */
 final class ChoiceRow extends SettingRow {
     private final transient Setting<?> choice;
     private final JComboBox<String> comboBox = new JComboBox<>();
-    private final transient Predicate<Scenario> applies;
     private String shownValue = "";
     private boolean updating;
 
     /**
-     * @param options to choose from, as a scenario has them
-     * @param chosen told the old and the new value
+     * @param options values as in a scenario
+     * @param chosen gets the old and the new value
      */
-    ChoiceRow(Setting<?> choice, List<String> options, Predicate<Scenario> applies, BiConsumer<String, String> chosen) {
-        super(choice.key(), choice.label(), tip(choice.description(), details(choice)));
+    ChoiceRow(Setting<?> choice, List<String> options, BiConsumer<String, String> chosen) {
+        super(choice, details(choice));
         this.choice = choice;
-        this.applies = applies;
         comboBox.setModel(new DefaultComboBoxModel<>(options.toArray(String[]::new)));
         comboBox.setRenderer(new OptionRenderer());
         comboBox.setPrototypeDisplayValue("backward-euler");
@@ -42,15 +38,11 @@ final class ChoiceRow extends SettingRow {
             }
         });
         add(comboBox, "spanx 4, growx, wmin 60, wmax 240");
-        finish(comboBox, choice.label());
+        finish(comboBox);
     }
 
     private static String details(Setting<?> choice) {
-        return (choice.isLive() ? "changes while it breathes" : "starts the scene anew") + "; key " + choice.key();
-    }
-
-    Setting<?> choice() {
-        return choice;
+        return (choice.isLive() ? "changes while it breathes" : "reloads the scene") + "; key " + choice.key();
     }
 
     JComboBox<String> comboBox() {
@@ -61,11 +53,7 @@ final class ChoiceRow extends SettingRow {
     void show(Scenario scenario) {
         shownValue = scenario.text(choice);
         updating = true;
-        List<String> options = new ArrayList<>();
-        for (int i = 0; i < comboBox.getItemCount(); i++) {
-            options.add(comboBox.getItemAt(i));
-        }
-        if (!options.contains(shownValue)) {
+        if (((DefaultComboBoxModel<String>) comboBox.getModel()).getIndexOf(shownValue) < 0) {
             comboBox.addItem(shownValue);
         }
         comboBox.setSelectedItem(shownValue);
@@ -73,16 +61,11 @@ final class ChoiceRow extends SettingRow {
     }
 
     @Override
-    boolean applies(Scenario scenario) {
-        return applies.test(scenario);
-    }
-
-    @Override
     boolean isOffDefault(Scenario scenario) {
         return !scenario.text(choice).equals(Scenario.defaults().text(choice));
     }
 
-    /** The name of an option for people: a folder by its own name, {@code backward-euler} as {@code Backward Euler}. */
+    /** The display name of an option: a folder by its own name, {@code backward-euler} as {@code Backward Euler}. */
     static String displayName(String option) {
         if (option.startsWith("virtual/")) {
             return "Virtual " + option.substring("virtual/".length()).replace('-', ' ');
@@ -101,9 +84,7 @@ final class ChoiceRow extends SettingRow {
             case "cheyne-stokes" -> "Cheyne-Stokes";
             case "hold-expiration" -> "Hold at expiration";
             case "hold-inspiration" -> "Hold at inspiration";
-            default ->
-                option.substring(0, 1).toUpperCase(Locale.ROOT)
-                        + option.substring(1).replace('-', ' ');
+            default -> Controls.capitalise(option).replace('-', ' ');
         };
     }
 

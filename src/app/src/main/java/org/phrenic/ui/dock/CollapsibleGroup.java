@@ -9,7 +9,7 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.scenario.Scenario;
 
-/** Rows under a heading that folds them away. */
+/** Rows under a heading that collapses them. */
 final class CollapsibleGroup extends JPanel {
     private final transient List<SettingRow> rows = new ArrayList<>();
     private final JButton heading;
@@ -48,10 +48,7 @@ final class CollapsibleGroup extends JPanel {
         return rows;
     }
 
-    /**
-     * Shows the values of a scenario in the rows that it has and a search finds; while something is searched for
-     * nothing is folded away.
-     */
+    /** Shows the rows that apply to a scenario and match a search, with its values; a search expands the group. */
     void show(Scenario scenario, String search) {
         if (scenario != null) {
             shownScenario = scenario;

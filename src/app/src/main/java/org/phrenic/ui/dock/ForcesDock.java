@@ -1,6 +1,6 @@
 package org.phrenic.ui.dock;
 
-import java.awt.BorderLayout;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,16 +18,14 @@ import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
- * Forces and parts of the model on and off one by one, as in the tables of Villard, Bourne and Bello 2009. What cannot
- * be changed while it breathes starts the scene anew, and says so.
+ * Switches of forces and parts of the model, as in the tables of Villard, Bourne and Bello 2009. Those that cannot
+ * change while the scene runs reload it.
  */
-public final class ForcesDock extends JPanel implements Session.Listener {
+public final class ForcesDock extends SessionDock {
     private static final List<Setting<?>> SWITCHES = List.of(
             Muscle.MUSCLE,
             TransdiaphragmaticPressure.PRESSURE,
@@ -37,14 +35,11 @@ public final class ForcesDock extends JPanel implements Session.Listener {
             OrganSettings.LIVER);
     private static final List<Setting<?>> MODELS = List.of(OrganSettings.STERNUM, OrganSettings.LUNGS);
 
-    private final transient Session session;
     private final transient Map<Setting<?>, JCheckBox> boxes = new LinkedHashMap<>();
-    private final transient Map<Setting<?>, ChoiceRow> rows = new LinkedHashMap<>();
+    private final transient List<ChoiceRow> rows = new ArrayList<>();
 
     public ForcesDock(Session session) {
-        super(new BorderLayout());
-        this.session = session;
-        JPanel body = new ScrollablePanel();
+        super(session);
         JPanel switches = new JPanel(new MigLayout("insets 8 8 4 8, fillx, wrap 2", "[grow,fill,0::][]"));
         for (Setting<?> choice : SWITCHES) {
             JCheckBox box = new JCheckBox(choice.label());
@@ -52,21 +47,19 @@ public final class ForcesDock extends JPanel implements Session.Listener {
             box.addActionListener(
                     e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
             boxes.put(choice, box);
-            JLabel when = new JLabel(choice.isLive() ? "" : "starts anew");
+            JLabel when = new JLabel(choice.isLive() ? "" : "reloads");
             when.setEnabled(false);
             switches.add(box);
             switches.add(when);
         }
         body.add(switches);
         for (Setting<?> choice : MODELS) {
-            ChoiceRow row = new ChoiceRow(choice, choice.options(), s -> true, (from, to) -> change(choice, from, to));
-            row.hint(SettingRow.Hint.NOTE, choice.isLive() ? "" : "Another model starts the scene anew.");
-            rows.put(choice, row);
+            ChoiceRow row = new ChoiceRow(choice, choice.options(), (from, to) -> change(choice, from, to));
+            row.setHint(choice.isLive() ? "" : "Another model reloads the scene.", false);
+            rows.add(row);
             body.add(row);
         }
-        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
-        onChange();
-        session.addListener(this);
+        follow();
     }
 
     private void change(Setting<?> choice, String from, String to) {
@@ -75,20 +68,15 @@ public final class ForcesDock extends JPanel implements Session.Listener {
                 : new EditName(choice.label(), from, to);
         session.changeSeparately(name, List.of(Assignment.read("window", choice.key(), to)));
         if (!choice.isLive()) {
-            session.note(name.text() + ": the scene starts anew; the present one goes on until it is there.");
+            session.note(name.text() + ": the scene is loaded again; the present one runs until then.");
         }
-    }
-
-    @Override
-    public void onScene(LiveScene scene) {
-        onChange();
     }
 
     @Override
     public void onChange() {
         Scenario scenario = session.scenario();
         boxes.forEach((choice, box) -> box.setSelected(Boolean.parseBoolean(scenario.text(choice))));
-        rows.values().forEach(row -> row.show(scenario));
+        rows.forEach(row -> row.show(scenario));
     }
 
     JCheckBox checkBox(Setting<?> choice) {

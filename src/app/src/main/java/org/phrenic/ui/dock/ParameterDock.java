@@ -1,14 +1,12 @@
 package org.phrenic.ui.dock;
 
 import java.awt.BorderLayout;
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -27,30 +25,29 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SubstepReason;
-import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Controls;
 
 /**
- * All that can be tuned, made from the declarations of the parameters: rows that the present material uses, in groups,
- * with a search. Where the time step is beyond the stability limit, the rows that could mend it say so.
+ * All parameters of the material, made from their declarations, in groups, with a search. Where the time step is beyond
+ * the stability limit, the rows that can be the cause say so.
  */
-public final class ParameterDock extends JPanel implements Session.Listener {
-    private static final int MOST_OFFERED_THREADS = 16;
+public final class ParameterDock extends SessionDock {
+    private static final int MAX_THREADS = 16;
 
-    private final transient Session session;
     private final transient Map<Group, CollapsibleGroup> groups = new EnumMap<>(Group.class);
-    private final transient List<SettingRow> limiting = new ArrayList<>();
-    private final JTextField search = new JTextField();
-    private String limit = "";
+    private final transient List<SettingRow> stepLimitingRows = new ArrayList<>();
+    private final JTextField search = Controls.describe(
+            new JTextField(),
+            "Search parameters",
+            "Shows only rows whose name, key or meaning has these words; Escape clears");
+    private String shownReason = "";
 
     public ParameterDock(Session session) {
-        super(new BorderLayout());
-        this.session = session;
-        JPanel body = new ScrollablePanel();
+        super(session);
         for (Group group : Group.values()) {
             CollapsibleGroup rows = new CollapsibleGroup(group.label());
             groups.put(group, rows);
@@ -61,13 +58,11 @@ public final class ParameterDock extends JPanel implements Session.Listener {
             SliderRow row = new SliderRow(session, parameter);
             groups.get(parameter.group()).addRow(row);
             if (parameter.limitsStep()) {
-                limiting.add(row);
+                stepLimitingRows.add(row);
             }
         }
-        add(tools(), BorderLayout.NORTH);
-        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
-        refresh();
-        session.addListener(this);
+        add(toolBar(), BorderLayout.NORTH);
+        follow();
     }
 
     private void addChoices() {
@@ -75,7 +70,6 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         model.addRow(new ChoiceRow(
                 Materials.MATERIAL,
                 Materials.MATERIAL.options(),
-                s -> true,
                 (from, to) -> session.open(
                         new EditName(Materials.MATERIAL.label(), from, to),
                         session.scenario().withMaterial(Materials.MATERIAL.named(to)))));
@@ -86,63 +80,54 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         numerics.addRow(step);
         ChoiceRow integrator = choice(Numerics.INTEGRATOR, Numerics.INTEGRATOR.options());
         numerics.addRow(integrator);
-        int threads = Math.min(MOST_OFFERED_THREADS, Runtime.getRuntime().availableProcessors());
+        int threads = Math.min(MAX_THREADS, Runtime.getRuntime().availableProcessors());
         numerics.addRow(choice(
                 Numerics.THREADS,
                 IntStream.rangeClosed(1, threads).mapToObj(Integer::toString).toList()));
-        limiting.add(step);
-        limiting.add(integrator);
+        stepLimitingRows.add(step);
+        stepLimitingRows.add(integrator);
     }
 
     private ChoiceRow choice(Setting<?> choice, List<String> options) {
         return new ChoiceRow(
                 choice,
                 options,
-                s -> true,
                 (from, to) -> session.change(
                         new EditName(choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
                         Assignment.read("window", choice.key(), to)));
     }
 
-    private JComponent tools() {
+    private JComponent toolBar() {
         JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, fillx", "[grow,fill][]"));
         search.putClientProperty("JTextField.placeholderText", "Search parameters");
         search.putClientProperty("JTextField.showClearButton", true);
-        search.setToolTipText("Shows only rows whose name, key or meaning has these words; Escape clears");
-        search.getAccessibleContext().setAccessibleName("Search parameters");
         search.getDocument().addDocumentListener(new DocumentListener() {
             @Override
             public void insertUpdate(DocumentEvent e) {
-                refresh();
+                onChange();
             }
 
             @Override
             public void removeUpdate(DocumentEvent e) {
-                refresh();
+                onChange();
             }
 
             @Override
             public void changedUpdate(DocumentEvent e) {
-                refresh();
+                onChange();
             }
         });
-        search.getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "clear");
-        search.getActionMap().put("clear", new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent e) {
-                search.setText("");
-            }
-        });
-        JButton reset = new JButton("Reset all");
-        reset.setToolTipText("Back to the defaults of material and breathing preset, in one change");
+        search.registerKeyboardAction(
+                e -> search.setText(""), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), WHEN_FOCUSED);
+        JButton reset = Controls.button(
+                "Reset all", "Back to the defaults of material and breathing preset, in one change", this::resetAll);
         reset.setMnemonic('a');
-        reset.addActionListener(e -> resetAll());
         tools.add(search);
         tools.add(reset);
         return tools;
     }
 
-    /** All numbers, time step and integrator back to their defaults; one change to undo. */
+    /** Resets all parameters, time step and integrator in one change. */
     void resetAll() {
         Scenario scenario = session.scenario();
         List<Assignment> list = new ArrayList<>();
@@ -159,32 +144,22 @@ public final class ParameterDock extends JPanel implements Session.Listener {
         }
     }
 
-    private void refresh() {
+    @Override
+    public void onChange() {
         groups.values().forEach(group -> group.show(session.scenario(), search.getText()));
         revalidate();
     }
 
     @Override
-    public void onScene(LiveScene scene) {
-        refresh();
-    }
-
-    @Override
-    public void onChange() {
-        refresh();
-    }
-
-    @Override
     public void onTick(RunStatus status) {
-        String now = substepText(status);
-        if (!now.equals(limit)) {
-            limit = now;
+        String reason = substepText(status);
+        if (!reason.equals(shownReason)) {
+            shownReason = reason;
             Scenario scenario = session.scenario();
-            limiting.forEach(row -> row.hint(SettingRow.Hint.NOTE, ""));
-            limiting.stream()
-                    .filter(row -> row.applies(scenario))
-                    .filter(row -> !now.isEmpty() && isCause(row, scenario))
-                    .forEach(row -> row.hint(SettingRow.Hint.WARNING, now));
+            stepLimitingRows.forEach(row -> {
+                boolean cause = row.applies(scenario) && isCause(row, scenario);
+                row.setHint(cause ? reason : "", true);
+            });
         }
     }
 
@@ -202,15 +177,12 @@ public final class ParameterDock extends JPanel implements Session.Listener {
                 : step + "too long for what the scene has become.";
     }
 
-    /**
-     * Whether a row was moved to where it asks for a smaller step: the step itself always, the others when they are off
-     * their defaults.
-     */
+    /** Whether a row may ask for a smaller step: the time step itself, and those off their defaults. */
     private static boolean isCause(SettingRow row, Scenario scenario) {
         return row.isOffDefault(scenario) || row.isFor(Numerics.TIME_STEP.key());
     }
 
-    /** Rows by their order, for tests. */
+    /** All rows in their order. */
     List<SettingRow> rows() {
         return groups.values().stream().flatMap(g -> g.rows().stream()).toList();
     }

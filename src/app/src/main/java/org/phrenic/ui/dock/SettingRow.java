@@ -6,130 +6,113 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
-/**
- * A row of a dock: a label above its controls, and below them, when there is something to say, a sentence. All rows
- * share one set of columns.
- */
+/** A row of a dock for one setting: a label above its controls, and perhaps a message below them. */
 abstract class SettingRow extends JPanel {
-    /** How much a sentence matters. */
-    enum Hint {
-        NOTE,
-        WARNING
-    }
-
     private static final String COLUMNS = "[40:80:,grow,fill]6[60!]4[50!]2[20!]";
-
     private static final Pattern SPACES = Pattern.compile("\\s+");
 
-    private final String key;
-    private final String words;
+    private final transient Setting<?> setting;
+    private final String searchText;
     private final JLabel label;
-    private final JLabel hint = new JLabel();
-    private String condition = "";
-    private Hint conditionKind = Hint.NOTE;
-    private String answer = "";
+    private final JLabel message = new JLabel();
+    private String hint = "";
+    private boolean hintIsWarning;
+    private String inputMessage = "";
     private String tip;
 
-    /**
-     * @param key of the scenario
-     * @param name for people
-     * @param tip what it is, as HTML
-     */
-    SettingRow(String key, String name, String tip) {
+    SettingRow(Setting<?> setting, String details) {
         super(new MigLayout("insets 2 10 3 6, fillx, hidemode 3, gapy 0", COLUMNS));
-        this.key = key;
-        this.tip = tip;
-        words = (name + " " + key + " " + key.replace('_', ' ') + " " + tip.replaceAll("<[^>]*>", " "))
+        this.setting = setting;
+        String key = setting.key();
+        searchText = (setting.label() + " " + key + " " + key.replace('_', ' ') + " " + setting.description() + " "
+                        + details)
                 .toLowerCase(Locale.ROOT);
-        label = new JLabel(name);
+        tip = tip(setting.description(), details);
+        label = new JLabel(setting.label());
         label.setToolTipText(tip);
-        hint.setVisible(false);
+        message.setVisible(false);
         add(label, "wmin 0, growx, spanx, wrap");
         setOpaque(false);
     }
 
-    /** Puts the sentence below the controls; to be called when they are in place. */
-    final void finish(JComponent main, String accessibleName) {
+    /** Names the main control and adds the message; called when the controls are added. */
+    final void finish(JComponent main) {
         label.setLabelFor(main);
-        main.getAccessibleContext().setAccessibleName(accessibleName);
+        main.getAccessibleContext().setAccessibleName(setting.label());
         main.setToolTipText(tip);
-        add(hint, "newline, spanx, growx, wmin 0, gapleft 2");
+        add(message, "newline, spanx, growx, wmin 0, gapleft 2");
     }
 
-    /** Text of tooltips from here on. */
-    final void setTip(String newTip, JComponent... controls) {
-        if (!newTip.equals(tip)) {
-            tip = newTip;
-            label.setToolTipText(newTip);
+    /** Sets the details of the tooltip of the label and these controls. */
+    final void setDetails(String details, JComponent... controls) {
+        String changed = tip(setting.description(), details);
+        if (!changed.equals(tip)) {
+            tip = changed;
+            label.setToolTipText(changed);
             for (JComponent control : controls) {
-                control.setToolTipText(newTip);
+                control.setToolTipText(changed);
             }
         }
     }
 
-    /** Says below the controls what holds at present; nothing for an empty sentence. An answer stands before it. */
-    final void hint(Hint kind, String sentence) {
-        condition = sentence;
-        conditionKind = kind;
-        showHint();
+    /** Shows a message on the present state; none if it is empty. A message on the input is shown before it. */
+    final void setHint(String sentence, boolean isWarning) {
+        hint = sentence;
+        hintIsWarning = isWarning;
+        showMessage();
     }
 
-    /**
-     * Says below the controls what became of what was typed; it stays until it is taken back with an empty sentence,
-     * whatever else there is to say.
-     */
-    final void answer(String sentence) {
-        answer = sentence;
-        showHint();
+    /** Shows a message on what was typed, until an empty one is set. */
+    final void setInputMessage(String sentence) {
+        inputMessage = sentence;
+        showMessage();
     }
 
-    private void showHint() {
-        String sentence = answer.isEmpty() ? condition : answer;
+    private void showMessage() {
+        String sentence = inputMessage.isEmpty() ? hint : inputMessage;
         if (!sentence.isEmpty()) {
-            boolean warning = !answer.isEmpty() || conditionKind == Hint.WARNING;
-            hint.setForeground(warning ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);
-            hint.setText("<html>" + escaped(sentence) + "</html>");
+            boolean isWarning = !inputMessage.isEmpty() || hintIsWarning;
+            message.setForeground(isWarning ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);
+            message.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
         }
-        if (hint.isVisible() == sentence.isEmpty()) {
-            hint.setVisible(!sentence.isEmpty());
+        if (message.isVisible() == sentence.isEmpty()) {
+            message.setVisible(!sentence.isEmpty());
             revalidate();
         }
     }
 
-    /** The sentence below the controls; empty if there is none. */
-    final String hintText() {
-        return hint.isVisible() ? hint.getText().replaceAll("<[^>]*>", "") : "";
+    /** The message below the controls; empty if there is none. */
+    final String message() {
+        return inputMessage.isEmpty() ? hint : inputMessage;
     }
 
-    static String escaped(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;");
-    }
-
-    /** A tooltip: what it is in lines of readable length, then the details in another line. */
+    /** A tooltip in lines of readable length, with details in italics. */
     static String tip(String meaning, String details) {
-        return "<html><div style='width:240px'>" + escaped(meaning) + "<br><i>" + escaped(details)
-                + "</i></div></html>";
+        return "<html><div style='width:240px'>" + Controls.escapeHtml(meaning) + "<br><i>"
+                + Controls.escapeHtml(details) + "</i></div></html>";
     }
 
-    /** Whether a search finds it: all words of the search are in its name, key or meaning. */
+    /** Whether all words of a search are in its label, key, description or details. */
     final boolean matches(String search) {
-        return SPACES.splitAsStream(search.toLowerCase(Locale.ROOT).strip()).allMatch(words::contains);
+        return SPACES.splitAsStream(search.toLowerCase(Locale.ROOT).strip()).allMatch(searchText::contains);
     }
 
-    /** Shows what the scenario has; the user's own unfinished input stays. */
+    final boolean isFor(String key) {
+        return setting.key().equals(key);
+    }
+
+    /** Shows the value of a scenario; input that is not finished stays. */
     abstract void show(Scenario scenario);
 
-    /** Whether it is the row of this key. */
-    final boolean isFor(String other) {
-        return key.equals(other);
-    }
-
-    /** Whether the scenario has another value than by default. */
     abstract boolean isOffDefault(Scenario scenario);
 
-    /** Whether scenarios of this kind have it at all. */
-    abstract boolean applies(Scenario scenario);
+    /** Whether scenarios of this material use the setting. */
+    boolean applies(Scenario scenario) {
+        return true;
+    }
 }

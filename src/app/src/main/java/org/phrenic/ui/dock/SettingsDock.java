@@ -20,19 +20,20 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.widget.Theme;
+import org.phrenic.ui.widget.Controls;
 
-/** Settings by name: save the present ones, go back to stored ones, and switch between two of them to compare. */
+/** Scenarios stored by name: save, restore, delete, and switch between two of them to compare. */
 public final class SettingsDock extends JPanel {
     private final transient Session session;
     private final transient ScenarioStore store;
     private final transient Supplier<Optional<String>> askName;
     private final DefaultListModel<String> names = new DefaultListModel<>();
     private final JList<String> list = new JList<>(names);
-    private final JComboBox<String> first = new JComboBox<>();
-    private final JComboBox<String> second = new JComboBox<>();
-    private final JButton swap = new JButton("Switch");
-    private final JLabel comparisonLabel = new JLabel(" ");
+    private final JComboBox<String> first = Controls.describe(new JComboBox<>(), "Settings A", "Settings A");
+    private final JComboBox<String> second = Controls.describe(new JComboBox<>(), "Settings B", "Settings B");
+    private final JButton swap = Controls.button(
+            "Switch", "Goes to A, and with the next press to B, and so on; each can be undone", this::swap);
+    private final JLabel comparisonLabel = Controls.secondaryLabel(" ");
     private boolean secondIsNext;
 
     public SettingsDock(Session session) {
@@ -59,31 +60,17 @@ public final class SettingsDock extends JPanel {
         JPanel body = new JPanel(
                 new MigLayout("insets 8, fillx, hidemode 3", "[grow,fill,sg b][grow,fill,sg b][grow,fill,sg b]"));
         body.add(new JScrollPane(list), "spanx 3, growx, growy, pushy, h 90:140:, wrap");
-        body.add(button("Save...", "Keep the present settings under a name", this::save));
-        body.add(button("Restore", "Go to the selected settings; can be undone", this::restore));
-        body.add(button("Delete", "Forget the selected settings", this::delete), "wrap");
+        body.add(Controls.button("Save...", "Store the present settings under a name", this::save));
+        body.add(Controls.button("Restore", "Go to the selected settings; can be undone", this::restore));
+        body.add(Controls.button("Delete", "Delete the selected settings", this::delete), "wrap");
         body.add(new JLabel("Compare two of them"), "spanx 3, gaptop 8, wrap");
-        first.setToolTipText("Settings A");
-        first.getAccessibleContext().setAccessibleName("Settings A");
-        second.setToolTipText("Settings B");
-        second.getAccessibleContext().setAccessibleName("Settings B");
-        swap.setToolTipText("Goes to A, and with the next press to B, and so on; each can be undone");
         swap.setMnemonic('w');
-        swap.addActionListener(e -> swap());
         body.add(first, "wmin 0");
         body.add(second, "wmin 0");
         body.add(swap, "wrap");
-        comparisonLabel.setForeground(Theme.SECONDARY_TEXT);
         body.add(comparisonLabel, "spanx 3, wmin 0");
         add(body, BorderLayout.CENTER);
         refresh();
-    }
-
-    private static JButton button(String text, String tip, Runnable what) {
-        JButton button = new JButton(text);
-        button.setToolTipText(tip);
-        button.addActionListener(e -> what.run());
-        return button;
     }
 
     private Optional<String> promptName() {
@@ -117,7 +104,7 @@ public final class SettingsDock extends JPanel {
         }
     }
 
-    /** Goes to A or to B, in turn. */
+    /** Goes to A and B in turn. */
     void swap() {
         Object name = (secondIsNext ? second : first).getSelectedItem();
         if (name != null) {
@@ -131,7 +118,7 @@ public final class SettingsDock extends JPanel {
         reportingErrors(() -> {
             Scenario stored = store.load(name);
             EditName change = EditName.of("Settings '" + name + "'");
-            // What can change while it breathes does: the two can be seen one after the other without a pause.
+            // Settings that differ in live parameters alone change without reloading the scene.
             session.scenario()
                     .liveChangesTo(stored, "window")
                     .ifPresentOrElse(
@@ -167,9 +154,5 @@ public final class SettingsDock extends JPanel {
         } else {
             box.setSelectedIndex(otherwise < stored.size() ? otherwise : -1);
         }
-    }
-
-    JList<String> storedList() {
-        return list;
     }
 }

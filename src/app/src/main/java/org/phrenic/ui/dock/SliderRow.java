@@ -16,37 +16,35 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.RateLimiter;
 import org.phrenic.ui.widget.SliderScale;
 
 /**
- * A number: slider, typed value with its unit, and a button back to the default. What is typed beyond the range is set
- * to its end, and said so. While the slider is dragged the value goes out at most twenty times a second, and all of it
- * is one change to undo.
+ * A number: slider, text field, unit, and a button that resets it. A value typed out of range is set to the end of the
+ * range, with a message. A dragged slider sends at most twenty values per second, which are undone together.
  */
 final class SliderRow extends SettingRow {
     private static final int PAGE = SliderScale.POSITIONS / 10;
 
     private final transient Session session;
     private final transient NumberSetting setting;
-    private final String name;
     private final String unit;
     private final transient SliderScale scale;
     private final JSlider slider = new JSlider(0, SliderScale.POSITIONS);
     private final JTextField field = new JTextField();
-    private final JButton reset = new JButton(Icons.RESET);
-    private final transient RateLimiter throttle = new RateLimiter(this::send, System::nanoTime);
+    private final JButton reset;
+    private final transient RateLimiter rateLimiter = new RateLimiter(this::send, System::nanoTime);
     private double value = Double.NaN;
-    private double sent = Double.NaN;
-    private double byDefault = Double.NaN;
-    private boolean showing;
+    private double sentValue = Double.NaN;
+    private double defaultValue = Double.NaN;
+    private boolean updating;
 
     SliderRow(Session session, NumberSetting setting) {
-        super(setting.key(), setting.label(), tip(setting.description(), setting.key()));
+        super(setting, setting.key());
         this.session = session;
         this.setting = setting;
-        name = setting.label();
         unit = setting.unit();
         double physical = Scenario.defaults().get(setting);
         double usual = Double.isNaN(physical)
@@ -54,11 +52,11 @@ final class SliderRow extends SettingRow {
                 : physical;
         scale = SliderScale.of(setting.minimum(), setting.maximum(), usual);
         slider.setMinimumSize(new Dimension(40, slider.getPreferredSize().height));
-        slider.getAccessibleContext().setAccessibleName(name);
+        slider.getAccessibleContext().setAccessibleName(setting.label());
         slider.setMajorTickSpacing(PAGE);
-        slider.addChangeListener(e -> slid());
+        slider.addChangeListener(e -> onSlide());
         field.setHorizontalAlignment(SwingConstants.RIGHT);
-        field.addActionListener(e -> typed());
+        field.addActionListener(e -> onTyped());
         field.addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent e) {
@@ -67,62 +65,60 @@ final class SliderRow extends SettingRow {
 
             @Override
             public void focusLost(FocusEvent e) {
-                typed();
+                onTyped();
             }
         });
-        reset.putClientProperty("JButton.buttonType", "toolBarButton");
-        reset.getAccessibleContext().setAccessibleName("Reset " + name);
-        reset.setToolTipText("Reset " + name);
-        reset.addActionListener(e -> toDefault());
-        add(slider);
         field.putClientProperty("JComponent.minimumWidth", 0);
+        reset = Controls.iconButton(Icons.RESET, "Reset " + setting.label(), () -> take(defaultValue, ""));
+        add(slider);
         add(field, "growx");
         add(new JLabel(unit.equals("1") ? "" : unit.replace("^2", "\u00b2")), "wmin 0");
         add(reset, "w 20!, h 22!");
-        finish(field, name);
+        finish(field);
         slider.setToolTipText(field.getToolTipText());
     }
 
-    private void slid() {
-        if (showing) {
+    private void onSlide() {
+        if (updating) {
             return;
         }
-        answered("");
-        set(scale.valueAt(slider.getValue()));
-        throttle.request();
+        showInputMessage("");
+        setShownValue(scale.valueAt(slider.getValue()));
+        rateLimiter.request();
         if (!slider.getValueIsAdjusting()) {
-            throttle.flush();
+            rateLimiter.flush();
         }
     }
 
-    /** Takes what stands in the field. */
-    private void typed() {
+    private void onTyped() {
         if (field.getText().equals(NumberFormats.format(value))) {
             return;
         }
         OptionalDouble number = NumberFormats.parse(field.getText());
         if (number.isEmpty()) {
-            answered("Found '" + field.getText() + "', expected a number from " + range() + ".");
-            set(value);
+            showInputMessage("Found '" + field.getText() + "', expected a number from " + range() + ".");
+            setShownValue(value);
             return;
         }
-        double wanted = number.getAsDouble();
-        double taken = Math.max(scale.minimum(), Math.min(scale.maximum(), wanted));
-        answered(
-                taken == wanted
-                        ? ""
-                        : NumberFormats.withUnit(wanted, unit) + " is out of range; "
-                                + (taken < wanted ? "the largest, " : "the smallest, ")
-                                + NumberFormats.withUnit(taken, unit) + ", is taken.");
-        set(taken);
-        throttle.request();
-        throttle.flush();
+        double typed = number.getAsDouble();
+        double taken = Math.max(scale.minimum(), Math.min(scale.maximum(), typed));
+        String message = NumberFormats.withUnit(typed, unit) + " is out of range; "
+                + (taken < typed ? "the largest, " : "the smallest, ") + NumberFormats.withUnit(taken, unit)
+                + ", is taken.";
+        take(taken, taken == typed ? "" : message);
+    }
+
+    /** Sets and sends a value, which is undone on its own. */
+    private void take(double taken, String message) {
+        showInputMessage(message);
+        setShownValue(taken);
+        rateLimiter.request();
+        rateLimiter.flush();
         session.edits().endMerging();
     }
 
-    /** Says what became of what was typed, until the value is another. */
-    private void answered(String sentence) {
-        answer(sentence);
+    private void showInputMessage(String sentence) {
+        setInputMessage(sentence);
         field.putClientProperty("JComponent.outline", sentence.isEmpty() ? null : "warning");
     }
 
@@ -130,18 +126,10 @@ final class SliderRow extends SettingRow {
         return NumberFormats.format(scale.minimum()) + " to " + NumberFormats.withUnit(scale.maximum(), unit);
     }
 
-    private void toDefault() {
-        answered("");
-        set(byDefault);
-        throttle.request();
-        throttle.flush();
-        session.edits().endMerging();
-    }
-
     private void send() {
-        if (value != sent) {
-            EditName change = EditName.of(name, sent, value, unit);
-            sent = value;
+        if (value != sentValue) {
+            EditName change = EditName.of(setting.label(), sentValue, value, unit);
+            sentValue = value;
             session.change(change, Assignment.of("window", setting, value));
         }
         if (!slider.getValueIsAdjusting()) {
@@ -149,10 +137,10 @@ final class SliderRow extends SettingRow {
         }
     }
 
-    /** Puts a value into slider and field, and sends nothing. */
-    private void set(double newValue) {
+    /** Shows a value in slider and field without sending it. */
+    private void setShownValue(double newValue) {
         value = newValue;
-        showing = true;
+        updating = true;
         if (!slider.getValueIsAdjusting() && scale.positionOf(newValue) != slider.getValue()) {
             slider.setValue(scale.positionOf(newValue));
         }
@@ -160,25 +148,25 @@ final class SliderRow extends SettingRow {
         if (!text.equals(field.getText())) {
             field.setText(text);
         }
-        showing = false;
-        reset.setEnabled(value != byDefault && !Double.isNaN(byDefault));
+        updating = false;
+        reset.setEnabled(value != defaultValue && !Double.isNaN(defaultValue));
     }
 
     @Override
     void show(Scenario scenario) {
-        byDefault = scenario.defaultOf(setting);
-        String standard = "default " + NumberFormats.withUnit(byDefault, unit);
-        reset.setToolTipText("Reset to " + NumberFormats.withUnit(byDefault, unit));
-        setTip(tip(setting.description(), range() + ", " + standard + "; key " + setting.key()), slider, field);
+        defaultValue = scenario.defaultOf(setting);
+        String standard = NumberFormats.withUnit(defaultValue, unit);
+        reset.setToolTipText("Reset to " + standard);
+        setDetails(range() + ", default " + standard + "; key " + setting.key(), slider, field);
         boolean unfinished = slider.getValueIsAdjusting()
-                || throttle.isPending()
+                || rateLimiter.isPending()
                 || (field.hasFocus() && !field.getText().equals(NumberFormats.format(value)));
         if (!unfinished) {
-            sent = scenario.get(setting);
-            if (sent != value) {
-                answered("");
+            sentValue = scenario.get(setting);
+            if (sentValue != value) {
+                showInputMessage("");
             }
-            set(sent);
+            setShownValue(sentValue);
         }
     }
 

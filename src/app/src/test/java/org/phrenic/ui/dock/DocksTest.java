@@ -172,18 +172,18 @@ class DocksTest {
             dock.onTick(session.live().status());
             dock.onChange();
         });
-        assertThat(row.hintText()).isEqualTo("9000 N/m is out of range; the largest, 3000 N/m, is taken.");
+        assertThat(row.message()).isEqualTo("9000 N/m is out of range; the largest, 3000 N/m, is taken.");
         EventThread.run(() -> {
             row.field().setText("stiff");
             row.field().postActionEvent();
         });
         assertThat(row.field().getText()).isEqualTo("3000");
-        assertThat(row.hintText()).isEqualTo("Found 'stiff', expected a number from 30 to 3000 N/m.");
+        assertThat(row.message()).isEqualTo("Found 'stiff', expected a number from 30 to 3000 N/m.");
         EventThread.run(() -> row.resetButton().doClick());
         assertThat(on(() -> session.scenario().get(SheetSprings.MUSCLE_STIFFNESS)))
                 .isEqualTo(300);
         assertThat(row.resetButton().isEnabled()).isFalse();
-        assertThat(row.hintText()).doesNotContain("stiff'");
+        assertThat(row.message()).doesNotContain("stiff'");
     }
 
     @Test
@@ -368,14 +368,14 @@ class DocksTest {
     void beyondTheStabilityLimitTheRowsSaySoInWords() {
         ParameterDock dock = on(() -> new ParameterDock(session));
         SliderRow row = row(dock, "time_step_s");
-        assertThat(row.hintText()).isEmpty();
+        assertThat(row.message()).isEmpty();
         EventThread.run(() -> {
             row.field().setText("0.02");
             row.field().postActionEvent();
         });
         EventThread.until("steps are split", () -> session.live().status().substeps() > 1);
         EventThread.run(() -> dock.onTick(session.live().status()));
-        assertThat(row.hintText())
+        assertThat(row.message())
                 .startsWith("Runs with ")
                 .contains("because the time step 0.02 s is beyond the stability limit");
     }
