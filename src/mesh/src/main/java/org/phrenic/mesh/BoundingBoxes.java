@@ -41,4 +41,33 @@ public final class BoundingBoxes {
         double dz = intervalDistance(boxes[at + 2], boxes[at + 5], z);
         return dx * dx + dy * dy + dz * dz;
     }
+
+    /**
+     * Whether a ray meets a box (slab method).
+     *
+     * @param limit greatest ray parameter, in lengths of the direction
+     * @param padding the box is larger by this on all sides, mm
+     * @param relative slack of the comparison, relative to the ray parameter; {@code padding} is added to it
+     */
+    public static boolean meetsRay(
+            double[] boxes, int at, double[] origin, double[] direction, double limit, double padding, double relative) {
+        double near = 0;
+        double far = limit;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = boxes[at + axis] - padding - origin[axis];
+            double high = boxes[at + 3 + axis] + padding - origin[axis];
+            double along = direction[axis];
+            if (along == 0) {
+                if (low > 0 || high < 0) {
+                    return false;
+                }
+                continue;
+            }
+            double t1 = low / along;
+            double t2 = high / along;
+            near = Math.max(near, Math.min(t1, t2));
+            far = Math.min(far, Math.max(t1, t2));
+        }
+        return near <= far + (padding + relative * Math.abs(far));
+    }
 }

@@ -27,7 +27,7 @@ public final class MeshMeasure {
      * outward.
      */
     public static double signedVolume(TriangleMesh mesh) {
-        double[] centre = centre(mesh);
+        double[] centre = mesh.centre();
         double sum = 0;
         int[] triangles = mesh.triangles();
         for (int t = 0; t < triangles.length; t += 3) {
@@ -155,10 +155,7 @@ public final class MeshMeasure {
     }
 
     public static double distance(TriangleMesh mesh, int a, int b) {
-        double dx = mesh.x(a) - mesh.x(b);
-        double dy = mesh.y(a) - mesh.y(b);
-        double dz = mesh.z(a) - mesh.z(b);
-        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return Math.sqrt(Vectors.squaredDistance(mesh.positions(), a, b));
     }
 
     /** Angle at the corner that {@code side} starts from, radians; atan2 keeps its digits at 0 and at 180 degrees. */
@@ -168,24 +165,12 @@ public final class MeshMeasure {
         int a = 3 * triangles[side];
         int b = 3 * triangles[EdgeTable.next(side, 3)];
         int c = 3 * triangles[EdgeTable.next(EdgeTable.next(side, 3), 3)];
-        double ux = p[b] - p[a];
-        double uy = p[b + 1] - p[a + 1];
-        double uz = p[b + 2] - p[a + 2];
-        double vx = p[c] - p[a];
-        double vy = p[c + 1] - p[a + 1];
-        double vz = p[c + 2] - p[a + 2];
-        double cx = uy * vz - uz * vy;
-        double cy = uz * vx - ux * vz;
-        double cz = ux * vy - uy * vx;
-        return StrictMath.atan2(Math.sqrt(cx * cx + cy * cy + cz * cz), ux * vx + uy * vy + uz * vz);
-    }
-
-    private static double[] centre(TriangleMesh mesh) {
-        if (mesh.vertexCount() == 0) {
-            return new double[3];
-        }
-        double[] box = mesh.bounds();
-        return new double[] {(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2};
+        double[] cross = new double[3];
+        double sine = Triangles.cross(p, a, b, c, cross);
+        double cosine = (p[b] - p[a]) * (p[c] - p[a])
+                + (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1])
+                + (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
+        return StrictMath.atan2(sine, cosine);
     }
 
     private static double sixfoldVolume(TriangleMesh mesh, int a, int b, int c, double[] centre) {

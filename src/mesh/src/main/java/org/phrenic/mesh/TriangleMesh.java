@@ -78,11 +78,6 @@ public final class TriangleMesh {
         return new TriangleMesh(moved, this);
     }
 
-    /** A mesh whose arrays may be written to without touching this one. */
-    public TriangleMesh copy() {
-        return new TriangleMesh(positions.clone(), triangles.clone());
-    }
-
     /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinities (min above max) for a mesh without vertices. */
     public double[] bounds() {
         double[] box = new double[6];
@@ -91,6 +86,12 @@ public final class TriangleMesh {
             BoundingBoxes.include(box, 0, positions, i);
         }
         return box;
+    }
+
+    /** Centre of the bounding box, mm; 0 for a mesh without vertices. */
+    public double[] centre() {
+        double[] box = positions.length == 0 ? new double[6] : bounds();
+        return new double[] {(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2};
     }
 
     @Override

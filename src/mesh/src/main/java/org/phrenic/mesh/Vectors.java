@@ -34,6 +34,14 @@ public final class Vectors {
         return Math.sqrt(dot(a, a));
     }
 
+    /** Squared distance of points a and b of an array of three numbers a point. */
+    public static double squaredDistance(double[] p, int a, int b) {
+        double dx = p[3 * a] - p[3 * b];
+        double dy = p[3 * a + 1] - p[3 * b + 1];
+        double dz = p[3 * a + 2] - p[3 * b + 2];
+        return dx * dx + dy * dy + dz * dz;
+    }
+
     public static double distance(double[] a, double[] b) {
         return length(subtract(a, b));
     }

@@ -1,8 +1,10 @@
 package org.phrenic.mesh.edit;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /** Takes a mesh apart into the pieces that hang together by triangles. */
@@ -11,44 +13,28 @@ public final class ConnectedComponents {
 
     /** The connected components that have triangles, in the order of their lowest vertex. */
     public static List<TriangleMesh> of(TriangleMesh mesh) {
-        int[] label = lowestOfComponent(mesh);
         int[] t = mesh.triangles();
-        int[] corners = new int[mesh.vertexCount()];
-        for (int i = 0; i < t.length; i += 3) {
-            corners[label[t[i]]] += 3;
-        }
-        int[][] pieces = new int[corners.length][];
-        for (int c = 0; c < corners.length; c++) {
-            pieces[c] = corners[c] == 0 ? null : new int[corners[c]];
-        }
-        int[] fill = new int[corners.length];
+        int[] parent = DisjointSets.singletons(mesh.vertexCount());
         for (int i = 0; i < t.length; i++) {
-            int c = label[t[i - i % 3]];
-            pieces[c][fill[c]++] = t[i];
+            DisjointSets.unionToLower(parent, t[i], t[i - i % 3]);
         }
-        List<TriangleMesh> meshes = new ArrayList<>();
-        for (int[] piece : pieces) {
-            if (piece != null) {
-                boolean[] used = new boolean[mesh.vertexCount()];
-                for (int v : piece) {
-                    used[v] = true;
-                }
-                meshes.add(MeshRepair.compact(mesh.positions(), piece, used));
-            }
+        IntList[] pieces = new IntList[parent.length];
+        for (int i = 0; i < t.length; i++) {
+            int lowest = DisjointSets.find(parent, t[i]);
+            pieces[lowest] = pieces[lowest] == null ? new IntList() : pieces[lowest];
+            pieces[lowest].add(t[i]);
         }
-        return meshes;
+        return Arrays.stream(pieces)
+                .filter(Objects::nonNull)
+                .map(piece -> component(mesh, piece.toArray()))
+                .toList();
     }
 
-    /** For each vertex the lowest vertex that hangs together with it by triangles. */
-    private static int[] lowestOfComponent(TriangleMesh mesh) {
-        int[] lower = DisjointSets.singletons(mesh.vertexCount());
-        int[] t = mesh.triangles();
-        for (int i = 0; i < t.length; i++) {
-            DisjointSets.unionToLower(lower, t[i], t[i - i % 3]);
+    private static TriangleMesh component(TriangleMesh mesh, int[] triangles) {
+        boolean[] used = new boolean[mesh.vertexCount()];
+        for (int v : triangles) {
+            used[v] = true;
         }
-        for (int v = 0; v < lower.length; v++) {
-            lower[v] = lower[lower[v]];
-        }
-        return lower;
+        return MeshRepair.compact(mesh.positions(), triangles, used);
     }
 }

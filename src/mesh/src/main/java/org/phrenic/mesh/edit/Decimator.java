@@ -1,47 +1,41 @@
 package org.phrenic.mesh.edit;
 
-import java.util.Arrays;
+import java.util.PriorityQueue;
+import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Takes vertices out of a surface where they matter least (Garland and Heckbert 1997, doi 10.1145/258734.258849): edges
- * collapse to the place nearest the planes of all triangles that went into them, the least error first. No collapse
- * changes the topology (link condition, Dey et al. 1999), turns a triangle by more than 78 degrees, makes a triangle
- * much thinner than it found it, or leads the surface farther from the original than a bound: the new vertex and the
- * middles of the new edges and triangles about it are held to it. Boundaries keep their place.
+ * Decimation by quadric error metrics (Garland and Heckbert 1997, doi 10.1145/258734.258849): edges collapse to the point of least
+ * error, the least error first. No collapse changes the topology (link condition, Dey et al. 1999), turns a triangle by more than 78
+ * degrees or makes a triangle much thinner. The new vertex and the centres of the new edges and triangles about it stay within a bound
+ * of the original surface. Boundaries keep their place.
  */
 public final class Decimator {
     /** Least cosine between a triangle's normals before and after: a turn of 78 degrees. */
     private static final double LEAST_COSINE = 0.2;
-    /**
-     * Twice the area over the squared longest side, below which a triangle may not fall; an equilateral one has 0.87.
-     */
+    /** Least {@link MovedTriangle#shapeAfter} of a triangle that becomes thinner. */
     private static final double LEAST_SHAPE = 0.2;
-    /** Planes that hold a boundary weigh so much more than those of triangles. */
+    /** Weight of the planes that hold a boundary, relative to those of triangles. */
     private static final double BOUNDARY = 100;
 
     private final HalfEdgeMesh mesh;
     private final Quadrics quadrics;
     private final TriangleTree original;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final MovedTriangle moved = new MovedTriangle();
     private final double bound;
-    /** Cost of the edge that each half-edge stands for, as last worked out; a queue entry with another one is old. */
+    /** Latest cost of each edge, by its primary half-edge; a queue entry with another cost is out of date. */
     private final float[] costs;
 
-    private long[] heap = new long[1024];
-    private int size;
-    private int[] ring = new int[64];
-    private int ringSize;
+    /** Cost as float bits above, half-edge below. */
+    private final PriorityQueue<Long> queue = new PriorityQueue<>();
 
     private Decimator(TriangleMesh given, double boundMm) {
         mesh = new HalfEdgeMesh(given);
         bound = boundMm;
         original = new TriangleTree(given);
-        double[] box = given.bounds();
-        quadrics = new Quadrics(
-                mesh.vertexEnd, new double[] {(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2});
+        quadrics = new Quadrics(mesh.vertexEnd, given.centre());
         costs = new float[3 * mesh.triangleEnd];
     }
 
@@ -50,7 +44,7 @@ public final class Decimator {
      *
      * @param mesh consistently oriented ({@link MeshRepair#repair}); where it is not manifold it is cut open
      * @param vertices how many are wanted; more are left where fewer would break a rule
-     * @param boundMm how far from the original the surface may lead, mm; infinite for no bound
+     * @param boundMm greatest distance of the surface from the original, mm; infinite for no bound
      * @throws IllegalArgumentException if fewer than 4 vertices are asked for or the bound is not above 0
      */
     public static TriangleMesh toVertexCount(TriangleMesh mesh, int vertices, double boundMm) {
@@ -70,10 +64,9 @@ public final class Decimator {
                 push(h);
             }
         }
-        while (size > 0 && mesh.vertexCount() > vertices) {
-            long entry = pop();
+        while (!queue.isEmpty() && mesh.vertexCount() > vertices) {
+            long entry = queue.poll();
             int h = (int) entry;
-            // An edge whose ends have changed since has another entry.
             if (mesh.isAlive(h) && mesh.isPrimary(h) && costs[h] == Float.intBitsToFloat((int) (entry >> 32))) {
                 tryCollapse(h);
             }
@@ -82,30 +75,27 @@ public final class Decimator {
     }
 
     private void addPlanes(int h) {
-        double[] p = mesh.position;
-        int a = mesh.start[h];
-        int b = mesh.start[h + 1];
-        int c = mesh.start[h + 2];
-        double[] n = cross(a, b, p[3 * c], p[3 * c + 1], p[3 * c + 2]);
-        double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        int[] corners = {mesh.start[h], mesh.start[h + 1], mesh.start[h + 2]};
+        double[] n = new double[3];
+        double length = Triangles.cross(mesh.position, 3 * corners[0], 3 * corners[1], 3 * corners[2], n);
         if (length == 0) {
             return;
         }
-        double x = n[0] / length;
-        double y = n[1] / length;
-        double z = n[2] / length;
-        for (int v : new int[] {a, b, c}) {
-            quadrics.add(v, x, y, z, p[3 * a], p[3 * a + 1], p[3 * a + 2], length / 6);
+        for (int axis = 0; axis < 3; axis++) {
+            n[axis] /= length;
+        }
+        for (int v : corners) {
+            quadrics.add(v, n[0], n[1], n[2], mesh.position, corners[0], length / 6);
         }
         for (int side = h; side < h + 3; side++) {
-            if (mesh.twin[side] == HalfEdgeMesh.NONE) {
-                addBoundary(side, x, y, z);
+            if (mesh.twin[side] == HalfEdges.NONE) {
+                addBoundary(side, n);
             }
         }
     }
 
-    /** The plane through a boundary edge, across its triangle. */
-    private void addBoundary(int side, double nx, double ny, double nz) {
+    /** The plane through a boundary edge, perpendicular to its triangle. */
+    private void addBoundary(int side, double[] n) {
         double[] p = mesh.position;
         int a = mesh.start[side];
         int b = mesh.end(side);
@@ -115,16 +105,16 @@ public final class Decimator {
         double square = ex * ex + ey * ey + ez * ez;
         double length = Math.sqrt(square);
         if (length > 0) {
-            double x = (ey * nz - ez * ny) / length;
-            double y = (ez * nx - ex * nz) / length;
-            double z = (ex * ny - ey * nx) / length;
-            quadrics.add(a, x, y, z, p[3 * a], p[3 * a + 1], p[3 * a + 2], BOUNDARY * square);
-            quadrics.add(b, x, y, z, p[3 * a], p[3 * a + 1], p[3 * a + 2], BOUNDARY * square);
+            double x = (ey * n[2] - ez * n[1]) / length;
+            double y = (ez * n[0] - ex * n[2]) / length;
+            double z = (ex * n[1] - ey * n[0]) / length;
+            quadrics.add(a, x, y, z, p, a, BOUNDARY * square);
+            quadrics.add(b, x, y, z, p, a, BOUNDARY * square);
         }
     }
 
-    /** Works out the best place of an edge's ends together. */
-    private double place(int h) {
+    /** Finds the point of least error for the edge of a half-edge; returns the error there. */
+    private double minimize(int h) {
         double[] p = mesh.position;
         int a = mesh.start[h];
         int b = mesh.end(h);
@@ -138,13 +128,17 @@ public final class Decimator {
         }
         int a = mesh.start[h];
         int b = mesh.end(h);
-        place(h);
+        minimize(h);
         double x = quadrics.x;
         double y = quadrics.y;
         double z = quadrics.z;
-        boolean fits = keepsSides(a, b, x, y, z) && keepsSides(b, a, x, y, z);
-        // The search for the original costs most and comes last.
-        if (!fits || !isNear(x, y, z) || !staysNear(a, b, x, y, z) || !staysNear(b, a, x, y, z)) {
+        // Searching the original costs most and comes last.
+        boolean fits = everyTriangle(a, b, (c, d) -> keepsShape(a, c, d, x, y, z))
+                && everyTriangle(b, a, (c, d) -> keepsShape(b, c, d, x, y, z))
+                && isNear(x, y, z)
+                && everyTriangle(a, b, (c, d) -> staysNear(c, d, x, y, z))
+                && everyTriangle(b, a, (c, d) -> staysNear(c, d, x, y, z));
+        if (!fits) {
             return;
         }
         quadrics.merge(a, b);
@@ -152,132 +146,60 @@ public final class Decimator {
         int g = mesh.out[b];
         do {
             pushEdge(g);
-            int back = HalfEdgeMesh.previous(g);
+            int back = HalfEdges.previous(g);
             pushEdge(back);
             g = mesh.twin[back];
-        } while (g != HalfEdgeMesh.NONE && g != mesh.out[b]);
+        } while (g != HalfEdges.NONE && g != mesh.out[b]);
     }
 
-    private void pushEdge(int h) {
-        push(mesh.isPrimary(h) ? h : mesh.twin[h]);
+    /** A test of the side opposite a vertex in one of its triangles. */
+    private interface OppositeSide {
+        boolean test(int b, int c);
+    }
+
+    /** Whether a test holds for all triangles at {@code v} that do not hold {@code gone}. */
+    private boolean everyTriangle(int v, int gone, OppositeSide test) {
+        mesh.collectRing(v);
+        int size = mesh.ringSize;
+        int triangles = mesh.isBoundaryVertex(v) ? size - 1 : size;
+        for (int i = 0; i < triangles; i++) {
+            int b = mesh.ring[i];
+            int c = mesh.ring[i + 1 == size ? 0 : i + 1];
+            if (b != gone && c != gone && !test.test(b, c)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean keepsShape(int v, int b, int c, double x, double y, double z) {
+        moved.set(mesh.position, v, b, c, x, y, z);
+        double shape = moved.shapeAfter();
+        return !(moved.dot < LEAST_COSINE * Math.sqrt(moved.before * moved.after))
+                && !(shape < LEAST_SHAPE && shape < moved.shapeBefore());
+    }
+
+    /** Whether the centres of the triangle (x, y, z), b, c and of its side to b are within the bound. */
+    private boolean staysNear(int b, int c, double x, double y, double z) {
+        double[] p = mesh.position;
+        return isNear((x + p[3 * b]) / 2, (y + p[3 * b + 1]) / 2, (z + p[3 * b + 2]) / 2)
+                && isNear(
+                        (x + p[3 * b] + p[3 * c]) / 3,
+                        (y + p[3 * b + 1] + p[3 * c + 1]) / 3,
+                        (z + p[3 * b + 2] + p[3 * c + 2]) / 3);
     }
 
     private boolean isNear(double x, double y, double z) {
         return bound == Double.POSITIVE_INFINITY || original.isWithin(x, y, z, bound, hit);
     }
 
-    /** Fills {@link #ring} about {@code v}; returns how many triangles it has. */
-    private int gather(int v) {
-        mesh.collectRing(v);
-        ringSize = mesh.ringSize;
-        if (ring.length < ringSize) {
-            ring = new int[2 * ringSize];
-        }
-        System.arraycopy(mesh.ring, 0, ring, 0, ringSize);
-        return mesh.isBoundaryVertex(v) ? ringSize - 1 : ringSize;
+    private void pushEdge(int h) {
+        push(mesh.isPrimary(h) ? h : mesh.twin[h]);
     }
 
-    /** Whether the triangles at {@code v} that do not hold {@code gone} keep side and shape when v moves. */
-    private boolean keepsSides(int v, int gone, double x, double y, double z) {
-        int triangles = gather(v);
-        double[] p = mesh.position;
-        for (int i = 0; i < triangles; i++) {
-            int b = ring[i];
-            int c = ring[i + 1 == ringSize ? 0 : i + 1];
-            if (b == gone || c == gone) {
-                continue;
-            }
-            double[] before = cross(b, c, p[3 * v], p[3 * v + 1], p[3 * v + 2]);
-            double[] after = cross(b, c, x, y, z);
-            double squareBefore = Vectors.dot(before, before);
-            double squareAfter = Vectors.dot(after, after);
-            double shapeBefore = Math.sqrt(squareBefore) / longestSquare(b, c, p[3 * v], p[3 * v + 1], p[3 * v + 2]);
-            double shapeAfter = Math.sqrt(squareAfter) / longestSquare(b, c, x, y, z);
-            boolean turned = Vectors.dot(before, after) < LEAST_COSINE * Math.sqrt(squareBefore * squareAfter);
-            if (turned || (shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Whether the middles of the same triangles and of their edges at v are within the bound when v moves. */
-    private boolean staysNear(int v, int gone, double x, double y, double z) {
-        int triangles = gather(v);
-        double[] p = mesh.position;
-        for (int i = 0; i < triangles; i++) {
-            int b = ring[i];
-            int c = ring[i + 1 == ringSize ? 0 : i + 1];
-            if (b == gone || c == gone) {
-                continue;
-            }
-            boolean near = isNear((x + p[3 * b]) / 2, (y + p[3 * b + 1]) / 2, (z + p[3 * b + 2]) / 2)
-                    && isNear(
-                            (x + p[3 * b] + p[3 * c]) / 3,
-                            (y + p[3 * b + 1] + p[3 * c + 1]) / 3,
-                            (z + p[3 * b + 2] + p[3 * c + 2]) / 3);
-            if (!near) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** (c - b) x (point - b), twice the area of the triangle they make. */
-    private double[] cross(int b, int c, double x, double y, double z) {
-        double[] p = mesh.position;
-        double ex = p[3 * c] - p[3 * b];
-        double ey = p[3 * c + 1] - p[3 * b + 1];
-        double ez = p[3 * c + 2] - p[3 * b + 2];
-        double ux = x - p[3 * b];
-        double uy = y - p[3 * b + 1];
-        double uz = z - p[3 * b + 2];
-        return new double[] {ey * uz - ez * uy, ez * ux - ex * uz, ex * uy - ey * ux};
-    }
-
-    private double longestSquare(int b, int c, double x, double y, double z) {
-        double[] p = mesh.position;
-        double one = square(p[3 * b] - x, p[3 * b + 1] - y, p[3 * b + 2] - z);
-        double two = square(p[3 * c] - x, p[3 * c + 1] - y, p[3 * c + 2] - z);
-        double three = square(p[3 * c] - p[3 * b], p[3 * c + 1] - p[3 * b + 1], p[3 * c + 2] - p[3 * b + 2]);
-        return Math.max(Double.MIN_NORMAL, Math.max(one, Math.max(two, three)));
-    }
-
-    private static double square(double x, double y, double z) {
-        return x * x + y * y + z * z;
-    }
-
-    /** Enters an edge: the bits of a float that is not negative sort as it does, the half-edge breaks ties. */
+    /** Enters an edge; the bits of a non-negative float sort as the number does, the half-edge breaks ties. */
     private void push(int h) {
-        costs[h] = (float) place(h);
-        if (size == heap.length) {
-            heap = Arrays.copyOf(heap, 2 * size);
-        }
-        long entry = (long) Float.floatToRawIntBits(costs[h]) << 32 | h;
-        int i = size++;
-        while (i > 0 && heap[(i - 1) >> 1] > entry) {
-            heap[i] = heap[(i - 1) >> 1];
-            i = (i - 1) >> 1;
-        }
-        heap[i] = entry;
-    }
-
-    private long pop() {
-        long least = heap[0];
-        long last = heap[--size];
-        int i = 0;
-        while (2 * i + 1 < size) {
-            int below = 2 * i + 1;
-            if (below + 1 < size && heap[below + 1] < heap[below]) {
-                below++;
-            }
-            if (heap[below] >= last) {
-                break;
-            }
-            heap[i] = heap[below];
-            i = below;
-        }
-        heap[i] = last;
-        return least;
+        costs[h] = (float) minimize(h);
+        queue.add((long) Float.floatToRawIntBits(costs[h]) << 32 | h);
     }
 }

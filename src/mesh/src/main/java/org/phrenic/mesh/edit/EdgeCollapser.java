@@ -1,7 +1,5 @@
 package org.phrenic.mesh.edit;
 
-import java.util.Arrays;
-import org.phrenic.engine.math.RadixSort;
 
 /** Collapses short edges where neither topology nor shape suffers: link condition, no turned and no thin triangle. */
 final class EdgeCollapser {
@@ -30,7 +28,6 @@ final class EdgeCollapser {
     private static final double TINY = 0.3;
 
     private final HalfEdgeMesh mesh;
-    private long[] queue = new long[1024];
     /** The neighbours of an edge's two ends, gathered once a try. */
     private int[] ringA = new int[64];
 
@@ -41,8 +38,7 @@ final class EdgeCollapser {
     private double[] normals = new double[3 * 64];
 
     private double leastCosine;
-    private double shapeBefore;
-    private double shapeAfter;
+    private final MovedTriangle moved = new MovedTriangle();
 
     EdgeCollapser(HalfEdgeMesh mesh) {
         this.mesh = mesh;
@@ -55,22 +51,9 @@ final class EdgeCollapser {
      */
     int collapse(double below, double longest, int leastVertices, double leastCosine) {
         this.leastCosine = leastCosine;
-        int length = 0;
-        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
-            if (mesh.isPrimary(h)) {
-                double square = mesh.squareLength(h);
-                if (square < below * below) {
-                    if (length == queue.length) {
-                        queue = Arrays.copyOf(queue, 2 * length);
-                    }
-                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
-                    queue[length++] = (long) Float.floatToRawIntBits((float) square) << 32 | h;
-                }
-            }
-        }
-        RadixSort.sort(queue, length);
+        long[] queue = mesh.sortedEdges(-1, below * below, false);
         int done = 0;
-        for (int k = 0; k < length && mesh.vertexCount() > leastVertices; k++) {
+        for (int k = 0; k < queue.length && mesh.vertexCount() > leastVertices; k++) {
             int h = (int) queue[k];
             if (mesh.isAlive(h) && mesh.squareLength(h) < below * below && tryCollapse(h, longest)) {
                 done++;
@@ -195,7 +178,7 @@ final class EdgeCollapser {
         }
         double share = kindA == kindB ? 0.5 : kindA == HalfEdgeMesh.CORNER ? 0 : 1;
         // Ragged boundaries are all corners, and have to coarsen; creases only give way where the edge is a splinter.
-        boolean alongLine = boundaryA || (mesh.isCrease(h) && (kindA != HalfEdgeMesh.CORNER || kindA != kindB));
+        boolean alongLine = boundaryA || (mesh.crease[h] && (kindA != HalfEdgeMesh.CORNER || kindA != kindB));
         return alongLine || mesh.squareLength(h) < TINY * TINY * longest * longest ? share : Double.NaN;
     }
 
@@ -257,52 +240,15 @@ final class EdgeCollapser {
             if (b == gone || c == gone) {
                 continue;
             }
-            double cosine = cosineOfTurn(v, b, c, x, y, z);
-            if (cosine < leastCosine
-                    || (leastCosine > RECKLESS && shapeAfter < LEAST_SHAPE && shapeAfter < shapeBefore)) {
+            moved.set(mesh.position, v, b, c, x, y, z);
+            double before = moved.shapeBefore();
+            double after = moved.shapeAfter();
+            // A triangle without area has no orientation to keep.
+            double cosine = before < 1e-6 ? 1 : moved.dot / (Math.sqrt(moved.before) * Math.sqrt(moved.after));
+            if (cosine < leastCosine || (leastCosine > RECKLESS && after < LEAST_SHAPE && after < before)) {
                 return false;
             }
         }
         return true;
-    }
-
-    /**
-     * Cosine between the normals of (v, b, c) with v where it is and at (x, y, z); notes the shape before and after.
-     */
-    private double cosineOfTurn(int v, int b, int c, double x, double y, double z) {
-        double[] p = mesh.position;
-        double bx = p[3 * b];
-        double by = p[3 * b + 1];
-        double bz = p[3 * b + 2];
-        double ex = p[3 * c] - bx;
-        double ey = p[3 * c + 1] - by;
-        double ez = p[3 * c + 2] - bz;
-        double ux = p[3 * v] - bx;
-        double uy = p[3 * v + 1] - by;
-        double uz = p[3 * v + 2] - bz;
-        double nx = ey * uz - ez * uy;
-        double ny = ez * ux - ex * uz;
-        double nz = ex * uy - ey * ux;
-        double wx = x - bx;
-        double wy = y - by;
-        double wz = z - bz;
-        double mx = ey * wz - ez * wy;
-        double my = ez * wx - ex * wz;
-        double mz = ex * wy - ey * wx;
-        double before = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        double after = Math.sqrt(mx * mx + my * my + mz * mz);
-        double base = ex * ex + ey * ey + ez * ez;
-        shapeBefore = before / longestSquare(base, ux, uy, uz, ex, ey, ez);
-        shapeAfter = after / longestSquare(base, wx, wy, wz, ex, ey, ez);
-        // A triangle without area has no side to keep.
-        return shapeBefore < 1e-6 ? 1 : (nx * mx + ny * my + nz * mz) / (before * after);
-    }
-
-    private static double longestSquare(double base, double ux, double uy, double uz, double ex, double ey, double ez) {
-        double first = ux * ux + uy * uy + uz * uz;
-        double dx = ux - ex;
-        double dy = uy - ey;
-        double dz = uz - ez;
-        return Math.max(Double.MIN_NORMAL, Math.max(base, Math.max(first, dx * dx + dy * dy + dz * dz)));
     }
 }

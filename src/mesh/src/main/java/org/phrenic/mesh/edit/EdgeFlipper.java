@@ -1,5 +1,6 @@
 package org.phrenic.mesh.edit;
 
+import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -43,7 +44,7 @@ final class EdgeFlipper {
 
     /** Turns the edge or marks it as settled; returns how many were turned. */
     private int settle(int h) {
-        if (mesh.twin[h] == HalfEdgeMesh.NONE || !mesh.isPrimary(h) || mesh.isCrease(h) || !wouldGain(h)) {
+        if (mesh.twin[h] == HalfEdgeMesh.NONE || !mesh.isPrimary(h) || mesh.crease[h] || !wouldGain(h)) {
             mesh.flipChecked[h] = true;
             return 0;
         }
@@ -101,8 +102,8 @@ final class EdgeFlipper {
         int b = mesh.start[o];
         int leastA = mesh.isBoundaryVertex(a) ? 2 : 3;
         int leastB = mesh.isBoundaryVertex(b) ? 2 : 3;
-        return mesh.valence(a) > leastA
-                && mesh.valence(b) > leastB
+        return mesh.valenceExceeds(leastA, a)
+                && mesh.valenceExceeds(leastB, b)
                 && !mesh.areNeighbours(mesh.start[HalfEdgeMesh.previous(h)], mesh.start[HalfEdgeMesh.previous(o)]);
     }
 
@@ -117,16 +118,6 @@ final class EdgeFlipper {
     }
 
     private double normal(int a, int b, int c, double[] n) {
-        double[] p = mesh.position;
-        double ux = p[3 * b] - p[3 * a];
-        double uy = p[3 * b + 1] - p[3 * a + 1];
-        double uz = p[3 * b + 2] - p[3 * a + 2];
-        double vx = p[3 * c] - p[3 * a];
-        double vy = p[3 * c + 1] - p[3 * a + 1];
-        double vz = p[3 * c + 2] - p[3 * a + 2];
-        n[0] = uy * vz - uz * vy;
-        n[1] = uz * vx - ux * vz;
-        n[2] = ux * vy - uy * vx;
-        return Math.sqrt(Vectors.dot(n, n));
+        return Triangles.cross(mesh.position, 3 * a, 3 * b, 3 * c, n);
     }
 }

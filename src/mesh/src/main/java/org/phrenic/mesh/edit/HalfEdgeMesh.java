@@ -179,9 +179,7 @@ final class HalfEdgeMesh extends HalfEdges {
         // Only now: a turn about b must not enter a triangle that is going.
         out[b] = fanStart(fromB);
         removeVertex(a);
-        position[3 * b] = x;
-        position[3 * b + 1] = y;
-        position[3 * b + 2] = z;
+        setPosition(b, x, y, z);
         int k = out[b];
         do {
             clearFlipChecked(k);
@@ -222,12 +220,5 @@ final class HalfEdgeMesh extends HalfEdges {
         }
         out[c] = fanStart(fromC);
         return fromB;
-    }
-
-    private void link(int h, int o) {
-        twin[h] = o;
-        if (o != NONE) {
-            twin[o] = h;
-        }
     }
 }

@@ -1,67 +1,65 @@
 package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
+import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 
 /**
- * A triangle surface as half-edges: what meets what, the lines on it, and room for more. Half-edge {@code 3t + i} runs
- * from corner i to corner i + 1 of triangle t; {@code twin} is the half-edge that runs back along the same edge, -1 on
- * a boundary; {@code out} is one half-edge that starts at a vertex, on a boundary vertex the one that lies on the
- * boundary. All flat integer arrays; places of removed triangles and vertices are used again.
+ * A triangle surface as half-edges (Botsch et al. 2010, Polygon Mesh Processing, section 2.3) in flat arrays. Half-edge {@code 3t + i}
+ * runs from corner i to corner i + 1 of triangle t; {@code twin} is the opposite half-edge of the same edge, {@link #NONE} on a
+ * boundary; {@code out} is one half-edge that starts at a vertex, at a boundary vertex the one on the boundary. Slots of removed
+ * triangles and vertices are used again.
  *
- * <p>A surface that is not manifold, or not consistently oriented, is cut open where it is not: along such edges, and
- * at vertices of several fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
+ * <p>A surface that is not manifold, or not consistently oriented, is cut open there: along such edges, and at vertices of several
+ * fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
  */
 abstract class HalfEdges {
     static final int NONE = -1;
     static final int SMOOTH = 0;
     static final int ON_FEATURE_LINE = 1;
     static final int CORNER = 2;
-    /** A line that turns by more than 53 degrees has a corner there. */
+    /** A feature line that turns by more than 53 degrees has a corner there. */
     private static final double SHARP_TURN = 0.6;
 
-    /** Start vertex of each half-edge; -1 in a removed triangle. */
+    /** Start vertex of each half-edge; {@link #NONE} in a removed triangle. */
     int[] start;
 
     int[] twin;
     int[] out;
     double[] position;
-    /** Edges that keep their place and direction, marked on both half-edges. */
+    /** Feature edges, which keep place and direction; marked on both half-edges. */
     boolean[] crease;
 
-    /**
-     * Half-edges that {@link EdgeFlipper} need not look at: it left them as they are, and nothing near has changed
-     * since.
-     */
+    /** Half-edges that {@link EdgeFlipper} left as they are and near which nothing has changed since. */
     boolean[] flipChecked;
 
-    /** Whether each edge of the mesh given had two triangles. */
+    /** Whether each edge of the given mesh had two triangles. */
     final boolean inputClosed;
 
     private boolean hasCreases;
+    /** Neighbours along the feature line of the vertex last given to {@link #featureKind}. */
     int previousOnLine;
+
     int nextOnLine;
-    /** Triangles and vertices below these numbers are in use or were. */
+    /** Triangles and vertices in use have numbers below these. */
     int triangleEnd;
 
     int vertexEnd;
     private int vertexCount;
-    private int[] freeTriangles = new int[64];
-    private int freeTriangleCount;
-    private int[] freeVertices = new int[64];
-    private int freeVertexCount;
+    private final IntList freeTriangles = new IntList();
+    private final IntList freeVertices = new IntList();
 
-    /**
-     * The vertices about {@link #collectRing}'s vertex, in order; on a boundary from one boundary edge to the other.
-     */
+    /** The one-ring of {@link #collectRing}'s vertex, in order; at a boundary from one boundary edge to the other. */
     int[] ring = new int[64];
 
     int ringSize;
 
     HalfEdges(TriangleMesh mesh) {
         int[] t = withoutRepeatedCorners(mesh.triangles());
-        EdgeTable edges = new EdgeTable(new TriangleMesh(mesh.positions(), t));
+        EdgeTable edges = new EdgeTable(mesh.vertexCount(), t, 3);
         inputClosed = edges.isClosed();
         start = t;
         triangleEnd = t.length / 3;
@@ -75,11 +73,10 @@ abstract class HalfEdges {
         Arrays.fill(twin, NONE);
         pair(edges);
         separateFans();
+        vertexCount = vertexEnd;
         for (int v = 0; v < vertexEnd; v++) {
             if (out[v] == NONE) {
-                releaseVertex(v);
-            } else {
-                vertexCount++;
+                removeVertex(v);
             }
         }
     }
@@ -92,9 +89,8 @@ abstract class HalfEdges {
             int b = triangles[i + 1];
             int c = triangles[i + 2];
             if (a != b && b != c && c != a) {
-                kept[length++] = a;
-                kept[length++] = b;
-                kept[length++] = c;
+                System.arraycopy(triangles, i, kept, length, 3);
+                length += 3;
             }
         }
         return Arrays.copyOf(kept, length);
@@ -105,13 +101,12 @@ abstract class HalfEdges {
             int h = edges.sides()[edges.start(e)];
             int other = edges.faceCount(e) == 2 ? edges.sides()[edges.start(e) + 1] : h;
             if (other != h && start[other] == end(h)) {
-                twin[h] = other;
-                twin[other] = h;
+                link(h, other);
             }
         }
     }
 
-    /** The first fan found at a vertex keeps it; each further fan gets a copy. */
+    /** Gives each further fan at a vertex a copy of the vertex. */
     private void separateFans() {
         boolean[] done = new boolean[start.length];
         for (int h = 0; h < start.length; h++) {
@@ -129,8 +124,6 @@ abstract class HalfEdges {
                 g = twin[previous(g)];
             } while (g != NONE && g != first);
         }
-        // newVertex counted the copies; the constructor counts every vertex.
-        vertexCount = 0;
     }
 
     static int next(int h) {
@@ -157,18 +150,31 @@ abstract class HalfEdges {
         return twin[out[v]] == NONE;
     }
 
-    /** One half-edge of each edge is the one that stands for it. */
+    /** Whether this is the one of an edge's half-edges that loops over edges take. */
     boolean isPrimary(int h) {
         return start[h] != NONE && h > twin[h];
     }
 
     double squareLength(int h) {
-        int a = 3 * start[h];
-        int b = 3 * end(h);
-        double dx = position[a] - position[b];
-        double dy = position[a + 1] - position[b + 1];
-        double dz = position[a + 2] - position[b + 2];
-        return dx * dx + dy * dy + dz * dz;
+        return Vectors.squaredDistance(position, start[h], end(h));
+    }
+
+    /** Half-edges of the edges between two squared lengths, exclusive, by length in single precision; in the low 32 bits. */
+    long[] sortedEdges(double aboveSquare, double belowSquare, boolean longestFirst) {
+        long[] keys = new long[3 * triangleEnd];
+        int length = 0;
+        for (int h = 0; h < keys.length; h++) {
+            if (isPrimary(h)) {
+                double square = squareLength(h);
+                if (square > aboveSquare && square < belowSquare) {
+                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
+                    int bits = Float.floatToRawIntBits((float) square);
+                    keys[length++] = (long) (longestFirst ? -bits : bits) << 32 | h;
+                }
+            }
+        }
+        RadixSort.sort(keys, length);
+        return Arrays.copyOf(keys, length);
     }
 
     void markCrease(int h) {
@@ -177,14 +183,17 @@ abstract class HalfEdges {
         crease[twin[h]] = true;
     }
 
-    boolean isCrease(int h) {
-        return crease[h];
+    final void link(int h, int o) {
+        twin[h] = o;
+        if (o != NONE) {
+            twin[o] = h;
+        }
     }
 
     /**
-     * What lines of the surface (boundary edges and creases) do to a vertex: {@link #SMOOTH} if none meets it,
-     * {@link #ON_FEATURE_LINE} if one runs through it, {@link #CORNER} if it ends, branches or turns sharply there. For
-     * the second, {@link #previousOnLine} and {@link #nextOnLine} are the neighbours along the line.
+     * What feature lines (boundary edges and creases) do at a vertex: {@link #SMOOTH} if none meets it, {@link #ON_FEATURE_LINE} if
+     * one runs through it, {@link #CORNER} if it ends, branches or turns sharply. For the second, {@link #previousOnLine} and
+     * {@link #nextOnLine} are the neighbours along the line.
      */
     int featureKind(int v) {
         if (!hasCreases && twin[out[v]] != NONE) {
@@ -238,7 +247,7 @@ abstract class HalfEdges {
         return g;
     }
 
-    /** Fills {@link #ring}; triangles are (v, ring[i], ring[i + 1]), wrapping round only inside the surface. */
+    /** Fills {@link #ring}; triangles are (v, ring[i], ring[i + 1]), cyclic only inside the surface. */
     void collectRing(int v) {
         ringSize = 0;
         int h = out[v];
@@ -260,20 +269,7 @@ abstract class HalfEdges {
         ring[ringSize++] = v;
     }
 
-    int valence(int v) {
-        int count = 0;
-        int h = out[v];
-        do {
-            count++;
-            h = twin[previous(h)];
-            if (h == NONE) {
-                return count + 1;
-            }
-        } while (h != out[v]);
-        return count;
-    }
-
-    /** Whether a vertex has more than so many neighbours, without going round all of them. */
+    /** Whether a vertex has more than so many neighbours; counts no further. */
     boolean valenceExceeds(int least, int v) {
         int count = 0;
         int h = out[v];
@@ -302,18 +298,14 @@ abstract class HalfEdges {
         return false;
     }
 
+    /** A new triangle without neighbours; returns its first half-edge. */
     final int newTriangle(int a, int b, int c) {
-        int t;
-        if (freeTriangleCount > 0) {
-            t = freeTriangles[--freeTriangleCount];
-        } else {
-            t = 3 * triangleEnd++;
-            if (t + 3 > start.length) {
-                start = Arrays.copyOf(start, start.length + start.length / 2 + 48);
-                twin = Arrays.copyOf(twin, start.length);
-                crease = Arrays.copyOf(crease, start.length);
-                flipChecked = Arrays.copyOf(flipChecked, start.length);
-            }
+        int t = freeTriangles.isEmpty() ? 3 * triangleEnd++ : freeTriangles.removeLast();
+        if (t + 3 > start.length) {
+            start = Arrays.copyOf(start, start.length + start.length / 2 + 48);
+            twin = Arrays.copyOf(twin, start.length);
+            crease = Arrays.copyOf(crease, start.length);
+            flipChecked = Arrays.copyOf(flipChecked, start.length);
         }
         Arrays.fill(crease, t, t + 3, false);
         start[t] = a;
@@ -322,9 +314,7 @@ abstract class HalfEdges {
         return t;
     }
 
-    /**
-     * Notes that the triangle of {@code h} has changed: its three edges, seen from either side, are no longer settled.
-     */
+    /** Clears the mark of the three edges of a changed triangle, on both sides. */
     final void clearFlipChecked(int h) {
         int t = h - h % 3;
         for (int side = t; side < t + 3; side++) {
@@ -335,52 +325,41 @@ abstract class HalfEdges {
         }
     }
 
-    /** As {@link #clearFlipChecked} for all triangles: after vertices have moved everywhere. */
+    /** As {@link #clearFlipChecked} for all triangles. */
     final void clearAllFlipChecked() {
         Arrays.fill(flipChecked, 0, 3 * triangleEnd, false);
     }
 
     final int newVertex(double x, double y, double z) {
-        int v;
-        if (freeVertexCount > 0) {
-            v = freeVertices[--freeVertexCount];
-        } else {
-            v = vertexEnd++;
-            if (v >= out.length) {
-                out = Arrays.copyOf(out, v + v / 2 + 16);
-                Arrays.fill(out, v, out.length, NONE);
-                position = Arrays.copyOf(position, 3 * out.length);
-            }
+        int v = freeVertices.isEmpty() ? vertexEnd++ : freeVertices.removeLast();
+        if (v >= out.length) {
+            out = Arrays.copyOf(out, v + v / 2 + 16);
+            Arrays.fill(out, v, out.length, NONE);
+            position = Arrays.copyOf(position, 3 * out.length);
         }
-        position[3 * v] = x;
-        position[3 * v + 1] = y;
-        position[3 * v + 2] = z;
+        setPosition(v, x, y, z);
         vertexCount++;
         return v;
     }
 
-    /** Takes the triangle out whose first half-edge is t. */
+    final void setPosition(int v, double x, double y, double z) {
+        position[3 * v] = x;
+        position[3 * v + 1] = y;
+        position[3 * v + 2] = z;
+    }
+
+    /** Removes the triangle whose first half-edge is t. */
     final void removeTriangle(int t) {
         Arrays.fill(start, t, t + 3, NONE);
         Arrays.fill(flipChecked, t, t + 3, true);
-        if (freeTriangleCount == freeTriangles.length) {
-            freeTriangles = Arrays.copyOf(freeTriangles, 2 * freeTriangleCount);
-        }
-        freeTriangles[freeTriangleCount++] = t;
+        freeTriangles.add(t);
     }
 
-    /** Takes a vertex out that nothing meets. */
+    /** Removes a vertex that no triangle uses. */
     final void removeVertex(int v) {
-        releaseVertex(v);
-        vertexCount--;
-    }
-
-    private void releaseVertex(int v) {
         out[v] = NONE;
-        if (freeVertexCount == freeVertices.length) {
-            freeVertices = Arrays.copyOf(freeVertices, 2 * freeVertexCount);
-        }
-        freeVertices[freeVertexCount++] = v;
+        freeVertices.add(v);
+        vertexCount--;
     }
 
     TriangleMesh toMesh() {
@@ -393,13 +372,10 @@ abstract class HalfEdges {
                 name[v] = n++;
             }
         }
-        int[] t = new int[3 * triangleEnd];
-        int length = 0;
-        for (int h = 0; h < 3 * triangleEnd; h++) {
-            if (start[h] != NONE) {
-                t[length++] = name[start[h]];
-            }
-        }
-        return new TriangleMesh(p, Arrays.copyOf(t, length));
+        int[] t = Arrays.stream(start, 0, 3 * triangleEnd)
+                .filter(v -> v != NONE)
+                .map(v -> name[v])
+                .toArray();
+        return new TriangleMesh(p, t);
     }
 }

@@ -25,9 +25,11 @@ final class Quadrics {
         this.origin = origin.clone();
     }
 
-    /** Adds to vertex {@code v} the plane through (x, y, z) with a unit normal. */
-    void add(int v, double nx, double ny, double nz, double px, double py, double pz, double weight) {
-        double d = -(nx * (px - origin[0]) + ny * (py - origin[1]) + nz * (pz - origin[2]));
+    /** Adds to vertex {@code v} the plane with a unit normal through a point of an array. */
+    void add(int v, double nx, double ny, double nz, double[] points, int point, double weight) {
+        double d = -(nx * (points[3 * point] - origin[0])
+                + ny * (points[3 * point + 1] - origin[1])
+                + nz * (points[3 * point + 2] - origin[2]));
         int o = WIDTH * v;
         q[o] += weight * nx * nx;
         q[o + 1] += weight * nx * ny;

@@ -1,7 +1,7 @@
 package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
-import org.phrenic.engine.math.RadixSort;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
@@ -46,7 +46,6 @@ public final class Remesher {
     private final EdgeFlipper flipper;
     private final VertexRelaxer relaxer;
     private double length;
-    private long[] queue = new long[1024];
 
     private Remesher(TriangleMesh original, int vertices) {
         this.original = original;
@@ -168,19 +167,15 @@ public final class Remesher {
     }
 
     private static TriangleMesh linesOf(HalfEdgeMesh mesh) {
-        int[] t = new int[3 * 16];
-        int length = 0;
+        IntList t = new IntList();
         for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
-            if (mesh.twin[h] == HalfEdgeMesh.NONE || (mesh.isCrease(h) && mesh.isPrimary(h))) {
-                if (length == t.length) {
-                    t = Arrays.copyOf(t, 2 * length);
-                }
-                t[length++] = mesh.start[h];
-                t[length++] = mesh.end(h);
-                t[length++] = mesh.end(h);
+            if (mesh.twin[h] == HalfEdges.NONE || (mesh.crease[h] && mesh.isPrimary(h))) {
+                t.add(mesh.start[h]);
+                t.add(mesh.end(h));
+                t.add(mesh.end(h));
             }
         }
-        return new TriangleMesh(Arrays.copyOf(mesh.position, 3 * mesh.vertexEnd), Arrays.copyOf(t, length));
+        return new TriangleMesh(Arrays.copyOf(mesh.position, 3 * mesh.vertexEnd), t.toArray());
     }
 
     private void splitLong(double longest) {
@@ -194,21 +189,9 @@ public final class Remesher {
 
     /** Splits edges longer than {@code above} in the middle, longest first, up to a number of vertices. */
     private int splitLongest(double above, int mostVertices) {
-        int length = 0;
-        for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
-            if (mesh.isPrimary(h)) {
-                double square = mesh.squareLength(h);
-                if (square > above * above) {
-                    if (length == queue.length) {
-                        queue = Arrays.copyOf(queue, 2 * length);
-                    }
-                    queue[length++] = (long) -Float.floatToRawIntBits((float) square) << 32 | h;
-                }
-            }
-        }
-        RadixSort.sort(queue, length);
+        long[] queue = mesh.sortedEdges(above * above, Double.POSITIVE_INFINITY, true);
         int done = 0;
-        for (int k = 0; k < length && mesh.vertexCount() < mostVertices; k++) {
+        for (int k = 0; k < queue.length && mesh.vertexCount() < mostVertices; k++) {
             int h = (int) queue[k];
             if (mesh.squareLength(h) > above * above) {
                 splitInMiddle(h);

@@ -1,6 +1,7 @@
 package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -37,20 +38,12 @@ final class SeamStitcher {
     /** The vertices that have an edge with one triangle, in their order. */
     private static int[] boundaryVertices(TriangleMesh mesh, EdgeTable edges) {
         boolean[] open = new boolean[mesh.vertexCount()];
-        int count = 0;
         for (int e = 0; e < edges.edgeCount(); e++) {
-            for (int k = 2 * e; edges.faceCount(e) == 1 && k < 2 * e + 2; k++) {
-                count += open[edges.edges()[k]] ? 0 : 1;
-                open[edges.edges()[k]] = true;
+            if (edges.faceCount(e) == 1) {
+                open[edges.edges()[2 * e]] = true;
+                open[edges.edges()[2 * e + 1]] = true;
             }
         }
-        int[] rim = new int[count];
-        int next = 0;
-        for (int v = 0; v < open.length; v++) {
-            if (open[v]) {
-                rim[next++] = v;
-            }
-        }
-        return rim;
+        return IntStream.range(0, open.length).filter(v -> open[v]).toArray();
     }
 }

@@ -20,6 +20,7 @@ final class VertexRelaxer {
     private final TriangleTree surface;
     private final TriangleTree lines;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final MovedTriangle moved = new MovedTriangle();
 
     /**
      * @param surface the original surface
@@ -58,7 +59,7 @@ final class VertexRelaxer {
             mesh.collectRing(v);
             int triangles = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
             if (keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
-                setPosition(v, hit.x, hit.y, hit.z);
+                mesh.setPosition(v, hit.x, hit.y, hit.z);
             }
         }
     }
@@ -119,43 +120,20 @@ final class VertexRelaxer {
         double z = vz + gz - along * nz;
         // A vertex that lay on the surface is no farther from it than it has moved: most searches end in that small
         // ball.
-        double moved = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
-        boolean found = surface.closest(x, y, z, Math.min(reach, moved), nx, ny, nz, SAME_SIDE, hit)
+        double step = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
+        boolean found = surface.closest(x, y, z, Math.min(reach, step), nx, ny, nz, SAME_SIDE, hit)
                 || surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit);
         if (found && keepsSides(v, size, hit.x, hit.y, hit.z)) {
-            setPosition(v, hit.x, hit.y, hit.z);
+            mesh.setPosition(v, hit.x, hit.y, hit.z);
         }
-    }
-
-    private void setPosition(int v, double x, double y, double z) {
-        mesh.position[3 * v] = x;
-        mesh.position[3 * v + 1] = y;
-        mesh.position[3 * v + 2] = z;
     }
 
     /** Whether each triangle of the gathered ring keeps its side when v moves to (x, y, z). */
     private boolean keepsSides(int v, int triangles, double x, double y, double z) {
         double[] p = mesh.position;
         for (int i = 0; i < triangles; i++) {
-            int b = 3 * mesh.ring[i];
-            int c = 3 * mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1];
-            double ex = p[c] - p[b];
-            double ey = p[c + 1] - p[b + 1];
-            double ez = p[c + 2] - p[b + 2];
-            double ux = p[3 * v] - p[b];
-            double uy = p[3 * v + 1] - p[b + 1];
-            double uz = p[3 * v + 2] - p[b + 2];
-            double wx = x - p[b];
-            double wy = y - p[b + 1];
-            double wz = z - p[b + 2];
-            double nx = ey * uz - ez * uy;
-            double ny = ez * ux - ex * uz;
-            double nz = ex * uy - ey * ux;
-            double mx = ey * wz - ez * wy;
-            double my = ez * wx - ex * wz;
-            double mz = ex * wy - ey * wx;
-            double both = Math.sqrt((nx * nx + ny * ny + nz * nz) * (mx * mx + my * my + mz * mz));
-            if (nx * mx + ny * my + nz * mz < LEAST_COSINE * both) {
+            moved.set(p, v, mesh.ring[i], mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1], x, y, z);
+            if (moved.dot < LEAST_COSINE * Math.sqrt(moved.before * moved.after)) {
                 return false;
             }
         }

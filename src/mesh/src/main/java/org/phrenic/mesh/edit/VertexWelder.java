@@ -1,6 +1,7 @@
 package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
+import org.phrenic.mesh.Vectors;
 
 /** Finds, for each vertex in turn, the nearest earlier kept vertex within a distance, by a hashed grid. */
 final class VertexWelder {
@@ -36,17 +37,10 @@ final class VertexWelder {
             double py = positions[3 * v + 1];
             double pz = positions[3 * v + 2];
             int best = v;
-            double bestSquare = tolerance * tolerance;
             for (long x = cellOf(px - reach); x <= cellOf(px + reach); x++) {
                 for (long y = cellOf(py - reach); y <= cellOf(py + reach); y++) {
                     for (long z = cellOf(pz - reach); z <= cellOf(pz + reach); z++) {
-                        for (int other = head[slot(x, y, z)]; other >= 0; other = chain[other]) {
-                            double square = squareDistance(v, other);
-                            if (square < bestSquare || (square == bestSquare && other < best)) {
-                                best = other;
-                                bestSquare = square;
-                            }
-                        }
+                        best = nearest(v, best, head[slot(x, y, z)]);
                     }
                 }
             }
@@ -60,7 +54,21 @@ final class VertexWelder {
         return keeper;
     }
 
-    /** With no tolerance a cell is one number, whose bits name it; -0 is 0. */
+    /** The vertex nearest to {@code v} within the tolerance among a candidate (v itself: none) and the chain from {@code first}. */
+    private int nearest(int v, int candidate, int first) {
+        int best = candidate;
+        double bestSquare = best == v ? tolerance * tolerance : Vectors.squaredDistance(positions, v, best);
+        for (int other = first; other >= 0; other = chain[other]) {
+            double square = Vectors.squaredDistance(positions, v, other);
+            if (square < bestSquare || (square == bestSquare && other < best)) {
+                best = other;
+                bestSquare = square;
+            }
+        }
+        return best;
+    }
+
+    /** The cell of a coordinate; without tolerance the bits of the number, those of 0 for -0. */
     private long cellOf(double coordinate) {
         if (!(tolerance > 0)) {
             return Double.doubleToLongBits(coordinate + 0.0);
@@ -77,10 +85,4 @@ final class VertexWelder {
         return (int) (h >>> 33) & (head.length - 1);
     }
 
-    private double squareDistance(int a, int b) {
-        double dx = positions[3 * a] - positions[3 * b];
-        double dy = positions[3 * a + 1] - positions[3 * b + 1];
-        double dz = positions[3 * a + 2] - positions[3 * b + 2];
-        return dx * dx + dy * dy + dz * dz;
-    }
 }

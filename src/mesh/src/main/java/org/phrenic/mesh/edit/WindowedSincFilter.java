@@ -164,7 +164,7 @@ public final class WindowedSincFilter {
      * @param start neighbours of vertex v lie from start[v] to before start[v + 1]; a vertex without any stays
      */
     public static double[] filter(double[] positions, int[] start, int[] neighbours, double[] c) {
-        double[] centre = centre(positions);
+        double[] centre = new TriangleMesh(positions, new int[0]).centre();
         double[] before = new double[positions.length];
         for (int i = 0; i < positions.length; i++) {
             // About the middle of the body, so that a sum of factors that is not quite 1 moves nothing.
@@ -179,7 +179,12 @@ public final class WindowedSincFilter {
         }
         double[] next = new double[positions.length];
         for (int n = 2; n < c.length; n++) {
-            addTerm(c[n], before, now, start, neighbours, next, sum);
+            // T_n = 2 (now - L now / 2) - before
+            umbrella(now, start, neighbours, next);
+            for (int i = 0; i < next.length; i++) {
+                next[i] = 2 * now[i] - next[i] - before[i];
+                sum[i] += c[n] * next[i];
+            }
             double[] swap = before;
             before = now;
             now = next;
@@ -209,44 +214,5 @@ public final class WindowedSincFilter {
             out[3 * v + 1] = count == 0 ? 0 : p[3 * v + 1] - y / count;
             out[3 * v + 2] = count == 0 ? 0 : p[3 * v + 2] - z / count;
         }
-    }
-
-    /**
-     * The next term of the Chebyshev recursion, T = 2 (now - umbrella(now) / 2) - before, and its share of the sum, in
-     * one pass.
-     */
-    private static void addTerm(
-            double c, double[] before, double[] now, int[] start, int[] neighbours, double[] next, double[] sum) {
-        for (int v = 0; v + 1 < start.length; v++) {
-            double x = 0;
-            double y = 0;
-            double z = 0;
-            int count = start[v + 1] - start[v];
-            for (int k = start[v]; k < start[v + 1]; k++) {
-                int o = 3 * neighbours[k];
-                x += now[o];
-                y += now[o + 1];
-                z += now[o + 2];
-            }
-            int i = 3 * v;
-            double tx = 2 * now[i] - (count == 0 ? 0 : now[i] - x / count) - before[i];
-            double ty = 2 * now[i + 1] - (count == 0 ? 0 : now[i + 1] - y / count) - before[i + 1];
-            double tz = 2 * now[i + 2] - (count == 0 ? 0 : now[i + 2] - z / count) - before[i + 2];
-            next[i] = tx;
-            next[i + 1] = ty;
-            next[i + 2] = tz;
-            sum[i] += c * tx;
-            sum[i + 1] += c * ty;
-            sum[i + 2] += c * tz;
-        }
-    }
-
-    private static double[] centre(double[] positions) {
-        double[] box = new TriangleMesh(positions, new int[0]).bounds();
-        double[] centre = new double[3];
-        for (int k = 0; k < 3 && positions.length > 0; k++) {
-            centre[k] = (box[k] + box[3 + k]) / 2;
-        }
-        return centre;
     }
 }

@@ -1,2 +1,5 @@
-/** Operations that make a mesh of a mesh: repair, remeshing, decimation, smoothing, welding. */
+/**
+ * Operations that make a new triangle mesh of another: repair, remeshing, decimation, smoothing, separation into components. Half-edge
+ * structures stay in here.
+ */
 package org.phrenic.mesh.edit;

@@ -1,8 +1,9 @@
 package org.phrenic.mesh.io;
 
-import java.util.Arrays;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputLocator;
+import org.phrenic.mesh.DoubleList;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -11,30 +12,22 @@ import org.phrenic.mesh.TriangleMesh;
  * vertices.
  */
 final class PolygonSoup {
-    private double[] positions = new double[192];
-    private int coordinateCount;
-    private int[] corners = new int[192];
-    private int cornerCount;
-    private int[] polygonEnds = new int[64];
-    private int polygonCount;
+    private final DoubleList positions = new DoubleList();
+    private final IntList corners = new IntList();
+    private final IntList polygonEnds = new IntList();
     private long highestCorner = -1;
     private long highestPlace;
     private InputLocator highestSource;
 
     int vertexCount() {
-        return coordinateCount / 3;
+        return positions.size() / 3;
     }
 
     void vertex(InputLocator source, double x, double y, double z) {
         if (!(Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z))) {
             throw source.badInput("found vertex (" + x + ", " + y + ", " + z + "), expected three finite coordinates");
         }
-        if (coordinateCount + 3 > positions.length) {
-            positions = Arrays.copyOf(positions, grown(positions.length));
-        }
-        positions[coordinateCount++] = x;
-        positions[coordinateCount++] = y;
-        positions[coordinateCount++] = z;
+        positions.add(x, y, z);
     }
 
     /** One more corner of the polygon that {@link #closePolygon} ends; {@code vertex} counts from 0. */
@@ -47,21 +40,19 @@ final class PolygonSoup {
             highestPlace = source.location();
             highestSource = source;
         }
-        if (cornerCount == corners.length) {
-            corners = Arrays.copyOf(corners, grown(corners.length));
-        }
-        corners[cornerCount++] = (int) vertex;
+        corners.add((int) vertex);
     }
 
     void closePolygon(InputLocator source) {
-        int begin = polygonCount == 0 ? 0 : polygonEnds[polygonCount - 1];
-        if (cornerCount - begin < 3) {
-            throw source.badInput("found a face of " + (cornerCount - begin) + " corners, expected 3 or more");
+        int size = corners.size() - polygonStart(polygonEnds.size());
+        if (size < 3) {
+            throw source.badInput("found a face of " + size + " corners, expected 3 or more");
         }
-        if (polygonCount == polygonEnds.length) {
-            polygonEnds = Arrays.copyOf(polygonEnds, grown(polygonEnds.length));
-        }
-        polygonEnds[polygonCount++] = cornerCount;
+        polygonEnds.add(corners.size());
+    }
+
+    private int polygonStart(int polygon) {
+        return polygon == 0 ? 0 : polygonEnds.get(polygon - 1);
     }
 
     /** Triangle {@code a b c}. */
@@ -72,6 +63,25 @@ final class PolygonSoup {
         closePolygon(source);
     }
 
+    /** The polygon {@code points[from..to)}. */
+    void polygon(InputLocator source, long[] points, int from, int to) {
+        for (int i = from; i < to; i++) {
+            corner(source, points[i]);
+        }
+        closePolygon(source);
+    }
+
+    /** The triangle strip {@code points[from..to)}; every second triangle is reversed, so that all face the same way. */
+    void strip(InputLocator source, long[] points, int from, int to) {
+        if (to - from < 3) {
+            throw source.badInput("found a strip of " + (to - from) + " points, expected 3 or more");
+        }
+        for (int i = from; i + 2 < to; i++) {
+            int odd = (i - from) % 2;
+            triangle(source, points[i + odd], points[i + 1 - odd], points[i + 2]);
+        }
+    }
+
     /** The mesh, polygons cut into triangles in the order they came. */
     TriangleMesh toMesh(String file) {
         if (highestCorner >= vertexCount()) {
@@ -80,21 +90,17 @@ final class PolygonSoup {
                     "found vertex index " + highestCorner + " (counted from 0), expected one below the " + vertexCount()
                             + " vertices of the file");
         }
-        if (polygonCount == 0) {
+        if (polygonEnds.isEmpty()) {
             throw new BadInputException(file + ": found no triangles, expected a surface of at least one");
         }
-        double[] vertices = Arrays.copyOf(positions, coordinateCount);
-        int[] triangles = new int[3 * (cornerCount - 2 * polygonCount)];
+        double[] vertices = positions.toArray();
+        int[] all = corners.toArray();
+        int[] triangles = new int[3 * (all.length - 2 * polygonEnds.size())];
         int filled = 0;
-        int begin = 0;
-        for (int p = 0; p < polygonCount; p++) {
-            filled = PolygonTriangulator.triangulate(vertices, corners, begin, polygonEnds[p], triangles, filled);
-            begin = polygonEnds[p];
+        for (int p = 0; p < polygonEnds.size(); p++) {
+            filled = PolygonTriangulator.triangulate(
+                    vertices, all, polygonStart(p), polygonEnds.get(p), triangles, filled);
         }
         return new TriangleMesh(vertices, triangles);
-    }
-
-    private static int grown(int length) {
-        return (int) Math.min(2L * length, Integer.MAX_VALUE - 8);
     }
 }

@@ -10,47 +10,32 @@ import org.phrenic.file.ScalarType;
  * version 5.1, OFFSETS and CONNECTIVITY.
  */
 final class VtkCells {
-    private enum Kind {
-        POLYGONS,
-        STRIPS,
-        SKIPPED
+    /** Takes the points of one cell, {@code points[from..to)}. */
+    interface Cells {
+        void add(InputLocator source, long[] points, int from, int to);
     }
 
     private final ByteCursor cursor;
-    private final PolygonSoup soup;
     private final boolean offsetLayout;
 
-    VtkCells(ByteCursor cursor, PolygonSoup soup, boolean offsetLayout) {
+    VtkCells(ByteCursor cursor, boolean offsetLayout) {
         this.cursor = cursor;
-        this.soup = soup;
         this.offsetLayout = offsetLayout;
     }
 
-    void readPolygons() {
-        read(Kind.POLYGONS);
-    }
-
-    void readStrips() {
-        read(Kind.STRIPS);
-    }
-
-    /** Vertices and lines: checked for their length, otherwise passed over. */
-    void skip() {
-        read(Kind.SKIPPED);
-    }
-
-    private void read(Kind kind) {
+    /** Reads one section. */
+    void read(Cells out) {
         int first = cursor.count("the number of cells");
         int second = cursor.count("the size of the cells");
         cursor.lineOrNull();
         if (offsetLayout) {
-            readOffsetLayout(kind, first, second);
+            readOffsetLayout(out, first, second);
         } else {
-            readClassic(kind, first, second);
+            readClassic(out, first, second);
         }
     }
 
-    private void readClassic(Kind kind, int cells, int size) {
+    private void readClassic(Cells out, int cells, int size) {
         cursor.requireValues(size, ScalarType.INT32, cells + " cells");
         long left = size;
         for (int c = 0; c < cells; c++) {
@@ -64,14 +49,14 @@ final class VtkCells {
             for (int i = 0; i < length; i++) {
                 points[i] = cursor.readLong(ScalarType.INT32, "a point index");
             }
-            add(kind, cursor, points, 0, points.length);
+            out.add(cursor, points, 0, points.length);
         }
         if (left != 0) {
             throw cursor.badInput("found cells that leave " + left + " of " + size + " numbers, expected none left");
         }
     }
 
-    private void readOffsetLayout(Kind kind, int offsetCount, int connectivityCount) {
+    private void readOffsetLayout(Cells out, int offsetCount, int connectivityCount) {
         if (offsetCount == 0) {
             return;
         }
@@ -91,7 +76,7 @@ final class VtkCells {
                         "found offset " + offsets[c + 1] + " after " + offsets[c]
                                 + ", expected offsets that grow up to " + connectivityCount);
             }
-            add(kind, cursor, connectivity, (int) offsets[c], (int) offsets[c + 1]);
+            out.add(cursor, connectivity, (int) offsets[c], (int) offsets[c + 1]);
         }
     }
 
@@ -112,33 +97,5 @@ final class VtkCells {
             values[i] = cursor.readLong(type, "a number of " + keyword);
         }
         return values;
-    }
-
-    private void add(Kind kind, InputLocator source, long[] points, int from, int to) {
-        switch (kind) {
-            case POLYGONS -> addPolygon(soup, source, points, from, to);
-            case STRIPS -> addStrip(soup, source, points, from, to);
-            case SKIPPED -> {
-                // Vertices and lines are no part of a surface.
-            }
-        }
-    }
-
-    static void addPolygon(PolygonSoup soup, InputLocator source, long[] points, int from, int to) {
-        for (int i = from; i < to; i++) {
-            soup.corner(source, points[i]);
-        }
-        soup.closePolygon(source);
-    }
-
-    /** Every second triangle of a strip is turned over, so that all face the same way. */
-    static void addStrip(PolygonSoup soup, InputLocator source, long[] points, int from, int to) {
-        if (to - from < 3) {
-            throw source.badInput("found a strip of " + (to - from) + " points, expected 3 or more");
-        }
-        for (int i = from; i + 2 < to; i++) {
-            int odd = (i - from) % 2;
-            soup.triangle(source, points[i + odd], points[i + 1 - odd], points[i + 2]);
-        }
     }
 }

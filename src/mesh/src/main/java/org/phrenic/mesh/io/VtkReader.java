@@ -46,7 +46,7 @@ final class VtkReader {
             }
             default -> throw cursor.badInput("found " + Numbers.quote(encoding) + ", expected ASCII or BINARY");
         }
-        return new VtkCells(cursor, soup, version >= 5.1);
+        return new VtkCells(cursor, version >= 5.1);
     }
 
     private void readSections(VtkCells cells) {
@@ -65,9 +65,12 @@ final class VtkReader {
                     datasetSeen = true;
                 }
                 case "POINTS" -> readPoints();
-                case "POLYGONS" -> cells.readPolygons();
-                case "TRIANGLE_STRIPS" -> cells.readStrips();
-                case "VERTICES", "LINES" -> cells.skip();
+                case "POLYGONS" -> cells.read(soup::polygon);
+                case "TRIANGLE_STRIPS" -> cells.read(soup::strip);
+                case "VERTICES", "LINES" ->
+                    cells.read((source, points, from, to) -> {
+                        // No part of a surface.
+                    });
                 case "FIELD" -> VtkField.skip(cursor);
                 case "METADATA" -> VtkField.skipMetadata(cursor);
                 case "POINT_DATA", "CELL_DATA" -> {

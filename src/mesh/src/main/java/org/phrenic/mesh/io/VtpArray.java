@@ -1,8 +1,11 @@
 package org.phrenic.mesh.io;
 
+import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.util.OptionalDouble;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Collections;
 import java.util.StringTokenizer;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
@@ -10,17 +13,15 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputLocator;
 import org.phrenic.file.Numbers;
 
-/** The values of one DataArray of a VTP file, decoded from any of its formats. */
+/** The values of one DataArray of a VTP file, decoded from any of its formats; a location is the index of a value. */
 final class VtpArray implements InputLocator {
-    /**
-     * Deflate cannot shrink data more than this (zlib.net, "Technical details"): a header that promises more is wrong.
-     */
+    /** Deflate compresses data at most this far (zlib.net, "Technical details"). */
     private static final long LARGEST_RATIO = 1032;
 
     private final String file;
     private final VtpDocument document;
     private final VtpDocument.DataArray array;
-    private long place;
+    private long index;
 
     VtpArray(String file, VtpDocument document, VtpDocument.DataArray array) {
         this.file = file;
@@ -28,14 +29,13 @@ final class VtpArray implements InputLocator {
         this.array = array;
     }
 
-    /** The index of the value spoken about. */
     @Override
     public long location() {
-        return place;
+        return index;
     }
 
-    void setIndex(long index) {
-        place = index;
+    void setIndex(long value) {
+        index = value;
     }
 
     @Override
@@ -51,57 +51,57 @@ final class VtpArray implements InputLocator {
     /** The values as real numbers; those from binary data may be NaN. */
     double[] doubles(byte[] bytes) {
         if (array.format().equals("ascii")) {
-            StringTokenizer words = new StringTokenizer(array.text());
-            double[] values = new double[words.countTokens()];
+            String[] words = words();
+            double[] values = new double[words.length];
             for (int i = 0; i < values.length; i++) {
-                String word = words.nextToken();
-                OptionalDouble value = Numbers.parse(word);
-                if (value.isEmpty()) {
-                    throw badInput(i, "found " + Numbers.quote(word) + ", expected a finite number");
-                }
-                values[i] = value.getAsDouble();
+                String word = words[i];
+                int at = i;
+                values[i] = Numbers.parse(word)
+                        .orElseThrow(
+                                () -> badInput(at, "found " + Numbers.quote(word) + ", expected a finite number"));
             }
             return values;
         }
         ByteBuffer content = content(bytes);
-        int size = array.type().size();
-        double[] values = new double[content.capacity() / size];
+        double[] values = new double[content.capacity() / array.type().size()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = array.type().readDouble(content, i * size);
+            values[i] = array.type().readDouble(content, i * array.type().size());
         }
         return values;
     }
 
-    /** The values as whole numbers. */
+    /** The values as integers. */
     long[] longs(byte[] bytes) {
         if (!array.type().isInteger()) {
             throw badArray("found real numbers, expected a whole-number type");
         }
         if (array.format().equals("ascii")) {
-            StringTokenizer words = new StringTokenizer(array.text());
-            long[] values = new long[words.countTokens()];
+            String[] words = words();
+            long[] values = new long[words.length];
             for (int i = 0; i < values.length; i++) {
-                String word = words.nextToken();
                 try {
-                    values[i] = Long.parseLong(word);
+                    values[i] = Long.parseLong(words[i]);
                 } catch (NumberFormatException notWhole) {
-                    throw badInput(i, "found " + Numbers.quote(word) + ", expected a whole number");
+                    throw badInput(i, "found " + Numbers.quote(words[i]) + ", expected a whole number");
                 }
             }
             return values;
         }
         ByteBuffer content = content(bytes);
-        int size = array.type().size();
-        long[] values = new long[content.capacity() / size];
+        long[] values = new long[content.capacity() / array.type().size()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = array.type().readLong(content, i * size);
+            values[i] = array.type().readLong(content, i * array.type().size());
         }
         return values;
     }
 
+    private String[] words() {
+        return Collections.list(new StringTokenizer(array.text())).toArray(String[]::new);
+    }
+
     private ByteBuffer content(byte[] bytes) {
-        VtpBytes source = source(bytes);
-        byte[] content = document.compressed() ? inflated(source) : plain(source);
+        ByteBuffer encoded = encoded(bytes);
+        byte[] content = document.compressed() ? inflated(encoded) : take(encoded, headerNumber(encoded));
         if (content.length % array.type().size() != 0) {
             throw badArray("found " + content.length + " bytes, expected a multiple of "
                     + array.type().size());
@@ -109,9 +109,9 @@ final class VtpArray implements InputLocator {
         return ByteBuffer.wrap(content).order(document.order());
     }
 
-    private VtpBytes source(byte[] bytes) {
+    private ByteBuffer encoded(byte[] bytes) {
         if (array.format().equals("binary")) {
-            return VtpBytes.base64(array.text().getBytes(StandardCharsets.ISO_8859_1), 0);
+            return base64(array.text().getBytes(StandardCharsets.ISO_8859_1), 0);
         }
         if (document.appended() < 0) {
             throw badArray("found format 'appended', expected the file to hold AppendedData");
@@ -121,29 +121,28 @@ final class VtpArray implements InputLocator {
             throw badArray("found offset " + array.offset() + ", expected one within the "
                     + (bytes.length - document.appended()) + " bytes of appended data");
         }
-        return document.appendedRaw() ? VtpBytes.raw(bytes, (int) from) : VtpBytes.base64(bytes, (int) from);
+        return document.appendedRaw()
+                ? ByteBuffer.wrap(bytes, (int) from, (int) (bytes.length - from))
+                : base64(bytes, (int) from);
     }
 
-    private byte[] plain(VtpBytes source) {
-        return take(source, headerNumber(source));
-    }
-
-    private byte[] inflated(VtpBytes source) {
-        long blocks = headerNumber(source);
-        long blockSize = headerNumber(source);
-        long lastSize = headerNumber(source);
+    /** zlib blocks: their number, the size of each, that of the last or 0, their compressed sizes, then the blocks. */
+    private byte[] inflated(ByteBuffer encoded) {
+        long blocks = headerNumber(encoded);
+        long blockSize = headerNumber(encoded);
+        long lastSize = headerNumber(encoded);
         if (blocks == 0) {
             return new byte[0];
         }
-        if (blocks < 0 || blocks > source.remaining() / document.headerType().size()) {
+        if (blocks < 0 || blocks > encoded.remaining() / document.headerType().size()) {
             throw badArray("found " + blocks + " compressed blocks promised, expected what the file can hold");
         }
         long[] packed = new long[(int) blocks];
         long packedTotal = 0;
         for (int b = 0; b < blocks; b++) {
-            packed[b] = headerNumber(source);
+            packed[b] = headerNumber(encoded);
             packedTotal += packed[b];
-            if (packed[b] < 0 || packedTotal > source.remaining()) {
+            if (packed[b] < 0 || packedTotal > encoded.remaining()) {
                 throw badArray("found the end of the data, expected " + blocks + " compressed blocks");
             }
         }
@@ -157,7 +156,7 @@ final class VtpArray implements InputLocator {
         int filled = 0;
         for (int b = 0; b < blocks; b++) {
             int expected = (int) (b == blocks - 1 && lastSize > 0 ? lastSize : blockSize);
-            inflate(take(source, packed[b]), content, filled, expected);
+            inflate(take(encoded, packed[b]), content, filled, expected);
             filled += expected;
         }
         return content;
@@ -190,16 +189,49 @@ final class VtpArray implements InputLocator {
         }
     }
 
-    private long headerNumber(VtpBytes source) {
-        byte[] number = take(source, document.headerType().size());
+    private long headerNumber(ByteBuffer encoded) {
+        byte[] number = take(encoded, document.headerType().size());
         return document.headerType().readLong(ByteBuffer.wrap(number).order(document.order()), 0);
     }
 
-    private byte[] take(VtpBytes source, long count) {
-        byte[] taken = count < 0 || count > source.remaining() ? null : source.take((int) count);
-        if (taken == null) {
+    private byte[] take(ByteBuffer encoded, long count) {
+        if (count < 0 || count > encoded.remaining()) {
             throw badArray("found the end of the data, expected " + count + " more bytes");
         }
+        byte[] taken = new byte[(int) count];
+        encoded.get(taken);
         return taken;
+    }
+
+    /**
+     * Decodes base64 (RFC 4648) from a place on, up to the first character that is not part of it; white space is skipped. Padding
+     * does not end the content: VTK encodes the header of compressed data separately from the data that follows it.
+     */
+    private static ByteBuffer base64(byte[] content, int from) {
+        ByteArrayOutputStream decoded = new ByteArrayOutputStream();
+        byte[] segment = new byte[content.length - from];
+        int length = 0;
+        for (int i = from; i < content.length; i++) {
+            byte c = content[i];
+            if (c >= 0 && c <= ' ') {
+                continue;
+            }
+            boolean afterPadding = length % 4 != 0 && segment[length - 1] == '=';
+            if (c == '=' ? length % 4 < 2 : afterPadding || !isBase64(c)) {
+                break;
+            }
+            segment[length++] = c;
+            if (c == '=' && length % 4 == 0) {
+                decoded.writeBytes(Base64.getDecoder().decode(Arrays.copyOf(segment, length)));
+                length = 0;
+            }
+        }
+        decoded.writeBytes(Base64.getDecoder().decode(Arrays.copyOf(segment, length - length % 4)));
+        return ByteBuffer.wrap(decoded.toByteArray());
+    }
+
+    private static boolean isBase64(byte c) {
+        boolean letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+        return letter || (c >= '0' && c <= '9') || c == '+' || c == '/';
     }
 }

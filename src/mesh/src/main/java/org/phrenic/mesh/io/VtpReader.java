@@ -77,9 +77,9 @@ final class VtpReader {
             }
             cornerArray.setIndex(begin);
             if (section.equals("Polys")) {
-                VtkCells.addPolygon(soup, cornerArray, corners, (int) begin, (int) offsets[c]);
+                soup.polygon(cornerArray, corners, (int) begin, (int) offsets[c]);
             } else {
-                VtkCells.addStrip(soup, cornerArray, corners, (int) begin, (int) offsets[c]);
+                soup.strip(cornerArray, corners, (int) begin, (int) offsets[c]);
             }
             begin = offsets[c];
         }

@@ -6,6 +6,7 @@ import java.io.SequenceInputStream;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import javax.xml.stream.XMLInputFactory;
@@ -18,7 +19,6 @@ import org.phrenic.file.ScalarType;
 
 /** Reads the XML part of a VTP file; raw appended data is no XML, so it is cut off before the parser sees it. */
 final class VtpXml {
-    private static final byte[] APPENDED_TAG = "<AppendedData".getBytes(StandardCharsets.US_ASCII);
     private static final String TAIL = "</AppendedData></VTKFile>";
 
     private final String file;
@@ -72,26 +72,16 @@ final class VtpXml {
     }
 
     private int appendedTagEnd() {
-        for (int i = 0; i + APPENDED_TAG.length < bytes.length; i++) {
-            int matched = 0;
-            while (matched < APPENDED_TAG.length && bytes[i + matched] == APPENDED_TAG[matched]) {
-                matched++;
-            }
-            if (matched == APPENDED_TAG.length) {
-                int end = i + matched;
-                while (end < bytes.length && bytes[end] != '>') {
-                    end++;
-                }
-                return Math.min(end + 1, bytes.length);
-            }
-        }
-        return -1;
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        int tag = text.indexOf("<AppendedData");
+        int end = tag < 0 ? -1 : text.indexOf('>', tag);
+        return tag < 0 ? -1 : end < 0 ? bytes.length : end + 1;
     }
 
     private void readDocument() throws XMLStreamException {
         while (xml.hasNext()) {
             switch (xml.next()) {
-                case XMLStreamConstants.DTD -> throw bad("found a DOCTYPE, expected none in a VTP file");
+                case XMLStreamConstants.DTD -> throw badInput("found a DOCTYPE, expected none in a VTP file");
                 case XMLStreamConstants.START_ELEMENT -> startElement(xml.getLocalName());
                 case XMLStreamConstants.END_ELEMENT -> {
                     if (xml.getLocalName().equals("Piece")) {
@@ -140,24 +130,24 @@ final class VtpXml {
         rootSeen = true;
         String type = attribute("type", "");
         if (!name.equals("VTKFile") || !type.equals("PolyData")) {
-            throw bad("found <" + name + " type=" + Numbers.quote(type) + ">, expected <VTKFile type='PolyData'>");
+            throw badInput("found <" + name + " type=" + Numbers.quote(type) + ">, expected <VTKFile type='PolyData'>");
         }
         String byteOrder = attribute("byte_order", "LittleEndian");
         order = switch (byteOrder) {
             case "LittleEndian" -> ByteOrder.LITTLE_ENDIAN;
             case "BigEndian" -> ByteOrder.BIG_ENDIAN;
             default ->
-                throw bad("found byte_order " + Numbers.quote(byteOrder) + ", expected LittleEndian or BigEndian");
+                throw badInput("found byte_order " + Numbers.quote(byteOrder) + ", expected LittleEndian or BigEndian");
         };
         String header = attribute("header_type", "UInt32");
         headerType = switch (header) {
             case "UInt32" -> ScalarType.UINT32;
             case "UInt64" -> ScalarType.UINT64;
-            default -> throw bad("found header_type " + Numbers.quote(header) + ", expected UInt32 or UInt64");
+            default -> throw badInput("found header_type " + Numbers.quote(header) + ", expected UInt32 or UInt64");
         };
         String compressor = attribute("compressor", "");
         if (!compressor.isEmpty() && !compressor.equals("vtkZLibDataCompressor")) {
-            throw bad("found compressor " + Numbers.quote(compressor) + ", expected vtkZLibDataCompressor or none");
+            throw badInput("found compressor " + Numbers.quote(compressor) + ", expected vtkZLibDataCompressor or none");
         }
         compressed = !compressor.isEmpty();
     }
@@ -166,26 +156,16 @@ final class VtpXml {
         int line = line();
         String found = attribute("NumberOfComponents", "1");
         if (!found.equals(Integer.toString(components))) {
-            throw bad("found NumberOfComponents " + Numbers.quote(found) + " for " + key + ", expected " + components);
+            throw badInput("found NumberOfComponents " + Numbers.quote(found) + " for " + key + ", expected " + components);
         }
         String typeName = attribute("type", "");
-        ScalarType type =
-                switch (typeName) {
-                    case "Int8" -> ScalarType.INT8;
-                    case "UInt8" -> ScalarType.UINT8;
-                    case "Int16" -> ScalarType.INT16;
-                    case "UInt16" -> ScalarType.UINT16;
-                    case "Int32" -> ScalarType.INT32;
-                    case "UInt32" -> ScalarType.UINT32;
-                    case "Int64" -> ScalarType.INT64;
-                    case "UInt64" -> ScalarType.UINT64;
-                    case "Float32" -> ScalarType.FLOAT32;
-                    case "Float64" -> ScalarType.FLOAT64;
-                    default -> throw bad("found type " + Numbers.quote(typeName) + ", expected Int8 to Float64");
-                };
+        ScalarType type = Arrays.stream(ScalarType.values())
+                .filter(t -> t.name().equalsIgnoreCase(typeName))
+                .findFirst()
+                .orElseThrow(() -> badInput("found type " + Numbers.quote(typeName) + ", expected Int8 to Float64"));
         String format = attribute("format", "ascii");
         if (!format.equals("ascii") && !format.equals("binary") && !format.equals("appended")) {
-            throw bad("found format " + Numbers.quote(format) + ", expected ascii, binary or appended");
+            throw badInput("found format " + Numbers.quote(format) + ", expected ascii, binary or appended");
         }
         long offset = format.equals("appended") ? count("offset") : 0;
         piece.arrays().put(key, new VtpDocument.DataArray(key, type, format, offset, ownText(), line));
@@ -215,7 +195,7 @@ final class VtpXml {
     private void startAppended() {
         String encoding = attribute("encoding", "");
         if (!encoding.equals("raw") && !encoding.equals("base64")) {
-            throw bad("found encoding " + Numbers.quote(encoding) + " of AppendedData, expected raw or base64");
+            throw badInput("found encoding " + Numbers.quote(encoding) + " of AppendedData, expected raw or base64");
         }
         int at = appendedTagEnd;
         while (at < bytes.length && Character.isWhitespace(bytes[at])) {
@@ -243,14 +223,14 @@ final class VtpXml {
         } catch (NumberFormatException notWhole) {
             // Told below, like a negative count.
         }
-        throw bad("found " + name + " " + Numbers.quote(text) + ", expected a whole number, 0 or more");
+        throw badInput("found " + name + " " + Numbers.quote(text) + ", expected a whole number, 0 or more");
     }
 
     private int line() {
         return xml.getLocation().getLineNumber();
     }
 
-    private BadInputException bad(String problem) {
+    private BadInputException badInput(String problem) {
         return BadInputException.at(file, "line " + line(), problem);
     }
 }

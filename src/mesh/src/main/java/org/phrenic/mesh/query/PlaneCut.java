@@ -1,10 +1,10 @@
 package org.phrenic.mesh.query;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -98,18 +98,14 @@ public final class PlaneCut {
     }
 
     private double[] curve(long start, Map<Long, Long> next, double[] positions, double[] height) {
-        double[] points = new double[64];
-        int count = put(points, 0, start, positions, height);
-        for (Long edge = next.remove(start); edge != null; edge = next.remove(edge)) {
-            if (count + 2 > points.length) {
-                points = Arrays.copyOf(points, 2 * points.length);
-            }
-            count = put(points, count, edge, positions, height);
+        DoubleList points = new DoubleList();
+        for (Long edge = start; edge != null; edge = next.remove(edge)) {
+            add(points, edge, positions, height);
         }
-        return Arrays.copyOf(points, count);
+        return points.toArray();
     }
 
-    private int put(double[] points, int at, long edge, double[] positions, double[] height) {
+    private void add(DoubleList points, long edge, double[] positions, double[] height) {
         int a = (int) (edge >> EDGE_BITS);
         int b = (int) edge;
         double t = height[a] / (height[a] - height[b]);
@@ -117,10 +113,9 @@ public final class PlaneCut {
         for (int i = 0; i < 3; i++) {
             p[i] = positions[3 * a + i] + t * (positions[3 * b + i] - positions[3 * a + i]);
         }
-        double[] flat = project(p);
-        points[at] = flat[0];
-        points[at + 1] = flat[1];
-        return at + 2;
+        double[] projected = project(p);
+        points.add(projected[0]);
+        points.add(projected[1]);
     }
 
     private static long edge(int a, int b) {

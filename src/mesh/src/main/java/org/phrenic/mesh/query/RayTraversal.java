@@ -1,30 +1,25 @@
 package org.phrenic.mesh.query;
 
+import org.phrenic.mesh.BoundingBoxes;
+
 /**
  * A ray through the boxes and triangles of a {@link TriangleTree} (Moeller and Trumbore 1997, doi
  * 10.1080/10867651.1997.10487468). Allocates nothing.
  */
 final class RayTraversal {
+    private static final double RELATIVE_SLACK = 1e-12;
+
     private RayTraversal() {}
 
     /**
-     * Goes through the boxes that the ray meets.
+     * Follows the ray of a hit.
      *
-     * @param out its {@code along} is as far as the ray goes, in lengths of the direction; receives the first triangle
-     *     met unless {@code counting}
-     * @param counting whether all triangles are counted that the ray meets on its way
+     * @param out its {@code rayParameter} limits the ray, in lengths of the direction; receives the first triangle met unless
+     *     {@code counting}
+     * @param counting whether all triangles on the way are counted
      * @return how many were met; where not counting, how often a nearer one was found
      */
-    static int traverse(
-            TriangleTree tree,
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            TriangleTree.Hit out,
-            boolean counting) {
+    static int traverse(TriangleTree tree, TriangleTree.Hit out, boolean counting) {
         int[] stack = out.stack;
         int depth = 0;
         int met = 0;
@@ -33,7 +28,9 @@ final class RayTraversal {
         }
         while (depth > 0) {
             int node = stack[--depth];
-            if (!intersectsBox(tree.boxes, node, ox, oy, oz, dx, dy, dz, out.rayParameter)) {
+            // Quotients round, and a flat box must not lose the triangle in it.
+            if (!BoundingBoxes.meetsRay(
+                    tree.boxes, 6 * node, out.origin, out.direction, out.rayParameter, 0, RELATIVE_SLACK)) {
                 continue;
             }
             if (tree.child[node] >= 0) {
@@ -43,11 +40,14 @@ final class RayTraversal {
             }
             int first = -1 - tree.child[node];
             for (int place = first; place < first + tree.count[node]; place++) {
-                double along = intersectTriangle(tree.corners, place, ox, oy, oz, dx, dy, dz, out.weights);
-                if (along < Double.POSITIVE_INFINITY && counting) {
+                double along = intersectTriangle(tree, place, out);
+                if (along == Double.POSITIVE_INFINITY) {
+                    continue;
+                }
+                if (counting) {
                     met++;
                 } else if (along < out.rayParameter
-                        || (along == out.rayParameter && met > 0 && tree.order[place] < out.triangle)) {
+                        || (along == out.rayParameter && tree.order[place] < out.triangle)) {
                     met++;
                     out.rayParameter = along;
                     out.triangle = tree.order[place];
@@ -60,41 +60,13 @@ final class RayTraversal {
         return met;
     }
 
-    private static boolean intersectsBox(
-            double[] boxes, int node, double ox, double oy, double oz, double dx, double dy, double dz, double limit) {
-        int o = 6 * node;
-        double from = 0;
-        double to = limit;
-        for (int axis = 0; axis < 3; axis++) {
-            double origin = axis == 0 ? ox : axis == 1 ? oy : oz;
-            double direction = axis == 0 ? dx : axis == 1 ? dy : dz;
-            double low = boxes[o + axis] - origin;
-            double high = boxes[o + 3 + axis] - origin;
-            if (direction == 0) {
-                if (low > 0 || high < 0) {
-                    return false;
-                }
-                continue;
-            }
-            double t1 = low / direction;
-            double t2 = high / direction;
-            from = Math.max(from, Math.min(t1, t2));
-            to = Math.min(to, Math.max(t1, t2));
-        }
-        // A little slack: the quotients round, and a flat box must not lose the triangle that lies in it.
-        return from <= to + 1e-12 * Math.abs(to);
-    }
-
-    private static double intersectTriangle(
-            double[] corners,
-            int place,
-            double ox,
-            double oy,
-            double oz,
-            double dx,
-            double dy,
-            double dz,
-            double[] weights) {
+    /** The ray parameter at which a triangle is met, infinite if it is not; the weights of its second and third corner come with it. */
+    private static double intersectTriangle(TriangleTree tree, int place, TriangleTree.Hit out) {
+        double[] corners = tree.corners;
+        double[] origin = out.origin;
+        double dx = out.direction[0];
+        double dy = out.direction[1];
+        double dz = out.direction[2];
         int o = 9 * place;
         double e1x = corners[o + 3] - corners[o];
         double e1y = corners[o + 4] - corners[o + 1];
@@ -109,9 +81,9 @@ final class RayTraversal {
         if (determinant == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        double tx = ox - corners[o];
-        double ty = oy - corners[o + 1];
-        double tz = oz - corners[o + 2];
+        double tx = origin[0] - corners[o];
+        double ty = origin[1] - corners[o + 1];
+        double tz = origin[2] - corners[o + 2];
         double v = (tx * px + ty * py + tz * pz) / determinant;
         double qx = ty * e1z - tz * e1y;
         double qy = tz * e1x - tx * e1z;
@@ -121,8 +93,8 @@ final class RayTraversal {
         if (!(v >= 0 && w >= 0 && v + w <= 1 && along >= 0)) {
             return Double.POSITIVE_INFINITY;
         }
-        weights[0] = v;
-        weights[1] = w;
+        out.weights[0] = v;
+        out.weights[1] = w;
         return along;
     }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.mesh.query;
 
 import java.util.Arrays;
+import org.phrenic.mesh.BoundingBoxes;
 
 /**
  * A straight segment, and where it pierces surfaces or how near it comes to them.
@@ -80,7 +81,7 @@ public final class SegmentProbe {
         }
         while (depth > 0) {
             int node = stack[--depth];
-            if (!meetsBox(tree.boxes, 6 * node)) {
+            if (!BoundingBoxes.meetsRay(tree.boxes, 6 * node, from, unit, length, BOX_SLACK_MM, 0)) {
                 continue;
             }
             if (tree.child[node] >= 0) {
@@ -182,27 +183,6 @@ public final class SegmentProbe {
             return qy < py ? 1 : -1;
         }
         return qx > px ? 1 : -1;
-    }
-
-    private boolean meetsBox(double[] boxes, int o) {
-        double near = 0;
-        double far = length;
-        for (int axis = 0; axis < 3; axis++) {
-            double low = boxes[o + axis] - BOX_SLACK_MM - from[axis];
-            double high = boxes[o + 3 + axis] + BOX_SLACK_MM - from[axis];
-            double along = unit[axis];
-            if (along == 0) {
-                if (low > 0 || high < 0) {
-                    return false;
-                }
-                continue;
-            }
-            double t1 = low / along;
-            double t2 = high / along;
-            near = Math.max(near, Math.min(t1, t2));
-            far = Math.min(far, Math.max(t1, t2));
-        }
-        return near <= far + BOX_SLACK_MM;
     }
 
     /**

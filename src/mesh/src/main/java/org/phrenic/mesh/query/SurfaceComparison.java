@@ -100,18 +100,7 @@ public record SurfaceComparison(
     /** What {@link #byArea()} says, for a part of the work. */
     public static DistanceSummary summaryByArea(TriangleMesh a, TriangleMesh b) {
         return DistanceSummary.of(
-                join(distances(a, b), distances(b, a)), join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
-    }
-
-    private static double[] distances(TriangleMesh from, TriangleMesh to) {
-        TriangleTree tree = new TriangleTree(to);
-        TriangleTree.Hit hit = new TriangleTree.Hit();
-        double[] out = new double[from.vertexCount()];
-        for (int v = 0; v < out.length; v++) {
-            tree.closest(from.x(v), from.y(v), from.z(v), hit);
-            out[v] = Math.sqrt(hit.distanceSquared);
-        }
-        return out;
+                join(new TriangleTree(b).distances(a.positions()), new TriangleTree(a).distances(b.positions())), join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
     }
 
     /** The larger of the largest distances of the two directions, mm; taken at vertices. */

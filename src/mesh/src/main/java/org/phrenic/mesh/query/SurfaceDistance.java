@@ -76,11 +76,7 @@ public final class SurfaceDistance {
      * @return one a point
      */
     public double[] unsignedDistance(double[] points) {
-        double[] out = new double[points.length / 3];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = unsignedDistance(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
-        }
-        return out;
+        return tree.distances(points);
     }
 
     /** Distance of one point, without sign. */

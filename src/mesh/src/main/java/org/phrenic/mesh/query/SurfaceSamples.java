@@ -1,6 +1,6 @@
 package org.phrenic.mesh.query;
 
-import java.util.Arrays;
+import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -10,8 +10,7 @@ import org.phrenic.mesh.TriangleMesh;
  */
 public final class SurfaceSamples {
     private final double spacing;
-    private double[] points = new double[1 << 12];
-    private int length;
+    private final DoubleList points = new DoubleList();
 
     /**
      * @param spacing greatest distance of neighbouring points, mm
@@ -42,16 +41,12 @@ public final class SurfaceSamples {
                 MeshMeasure.distance(mesh, a, b),
                 Math.max(MeshMeasure.distance(mesh, b, c), MeshMeasure.distance(mesh, c, a)));
         int parts = Math.max(1, (int) Math.ceil(longest / spacing));
-        int more = 3 * (parts + 1) * (parts + 2) / 2;
-        if (length + more > points.length) {
-            points = Arrays.copyOf(points, Math.max(2 * points.length, length + more));
-        }
         for (int i = 0; i <= parts; i++) {
             for (int j = 0; i + j <= parts; j++) {
                 double u = i / (double) parts;
                 double v = j / (double) parts;
                 for (int axis = 0; axis < 3; axis++) {
-                    points[length++] = (1 - u - v) * p[3 * a + axis] + u * p[3 * b + axis] + v * p[3 * c + axis];
+                    points.add((1 - u - v) * p[3 * a + axis] + u * p[3 * b + axis] + v * p[3 * c + axis]);
                 }
             }
         }
@@ -59,6 +54,6 @@ public final class SurfaceSamples {
 
     /** All points so far, three numbers each, mm; a copy. */
     public double[] points() {
-        return Arrays.copyOf(points, length);
+        return points.toArray();
     }
 }

@@ -14,7 +14,7 @@ import org.phrenic.mesh.TriangleMesh;
  */
 public final class TriangleTree {
     private static final int LEAF_TRIANGLES = 4;
-    private static final int NO_LIMIT = 0;
+    private static final int NONE = -1;
 
     private final TriangleMesh mesh;
     /** Triangle numbers in leaf order. */
@@ -55,10 +55,34 @@ public final class TriangleTree {
         /** For a ray: the multiple of its direction at which it meets the triangle. */
         public double rayParameter = Double.POSITIVE_INFINITY;
 
+        /** Nodes that remain to be searched, with their squared distances. */
         final int[] stack = new int[64];
+
         final double[] stackDistance = new double[64];
+        int depth;
+        /** Weights of the second and third corner at the nearest point of the triangle looked at last. */
         final double[] weights = new double[2];
+        /** Where the triangle found is among the tree's leaves. */
         int leafPlace;
+
+        final double[] origin = new double[3];
+        /** Of a ray; or the normal that triangles have to face along, where {@code leastCosine} is a number. */
+        final double[] direction = new double[3];
+
+        double leastCosine;
+
+        private void start(double px, double py, double pz, double dx, double dy, double dz) {
+            origin[0] = px;
+            origin[1] = py;
+            origin[2] = pz;
+            direction[0] = dx;
+            direction[1] = dy;
+            direction[2] = dz;
+            triangle = NONE;
+            distanceSquared = Double.POSITIVE_INFINITY;
+            rayParameter = Double.POSITIVE_INFINITY;
+            depth = 0;
+        }
     }
 
     public TriangleTree(TriangleMesh mesh) {
@@ -124,20 +148,19 @@ public final class TriangleTree {
 
     /** The point of the surface nearest to (x, y, z). True if the mesh has a triangle. */
     public boolean closest(double x, double y, double z, Hit out) {
-        return search(x, y, z, Double.POSITIVE_INFINITY, 0, 0, 0, NO_LIMIT, false, out);
+        return closest(x, y, z, Double.POSITIVE_INFINITY, out);
     }
 
-    /**
-     * As {@link #closest(double, double, double, Hit)} within {@code maximumDistance} mm; false if nothing is that
-     * near.
-     */
+    /** As {@link #closest(double, double, double, Hit)} within {@code maximumDistance} mm; false if nothing is that near. */
     public boolean closest(double x, double y, double z, double maximumDistance, Hit out) {
-        return search(x, y, z, maximumDistance * maximumDistance, 0, 0, 0, NO_LIMIT, false, out);
+        return closest(x, y, z, maximumDistance, 0, 0, 0, Double.NaN, out);
     }
 
     /**
-     * As {@link #closest(double, double, double, double, Hit)}, among triangles whose unit normal n has n . (nx, ny,
-     * nz) &gt; {@code minimumCosine}: on a thin sheet this keeps to the side the normal shows.
+     * As {@link #closest(double, double, double, double, Hit)}, among triangles whose unit normal n has n . (nx, ny, nz) &gt;
+     * {@code minimumCosine}: on a thin sheet this keeps to the side that faces along the normal.
+     *
+     * @param minimumCosine NaN for all triangles
      */
     public boolean closest(
             double x,
@@ -149,52 +172,126 @@ public final class TriangleTree {
             double nz,
             double minimumCosine,
             Hit out) {
-        return search(x, y, z, maximumDistance * maximumDistance, nx, ny, nz, minimumCosine, true, out);
+        out.start(x, y, z, nx, ny, nz);
+        out.leastCosine = minimumCosine;
+        // One step above the limit, so that a point exactly at the maximum distance is found.
+        double best = Math.nextUp(maximumDistance * maximumDistance);
+        int node = nodes > 0 ? 0 : NONE;
+        while (node >= 0) {
+            if (child[node] < 0) {
+                best = closestInLeaf(node, best, out);
+                node = pop(best, out);
+            } else {
+                node = descend(node, best, out);
+            }
+        }
+        if (out.triangle < 0) {
+            return false;
+        }
+        answer(out, out.leafPlace, out.weightB, out.weightC);
+        out.distanceSquared = best;
+        return true;
+    }
+
+    /** Distance of each point, three numbers each, from the surface, mm; infinite if the mesh has no triangle. */
+    public double[] distances(double[] points) {
+        Hit hit = new Hit();
+        double[] distances = new double[points.length / 3];
+        for (int i = 0; i < distances.length; i++) {
+            closest(points[3 * i], points[3 * i + 1], points[3 * i + 2], hit);
+            distances[i] = Math.sqrt(hit.distanceSquared);
+        }
+        return distances;
+    }
+
+    /** Looks for a nearer triangle in a leaf; returns the least squared distance then. */
+    private double closestInLeaf(int node, double limit, Hit out) {
+        double best = limit;
+        double x = out.origin[0];
+        double y = out.origin[1];
+        double z = out.origin[2];
+        int first = -1 - child[node];
+        for (int place = first; place < first + count[node]; place++) {
+            if (out.leastCosine == out.leastCosine && !faces(place, out)) {
+                continue;
+            }
+            double square = squaredDistance(place, x, y, z, out.weights);
+            // Among equals the lowest triangle wins, so the answer does not depend on the tree's shape.
+            if (square < best || (square == best && out.triangle >= 0 && order[place] < out.triangle)) {
+                best = square;
+                out.leafPlace = place;
+                out.triangle = order[place];
+                out.weightB = out.weights[0];
+                out.weightC = out.weights[1];
+            }
+        }
+        return best;
+    }
+
+    private boolean faces(int place, Hit out) {
+        double[] n = out.direction;
+        return normals[3 * place] * n[0] + normals[3 * place + 1] * n[1] + normals[3 * place + 2] * n[2]
+                > out.leastCosine;
+    }
+
+    /** The nearer child of a node, or the next node on the stack; the farther child goes onto the stack if it is within the limit. */
+    private int descend(int node, double limit, Hit out) {
+        int near = node + 1;
+        int far = child[node];
+        double nearDistance = boxDistance(near, out);
+        double farDistance = boxDistance(far, out);
+        if (farDistance < nearDistance) {
+            int swap = near;
+            near = far;
+            far = swap;
+            double swapDistance = nearDistance;
+            nearDistance = farDistance;
+            farDistance = swapDistance;
+        }
+        if (farDistance <= limit) {
+            out.stack[out.depth] = far;
+            out.stackDistance[out.depth++] = farDistance;
+        }
+        return nearDistance <= limit ? near : pop(limit, out);
+    }
+
+    /** The next node on the stack within a squared distance; {@link #NONE} if there is none. */
+    private static int pop(double limit, Hit out) {
+        while (out.depth > 0) {
+            out.depth--;
+            if (out.stackDistance[out.depth] <= limit) {
+                return out.stack[out.depth];
+            }
+        }
+        return NONE;
     }
 
     /**
-     * Whether a point of the surface lies within {@code distance} mm: what {@link #closest(double, double, double,
-     * double, Hit)} says, but the first triangle found so near is enough. It is looked for first where it was found the
-     * last time.
+     * Whether a point of the surface lies within {@code distance} mm, as {@link #closest(double, double, double, double, Hit)}
+     * answers, but the first triangle so near is enough; the one of the previous query is tried first.
      *
-     * @param working its place is gone on from; holds no answer
+     * @param working memory between queries; receives no answer
      */
     public boolean isWithin(double x, double y, double z, double distance, Hit working) {
         double limit = distance * distance;
         if (working.leafPlace < order.length && squaredDistance(working.leafPlace, x, y, z, working.weights) <= limit) {
             return true;
         }
-        int[] stack = working.stack;
-        int depth = 0;
-        int node = nodes > 0 && boxDistance(0, x, y, z) <= limit ? 0 : -1;
+        working.start(x, y, z, 0, 0, 0);
+        int node = nodes > 0 && boxDistance(0, working) <= limit ? 0 : NONE;
         while (node >= 0) {
-            if (child[node] < 0) {
-                int first = -1 - child[node];
-                for (int place = first; place < first + count[node]; place++) {
-                    if (squaredDistance(place, x, y, z, working.weights) <= limit) {
-                        working.leafPlace = place;
-                        return true;
-                    }
-                }
-                node = depth > 0 ? stack[--depth] : -1;
-            } else {
-                int near = node + 1;
-                int far = child[node];
-                double nearDistance = boxDistance(near, x, y, z);
-                double farDistance = boxDistance(far, x, y, z);
-                if (farDistance < nearDistance) {
-                    int swap = near;
-                    near = far;
-                    far = swap;
-                    double swapDistance = nearDistance;
-                    nearDistance = farDistance;
-                    farDistance = swapDistance;
-                }
-                if (farDistance <= limit) {
-                    stack[depth++] = far;
-                }
-                node = nearDistance <= limit ? near : depth > 0 ? stack[--depth] : -1;
+            if (child[node] >= 0) {
+                node = descend(node, limit, working);
+                continue;
             }
+            int first = -1 - child[node];
+            for (int place = first; place < first + count[node]; place++) {
+                if (squaredDistance(place, x, y, z, working.weights) <= limit) {
+                    working.leafPlace = place;
+                    return true;
+                }
+            }
+            node = pop(limit, working);
         }
         return false;
     }
@@ -204,82 +301,6 @@ public final class TriangleTree {
         return flat[place]
                 ? PointTriangleDistance.squaredDistanceToDegenerate(corners, 9 * place, x, y, z, weights)
                 : PointTriangleDistance.squaredDistance(corners, 9 * place, x, y, z, weights);
-    }
-
-    private boolean search(
-            double x,
-            double y,
-            double z,
-            double limit,
-            double nx,
-            double ny,
-            double nz,
-            double minimumCosine,
-            boolean filtered,
-            Hit out) {
-        out.triangle = -1;
-        out.distanceSquared = Double.POSITIVE_INFINITY;
-        // One step above the limit, so that a point exactly at the maximum distance is found.
-        double best = Math.nextUp(limit);
-        int[] stack = out.stack;
-        double[] stackDistance = out.stackDistance;
-        double[] weights = out.weights;
-        int depth = 0;
-        int node = nodes > 0 ? 0 : -1;
-        double v = 0;
-        double w = 0;
-        int found = -1;
-        while (node >= 0) {
-            if (child[node] < 0) {
-                int first = -1 - child[node];
-                for (int place = first; place < first + count[node]; place++) {
-                    if (filtered
-                            && !(normals[3 * place] * nx + normals[3 * place + 1] * ny + normals[3 * place + 2] * nz
-                                    > minimumCosine)) {
-                        continue;
-                    }
-                    double square = squaredDistance(place, x, y, z, weights);
-                    // Among equals the lowest triangle wins, so the answer does not depend on the tree's shape.
-                    if (square < best || (square == best && found >= 0 && order[place] < order[found])) {
-                        best = square;
-                        found = place;
-                        v = weights[0];
-                        w = weights[1];
-                    }
-                }
-                node = -1;
-            } else {
-                int near = node + 1;
-                int far = child[node];
-                double nearDistance = boxDistance(near, x, y, z);
-                double farDistance = boxDistance(far, x, y, z);
-                if (farDistance < nearDistance) {
-                    int swap = near;
-                    near = far;
-                    far = swap;
-                    double swapDistance = nearDistance;
-                    nearDistance = farDistance;
-                    farDistance = swapDistance;
-                }
-                if (farDistance <= best) {
-                    stack[depth] = far;
-                    stackDistance[depth++] = farDistance;
-                }
-                node = nearDistance <= best ? near : -1;
-            }
-            while (node < 0 && depth > 0) {
-                depth--;
-                if (stackDistance[depth] <= best) {
-                    node = stack[depth];
-                }
-            }
-        }
-        if (found < 0) {
-            return false;
-        }
-        answer(out, found, v, w);
-        out.distanceSquared = best;
-        return true;
     }
 
     private void answer(Hit out, int place, double v, double w) {
@@ -295,20 +316,18 @@ public final class TriangleTree {
         out.z = u * corners[o + 2] + v * corners[o + 5] + w * corners[o + 8];
     }
 
-    private double boxDistance(int node, double x, double y, double z) {
-        return BoundingBoxes.squaredDistance(boxes, 6 * node, x, y, z);
+    private double boxDistance(int node, Hit query) {
+        double[] p = query.origin;
+        return BoundingBoxes.squaredDistance(boxes, 6 * node, p[0], p[1], p[2]);
     }
 
     /**
-     * The first triangle that the ray from (ox, oy, oz) along (dx, dy, dz) meets, from either side (Moeller and
-     * Trumbore 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.along} counts in lengths of the
-     * direction.
+     * The first triangle that the ray from (ox, oy, oz) along (dx, dy, dz) meets, from either side (Moeller and Trumbore
+     * 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.rayParameter} is in lengths of the direction.
      */
     public boolean nearestAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit out) {
-        out.triangle = -1;
-        out.rayParameter = Double.POSITIVE_INFINITY;
-        out.distanceSquared = Double.POSITIVE_INFINITY;
-        RayTraversal.traverse(this, ox, oy, oz, dx, dy, dz, out, false);
+        out.start(ox, oy, oz, dx, dy, dz);
+        RayTraversal.traverse(this, out, false);
         if (out.triangle < 0) {
             return false;
         }
@@ -322,8 +341,8 @@ public final class TriangleTree {
      * {@link #isInside}.
      */
     public int countAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit working) {
-        working.rayParameter = Double.POSITIVE_INFINITY;
-        return RayTraversal.traverse(this, ox, oy, oz, dx, dy, dz, working, true);
+        working.start(ox, oy, oz, dx, dy, dz);
+        return RayTraversal.traverse(this, working, true);
     }
 
     /**
@@ -361,6 +380,6 @@ public final class TriangleTree {
      * bounding box are answered at once. The cost is one pass over all triangles.
      */
     public boolean isInside(double x, double y, double z) {
-        return nodes > 0 && boxDistance(0, x, y, z) == 0 && Math.abs(windingNumber(x, y, z)) > 0.5;
+        return nodes > 0 && BoundingBoxes.squaredDistance(boxes, 0, x, y, z) == 0 && Math.abs(windingNumber(x, y, z)) > 0.5;
     }
 }

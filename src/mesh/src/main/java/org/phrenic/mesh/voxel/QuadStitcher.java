@@ -2,7 +2,9 @@ package org.phrenic.mesh.voxel;
 
 import java.util.Arrays;
 import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -23,13 +25,11 @@ final class QuadStitcher {
     private final int[] fan;
 
     private final int[] vertexOfFan;
-    private double[] positions;
-    private int vertices;
+    private final DoubleList positions = new DoubleList();
     /** Vertex in the middle of a side, where it has one. */
     private final int[] middle;
 
-    private int[] triangles;
-    private int length;
+    private final IntList triangles = new IntList();
 
     /**
      * @param given positions that the quadrilaterals name
@@ -47,8 +47,6 @@ final class QuadStitcher {
         middle = new int[quads.length];
         Arrays.fill(vertexOfFan, NONE);
         Arrays.fill(middle, NONE);
-        positions = new double[3 * (quads.length / 4 + 64)];
-        triangles = new int[6 * (quads.length / 4) + 64];
     }
 
     TriangleMesh mesh() {
@@ -59,7 +57,7 @@ final class QuadStitcher {
             int root = DisjointSets.find(fan, corner);
             if (vertexOfFan[root] == NONE) {
                 int v = 3 * quads[corner];
-                vertexOfFan[root] = addVertex(given[v], given[v + 1], given[v + 2]);
+                vertexOfFan[root] = positions.add(given[v], given[v + 1], given[v + 2]);
             }
         }
         for (int e = 0; e < edges.edgeCount(); e++) {
@@ -70,7 +68,7 @@ final class QuadStitcher {
         for (int q = 0; q < quads.length / 4; q++) {
             cut(q);
         }
-        return new TriangleMesh(Arrays.copyOf(positions, 3 * vertices), Arrays.copyOf(triangles, length));
+        return new TriangleMesh(positions.toArray(), triangles.toArray());
     }
 
     private void join(int from, int to) {
@@ -101,16 +99,6 @@ final class QuadStitcher {
         return vertexOfFan[DisjointSets.find(fan, corner)];
     }
 
-    private int addVertex(double x, double y, double z) {
-        if (3 * vertices == positions.length) {
-            positions = Arrays.copyOf(positions, 2 * positions.length);
-        }
-        positions[3 * vertices] = x;
-        positions[3 * vertices + 1] = y;
-        positions[3 * vertices + 2] = z;
-        return vertices++;
-    }
-
     /** Two pairs of faces on one edge that still share both ends: the later pair gets a vertex between them. */
     private void separate(int from, int to) {
         int first = edges.sides()[from];
@@ -122,10 +110,10 @@ final class QuadStitcher {
             if (side != mate[first] && sameEnds && middle[side] == NONE) {
                 int a = 3 * vertex(side);
                 int b = 3 * vertex(next(side));
-                middle[side] = addVertex(
-                        (positions[a] + positions[b]) / 2,
-                        (positions[a + 1] + positions[b + 1]) / 2,
-                        (positions[a + 2] + positions[b + 2]) / 2);
+                middle[side] = positions.add(
+                        (positions.get(a) + positions.get(b)) / 2,
+                        (positions.get(a + 1) + positions.get(b + 1)) / 2,
+                        (positions.get(a + 2) + positions.get(b + 2)) / 2);
                 middle[mate[side]] = middle[side];
             }
         }
@@ -144,26 +132,13 @@ final class QuadStitcher {
             }
         }
         if (hub == NONE) {
-            hub = square(ring[0], ring[2]) <= square(ring[1], ring[3]) ? 0 : 1;
+            hub = positions.squaredDistance(ring[0], ring[2]) <= positions.squaredDistance(ring[1], ring[3]) ? 0 : 1;
         }
         for (int i = 1; i + 1 < size; i++) {
-            add(ring[hub], ring[(hub + i) % size], ring[(hub + i + 1) % size]);
+            triangles.add(ring[hub]);
+            triangles.add(ring[(hub + i) % size]);
+            triangles.add(ring[(hub + i + 1) % size]);
         }
     }
 
-    private void add(int a, int b, int c) {
-        if (length + 3 > triangles.length) {
-            triangles = Arrays.copyOf(triangles, 2 * triangles.length);
-        }
-        triangles[length++] = a;
-        triangles[length++] = b;
-        triangles[length++] = c;
-    }
-
-    private double square(int a, int b) {
-        double dx = positions[3 * a] - positions[3 * b];
-        double dy = positions[3 * a + 1] - positions[3 * b + 1];
-        double dz = positions[3 * a + 2] - positions[3 * b + 2];
-        return dx * dx + dy * dy + dz * dz;
-    }
 }

@@ -1,6 +1,8 @@
 package org.phrenic.mesh.voxel;
 
 import java.util.Arrays;
+import org.phrenic.mesh.DoubleList;
+import org.phrenic.mesh.IntList;
 
 /**
  * Finds vertices and faces of a {@link SurfaceNet}, slice by slice. Cell (i, j, k) lies between voxels (i - 1, j - 1, k
@@ -22,9 +24,8 @@ final class SurfaceNetBuilder {
     private short[] above;
     private int[] lower;
     private int[] upper;
-    private double[] positions = new double[3 * START];
-    private int vertices;
-    private int[] quads = new int[4 * START];
+    private final DoubleList positions = new DoubleList();
+    private final IntList quads = new IntList();
     private short[] sides = new short[2 * START];
     private long[] faces = new long[START];
     private int count;
@@ -60,8 +61,8 @@ final class SurfaceNetBuilder {
             upper = swapped;
         }
         return new SurfaceNet(
-                Arrays.copyOf(positions, 3 * vertices),
-                Arrays.copyOf(quads, 4 * count),
+                positions.toArray(),
+                quads.toArray(),
                 Arrays.copyOf(sides, 2 * count),
                 Arrays.copyOf(faces, count),
                 new long[] {1, wide + 1, (long) (wide + 1) * (high + 1)});
@@ -96,7 +97,7 @@ final class SurfaceNetBuilder {
                         && part == above[o + row]
                         && part == above[o + row + 1];
                 if (!one) {
-                    upper[wide * j + i] = vertices;
+                    upper[wide * j + i] = positions.size() / 3;
                     addVertex(i, j, k, o);
                 }
             }
@@ -123,13 +124,9 @@ final class SurfaceNetBuilder {
                 z += (a >> 2) + (b >> 2);
             }
         }
-        if (3 * vertices == positions.length) {
-            positions = Arrays.copyOf(positions, 2 * positions.length);
-        }
         double half = 0.5 / crossings;
         grid.voxelToMm(i - 1 + half * x, j - 1 + half * y, k - 1 + half * z, at);
-        System.arraycopy(at, 0, positions, 3 * vertices, 3);
-        vertices++;
+        positions.add(at[0], at[1], at[2]);
     }
 
     /**
@@ -183,13 +180,11 @@ final class SurfaceNetBuilder {
         if (count == faces.length) {
             faces = Arrays.copyOf(faces, 2 * count);
             sides = Arrays.copyOf(sides, 4 * count);
-            quads = Arrays.copyOf(quads, 8 * count);
         }
-        int o = 4 * count;
-        quads[o] = a;
-        quads[o + 1] = mirrored ? d : b;
-        quads[o + 2] = c;
-        quads[o + 3] = mirrored ? b : d;
+        quads.add(a);
+        quads.add(mirrored ? d : b);
+        quads.add(c);
+        quads.add(mirrored ? b : d);
         sides[2 * count] = part;
         sides[2 * count + 1] = other;
         faces[count++] = face;

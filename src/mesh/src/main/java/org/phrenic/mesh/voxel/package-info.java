@@ -1,2 +1,2 @@
-/** Label volumes in memory and the surface nets that are drawn out of them. */
+/** Label volumes in memory and the surfaces between their labels (surface nets). File formats are in {@code mesh.io.volume}. */
 package org.phrenic.mesh.voxel;

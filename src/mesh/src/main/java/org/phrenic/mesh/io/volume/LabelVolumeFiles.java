@@ -1,8 +1,13 @@
 package org.phrenic.mesh.io.volume;
 
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 
@@ -30,15 +35,30 @@ public final class LabelVolumeFiles {
         InputBytes.size(file);
         String name = name(file);
         if (name.endsWith(".nii") || name.endsWith(".nii.gz")) {
-            return NiftiReader.read(file);
+            return read(file, "NIfTI-1 file", NiftiReader::read);
         }
         if (name.endsWith(".nrrd") || name.endsWith(".nhdr")) {
-            return NrrdReader.read(file);
+            return read(file, "NRRD file", NrrdReader::read);
         }
         if (name.endsWith(".mha") || name.endsWith(".mhd")) {
-            return MetaImageReader.read(file);
+            return read(file, "MetaImage", MetaImageReader::read);
         }
         throw new BadInputException(file + ": found another ending, expected one of " + String.join(", ", READABLE));
+    }
+
+    private interface Format {
+        LabelVolume read(Path file, BufferedInputStream in) throws IOException;
+    }
+
+    private static LabelVolume read(Path file, String name, Format format) {
+        try (BufferedInputStream in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            return format.read(file, in);
+        } catch (ZipException | EOFException damaged) {
+            throw new BadInputException(
+                    file + ": found data that is damaged or ends too early, expected a whole " + name, damaged);
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(file, failure);
+        }
     }
 
     private static String name(Path file) {

@@ -1,7 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
 import java.io.BufferedInputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
@@ -12,8 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.zip.InflaterInputStream;
-import java.util.zip.ZipException;
-import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
@@ -35,16 +32,8 @@ final class MetaImageReader {
         header = new VolumeHeader(file);
     }
 
-    static LabelVolume read(Path path) {
-        MetaImageReader reader = new MetaImageReader(path);
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16)) {
-            return reader.volume(in);
-        } catch (ZipException | EOFException damaged) {
-            throw new BadInputException(
-                    path + ": found data that is damaged or ends too early, expected a whole MetaImage", damaged);
-        } catch (IOException failure) {
-            throw InputBytes.readFailure(path, failure);
-        }
+    static LabelVolume read(Path path, InputStream in) throws IOException {
+        return new MetaImageReader(path).volume(in);
     }
 
     private LabelVolume volume(InputStream in) throws IOException {

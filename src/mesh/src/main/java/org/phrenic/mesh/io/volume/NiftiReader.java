@@ -1,13 +1,11 @@
 package org.phrenic.mesh.io.volume;
 
 import java.io.BufferedInputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +14,6 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
-import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.ScalarType;
@@ -47,21 +44,12 @@ final class NiftiReader {
         this.header = header;
     }
 
-    static LabelVolume read(Path path) {
-        String file = path.toString();
-        long size = InputBytes.size(path);
-        try (BufferedInputStream raw = new BufferedInputStream(Files.newInputStream(path), 1 << 16)) {
-            raw.mark(2);
-            boolean packed = (raw.read() << 8 | raw.read()) == GZIP_MAGIC;
-            raw.reset();
-            try (InputStream in = packed ? new GZIPInputStream(raw, 1 << 16) : raw) {
-                return read(file, in, size, packed);
-            }
-        } catch (ZipException | EOFException damaged) {
-            throw new BadInputException(
-                    file + ": found data that is damaged or ends too early, expected a whole NIfTI-1 file", damaged);
-        } catch (IOException failure) {
-            throw InputBytes.readFailure(path, failure);
+    static LabelVolume read(Path path, BufferedInputStream raw) throws IOException {
+        raw.mark(2);
+        boolean packed = (raw.read() << 8 | raw.read()) == GZIP_MAGIC;
+        raw.reset();
+        try (InputStream in = packed ? new GZIPInputStream(raw, 1 << 16) : raw) {
+            return read(path.toString(), in, InputBytes.size(path), packed);
         }
     }
 

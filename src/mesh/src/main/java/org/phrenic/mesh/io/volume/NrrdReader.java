@@ -1,7 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
 import java.io.BufferedInputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
@@ -16,7 +15,6 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
-import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
@@ -45,16 +43,8 @@ final class NrrdReader {
         header = new VolumeHeader(file);
     }
 
-    static LabelVolume read(Path path) {
-        NrrdReader reader = new NrrdReader(path);
-        try (InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16)) {
-            return reader.volume(in);
-        } catch (ZipException | EOFException damaged) {
-            throw new BadInputException(
-                    path + ": found data that is damaged or ends too early, expected a whole NRRD file", damaged);
-        } catch (IOException failure) {
-            throw InputBytes.readFailure(path, failure);
-        }
+    static LabelVolume read(Path path, InputStream in) throws IOException {
+        return new NrrdReader(path).volume(in);
     }
 
     private LabelVolume volume(InputStream in) throws IOException {
