@@ -6,21 +6,19 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
 
-/** One breath at evenly spaced moments. {@link CycleRecorder} gathers the same from a run that is watched. */
+/** One breath at evenly spaced moments; {@link CycleRecorder} records the same from a live run. */
 public final class BreathCycle {
-    /** Moments of a breath unless it is said otherwise. */
+    /** The default number of moments. */
     public static final int PHASES = 20;
-
-    /** A pattern that never ends or takes longer is looked at for so long, s. */
-    private static final double LONGEST_S = 40;
+    /** Longer breaths, and those without a period, are recorded for this time, s. */
+    private static final double MAX_DURATION_S = 40;
 
     private BreathCycle() {}
 
     /**
-     * Simulates one period of the breathing from where the simulation stands, or all of a breathing that has none, such
-     * as a hold.
+     * Simulates one breath from the current state.
      *
-     * @param phases how many moments, the first now, the last one interval before the end
+     * @param phases number of moments; the first is the current one, the last is one interval before the end
      */
     public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
         double start = simulation.time();
@@ -37,8 +35,8 @@ public final class BreathCycle {
         return moments;
     }
 
-    /** Whether a moment has come, so many seconds after the first. */
+    /** Whether a moment is due at a time after the first. */
     static boolean isDue(double sinceS, double dtS, double breathS, int moment, int phases) {
-        return sinceS >= Math.min(breathS, LONGEST_S) * moment / phases - 0.5 * dtS;
+        return sinceS >= Math.min(breathS, MAX_DURATION_S) * moment / phases - 0.5 * dtS;
     }
 }

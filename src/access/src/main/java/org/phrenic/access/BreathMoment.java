@@ -6,7 +6,7 @@ import org.phrenic.simulation.observe.Frame;
 /**
  * The body at one moment of a breath.
  *
- * @param frame a copy of its own, never written to
+ * @param frame a copy of its own, read-only
  * @param label what the breath is doing
  */
 public record BreathMoment(Frame frame, RespiratoryPhase label) {

@@ -10,9 +10,8 @@ import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Gathers the moments of a run's first breath while it is played: those of {@link BreathCycle#record}, bit for bit, so
- * that what is worked out of them is the same with and without a window. It sees the run from its start or from the
- * next time that it is reset.
+ * Records the first breath of a live run at the moments of {@link BreathCycle#record}, bit for bit, from the start of
+ * the run or its next restart.
  */
 public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private final LiveRun run;
@@ -24,11 +23,11 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private double breathS;
 
     /**
-     * @param run that is watched, with {@code run.watch(recorder, recorder)}
-     * @param ofScene a frame of the scene that is meant; another scene is not looked at
-     * @param phases how many moments are wanted
-     * @param progress told how much of the breath was seen, 0 to 1; on the run's thread, as below
-     * @param whole told the moments, once
+     * @param run to which the recorder is added as listener and trigger
+     * @param ofScene a frame of the scene; frames of other scenes are ignored
+     * @param phases number of moments
+     * @param progress receives the recorded share of the breath, 0 to 1, on the thread of the run
+     * @param whole receives the moments, once, on the thread of the run
      */
     public CycleRecorder(
             LiveRun run, Frame ofScene, int phases, DoubleConsumer progress, Consumer<List<BreathMoment>> whole) {

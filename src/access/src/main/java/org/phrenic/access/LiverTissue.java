@@ -3,42 +3,29 @@ package org.phrenic.access;
 import org.phrenic.mesh.Vectors;
 
 /**
- * How points within the liver move with its surface. A point's place is a fixed affine combination of the surface's
- * vertices, {@code x = Σ c_i x_i}, with the coefficients of an affine moving least squares fit about its place at rest
- * (Schaefer, McPhail and Warren 2006, doi 10.1145/1141911.1141920; weights {@code 1 / (d² + e²)²}): where the liver
- * moves as a rigid or affine body it is exact, and where it bends it follows the surface that is near.
+ * Motion of points within the liver from that of its surface. A point is a fixed affine combination of the surface's
+ * vertices, {@code x = sum c_i x_i}, with the coefficients of an affine moving least squares fit about its position at
+ * rest (Schaefer, McPhail and Warren 2006, doi 10.1145/1141911.1141920; weights {@code 1 / (d^2 + e^2)^2}). It is exact
+ * for affine motion and otherwise follows the nearby surface.
  */
 public final class LiverTissue {
-    private static final double SOFT_MM = 5;
-    private static final int MOST_TURNS = 60;
-    private static final double CLOSE_MM = 1e-9;
+    private static final double SOFTENING_MM = 5;
+    private static final int MAX_ITERATIONS = 60;
+    private static final double TOLERANCE_MM = 1e-9;
 
     private final double[] rest;
     private final MovingStructure liver;
 
-    /** A point of the tissue: its place at rest and what it is made of. */
-    public static final class Point {
-        private final double[] rest;
-        private final double[] coefficients;
+    /** A point of the tissue: its position at rest, LPS, mm, and the coefficients of the liver's vertices. */
+    public record Point(double[] rest, double[] coefficients) {}
 
-        private Point(double[] rest, double[] coefficients) {
-            this.rest = rest;
-            this.coefficients = coefficients;
-        }
-
-        /** Where it rests, LPS, mm; a copy. */
-        public double[] rest() {
-            return rest.clone();
-        }
-    }
-
-    /** @param scene whose liver; places are those of the frame that it took last */
-    public LiverTissue(MovingAnatomy scene) {
-        liver = scene.liver();
+    /** @param anatomy whose frame gives the current positions */
+    public LiverTissue(MovingAnatomy anatomy) {
+        liver = anatomy.liver();
         rest = liver.surface().rest().positions();
     }
 
-    /** The point of the tissue that rests at a place. */
+    /** The point of the tissue at a position at rest. */
     public Point pointAtRest(double[] place) {
         int n = rest.length / 3;
         double[] weights = new double[n];
@@ -48,7 +35,7 @@ public final class LiverTissue {
             double dx = rest[3 * i] - place[0];
             double dy = rest[3 * i + 1] - place[1];
             double dz = rest[3 * i + 2] - place[2];
-            double soft = dx * dx + dy * dy + dz * dz + SOFT_MM * SOFT_MM;
+            double soft = dx * dx + dy * dy + dz * dz + SOFTENING_MM * SOFTENING_MM;
             weights[i] = 1 / (soft * soft);
             sum += weights[i];
             for (int axis = 0; axis < 3; axis++) {
@@ -97,12 +84,9 @@ public final class LiverTissue {
         };
     }
 
-    /** Where a point of the tissue is. */
+    /** Position of a point in the current frame, LPS, mm. */
     public double[] position(Point point) {
-        return liver.toWorld(combined(point, liver.positions()));
-    }
-
-    private static double[] combined(Point point, double[] p) {
+        double[] p = liver.positions();
         double[] at = new double[3];
         for (int i = 0; i < point.coefficients.length; i++) {
             double c = point.coefficients[i];
@@ -110,20 +94,18 @@ public final class LiverTissue {
             at[1] += c * p[3 * i + 1];
             at[2] += c * p[3 * i + 2];
         }
-        return at;
+        return liver.toWorld(at);
     }
 
-    /** The point of the tissue that is at a place now: by correcting a first guess with what it misses by. */
+    /** The point of the tissue at a position in the current frame, by fixed-point iteration of its position at rest. */
     public Point pointNowAt(double[] place) {
-        double[] guess = place.clone();
-        Point point = pointAtRest(guess);
-        for (int turn = 0; turn < MOST_TURNS; turn++) {
-            double[] miss = Vectors.subtract(place, position(point));
-            if (Vectors.length(miss) < CLOSE_MM) {
+        Point point = pointAtRest(place);
+        for (int i = 0; i < MAX_ITERATIONS; i++) {
+            double[] error = Vectors.subtract(place, position(point));
+            if (Vectors.length(error) < TOLERANCE_MM) {
                 break;
             }
-            guess = Vectors.addScaled(guess, miss, 1);
-            point = pointAtRest(guess);
+            point = pointAtRest(Vectors.addScaled(point.rest, error, 1));
         }
         return point;
     }

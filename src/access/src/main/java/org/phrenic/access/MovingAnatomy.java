@@ -9,16 +9,16 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The body as a frame shows it, ready to be asked what a path crosses. Taking a frame is for one thread; asking may
- * then be done by many.
+ * The structures of a scene as one frame shows them, ready for path queries. {@link #update} is for one thread; queries
+ * between updates may come from many.
  */
 public final class MovingAnatomy {
-    /** What {@code PathAnalyzer.nearestOfMargin} begins with where it is the lower border of a rib. */
+    /** Prefix of the name of a rib where a margin is taken from its costal groove. */
     public static final String VESSELS_PREFIX = "vessels_";
 
     private final List<MovingStructure> structures = new ArrayList<>();
-    private final List<MovingStructure> hazards = new ArrayList<>();
-    private final List<CostalGroove> borders = new ArrayList<>();
+    private final List<MovingStructure> hazards;
+    private final List<CostalGroove> grooves;
     private final MovingStructure skin;
     private final MovingStructure liver;
     private final Optional<MovingStructure> diaphragm;
@@ -27,20 +27,15 @@ public final class MovingAnatomy {
 
     /**
      * @param surfaces of a scene, in the order of its frames
-     * @throws BadInputException with one sentence, if there is no skin or no liver, or liver or lungs stand still while
-     *     the body breathes
+     * @throws BadInputException with one sentence, if there is no skin or no liver, or liver or lungs do not move
      */
     public MovingAnatomy(List<Surface> surfaces) {
-        for (int i = 0; i < surfaces.size(); i++) {
-            MovingStructure structure = new MovingStructure(surfaces.get(i), i);
-            structures.add(structure);
-            if (structure.noGo().isPresent()) {
-                hazards.add(structure);
-            }
-            if (surfaces.get(i).kind() == StructureKind.RIB) {
-                borders.add(new CostalGroove(structure));
-            }
-        }
+        surfaces.forEach(surface -> structures.add(new MovingStructure(surface, structures.size())));
+        hazards = structures.stream().filter(s -> s.noGo().isPresent()).toList();
+        grooves = structures.stream()
+                .filter(s -> s.surface().kind() == StructureKind.RIB)
+                .map(CostalGroove::new)
+                .toList();
         skin = require(StructureKind.SKIN, "skin");
         liver = require(StructureKind.LIVER, "liver");
         requireMotion(StructureKind.LIVER, "a liver that stands still (liver: false)");
@@ -56,11 +51,11 @@ public final class MovingAnatomy {
     }
 
     private void requireMotion(StructureKind kind, String still) {
-        for (MovingStructure structure : structures) {
-            if (structure.surface().kind() == kind && structure.surface().motion() == Surface.Motion.STILL) {
-                throw new BadInputException("the body: found " + still
-                        + ", expected what moves with the breath to rehearse liver access on");
-            }
+        if (structures.stream()
+                .map(MovingStructure::surface)
+                .anyMatch(s -> s.kind() == kind && s.motion() == Surface.Motion.STILL)) {
+            throw new BadInputException(
+                    "the body: found " + still + ", expected what moves with the breath to rehearse liver access on");
         }
     }
 
@@ -68,7 +63,7 @@ public final class MovingAnatomy {
         return structures.stream().filter(s -> s.surface().kind() == kind).findFirst();
     }
 
-    /** Takes over where everything is. */
+    /** Moves all structures to a frame. */
     public void update(Frame frame) {
         structures.forEach(s -> s.update(frame));
         timeS = frame.timeS();
@@ -84,24 +79,25 @@ public final class MovingAnatomy {
         return structures;
     }
 
-    /** For people: what a margin was taken from, as {@code PathAnalyzer.nearestOfMargin} names it. */
+    /** Display name of what a margin is taken from, as {@code PathAnalyzer.nearestOfMargin} names it. */
     public String labelOf(String nearest) {
-        boolean border = nearest.startsWith(VESSELS_PREFIX);
-        String name = border ? nearest.substring(VESSELS_PREFIX.length()) : nearest;
+        boolean groove = nearest.startsWith(VESSELS_PREFIX);
+        String name = groove ? nearest.substring(VESSELS_PREFIX.length()) : nearest;
         return structures.stream()
                 .filter(s -> s.surface().name().equals(name))
-                .map(s -> (border ? "the vessels below " : "") + s.label())
+                .map(s -> (groove ? "the vessels below " : "") + s.label())
                 .findFirst()
                 .orElse("");
     }
 
-    /** What a needle should not touch. */
+    /** The structures in a no-go zone. */
     public List<MovingStructure> hazards() {
         return hazards;
     }
 
-    public List<CostalGroove> borders() {
-        return borders;
+    /** The costal grooves of the ribs. */
+    public List<CostalGroove> grooves() {
+        return grooves;
     }
 
     /** The skin. */
@@ -114,10 +110,12 @@ public final class MovingAnatomy {
         return liver;
     }
 
+    /** The diaphragm; empty if the body has none. */
     public Optional<MovingStructure> diaphragm() {
         return diaphragm;
     }
 
+    /** The pleural reflection on the diaphragm; empty if the body has no diaphragm. */
     public Optional<PleuralReflection> pleura() {
         return pleura;
     }

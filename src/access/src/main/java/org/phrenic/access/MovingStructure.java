@@ -1,18 +1,20 @@
 package org.phrenic.access;
 
+import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * One surface of a scene as it moves: the tree of what deforms is refitted to each frame; for what is rigid the path is
- * moved into its axes instead.
+ * One moving surface. The tree of a deforming surface is refitted to each frame; for a rigid one the query is
+ * transformed into the axes of the surface at rest.
  */
 public final class MovingStructure {
-    /** A pose is a float: a turned box may lie off by so much. */
-    private static final double BOX_SLACK_MM = 1e-3;
+    /** Rounding of a box transformed by a pose in single precision. */
+    private static final double BOX_TOLERANCE_MM = 1e-3;
 
     private final Surface surface;
     private final int index;
@@ -35,25 +37,19 @@ public final class MovingStructure {
         box = restBox.clone();
     }
 
-    /** Takes over where it is. */
+    /** Moves the surface to a frame. */
     public void update(Frame frame) {
-        switch (surface.motion()) {
-            case DEFORMING -> {
-                frame.writePositions(surface, index, positions);
-                tree.refit(positions);
-                System.arraycopy(surface.rest().withPositions(positions).bounds(), 0, box, 0, box.length);
-            }
-            case RIGID -> {
-                pose = frame.pose(index).clone();
-                updateRigidBox();
-            }
-            case STILL -> {
-                // Where it always is.
-            }
+        if (surface.motion() == Surface.Motion.DEFORMING) {
+            frame.writePositions(surface, index, positions);
+            tree.refit(positions);
+            System.arraycopy(surface.rest().withPositions(positions).bounds(), 0, box, 0, box.length);
+        } else if (surface.motion() == Surface.Motion.RIGID) {
+            pose = frame.pose(index).clone();
+            updateRigidBox();
         }
     }
 
-    /** The box about the turned box: each axis gathers the ends of the rest box that lie farther along it. */
+    /** Bounds of the transformed rest box: per axis, the extreme of each term. */
     private void updateRigidBox() {
         for (int row = 0; row < 3; row++) {
             double low = pose[4 * row + 3];
@@ -69,17 +65,14 @@ public final class MovingStructure {
         }
     }
 
-    /**
-     * No more than the distance between a path and the surface: that between their boxes along the axis on which they
-     * are farthest apart, mm.
-     */
+    /** Lower bound of the distance from a path, mm: the largest gap between their bounding boxes along an axis. */
     public double boxDistance(double[] from, double[] to) {
         double gap = 0;
         for (int axis = 0; axis < 3; axis++) {
             gap = Math.max(gap, box[axis] - Math.max(from[axis], to[axis]));
             gap = Math.max(gap, Math.min(from[axis], to[axis]) - box[3 + axis]);
         }
-        return gap - BOX_SLACK_MM;
+        return gap - BOX_TOLERANCE_MM;
     }
 
     /** The surface. */
@@ -87,61 +80,63 @@ public final class MovingStructure {
         return surface;
     }
 
-    /** What it is to a needle; empty for what a needle passes on its way. */
+    /** Its no-go zone; empty if a needle may pass it. */
     public Optional<NoGoZone> noGo() {
         return noGo;
     }
 
-    /** Its name for people: "right rib 8". */
+    /** Display name: "right rib 8", "left lung", "liver". */
     public String label() {
-        return StructureLabel.of(surface);
+        String side =
+                surface.side() == Side.MIDLINE ? "" : surface.side().name().toLowerCase(Locale.ROOT) + " ";
+        return switch (surface.kind()) {
+            case RIB -> side + "rib " + surface.level();
+            case COSTAL_CARTILAGE -> side + "costal cartilage " + surface.level();
+            case LUNG -> side + "lung";
+            case LIVER -> "liver";
+            case DIAPHRAGM -> "diaphragm";
+            case SKIN -> "skin";
+            case STERNUM, VERTEBRA, DISC, OTHER -> surface.name().replace('_', ' ');
+        };
     }
 
+    /** The tree of the surface, in its local axes. */
     public TriangleTree tree() {
         return tree;
     }
 
-    /** Where the vertices of what deforms are; of a rigid body where they rest. */
+    /** Vertex positions in local axes: of the frame for a deforming surface, at rest for a rigid one. */
     public double[] positions() {
         return positions;
     }
 
-    /** Lays a path into a probe, in the axes in which {@link #tree} holds the surface. */
+    /** Sets a probe to a path, in local axes. */
     public void setProbe(double[] from, double[] to, SegmentProbe probe) {
+        double[] a = toLocal(from);
+        double[] b = toLocal(to);
+        probe.set(a[0], a[1], a[2], b[0], b[1], b[2]);
+    }
+
+    /** A point in local axes: x = R^T (x' - t). */
+    public double[] toLocal(double[] world) {
         if (pose.length == 0) {
-            probe.set(from[0], from[1], from[2], to[0], to[1], to[2]);
-        } else {
-            probe.set(
-                    toLocal(0, from),
-                    toLocal(1, from),
-                    toLocal(2, from),
-                    toLocal(0, to),
-                    toLocal(1, to),
-                    toLocal(2, to));
+            return world.clone();
         }
+        double[] local = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            for (int row = 0; row < 3; row++) {
+                local[axis] += pose[4 * row + axis] * (world[row] - pose[4 * row + 3]);
+            }
+        }
+        return local;
     }
 
-    /** Coordinate of a point in the axes of the tree: x = R^T (x' - t). */
-    private double toLocal(int axis, double[] at) {
-        double sum = 0;
-        for (int row = 0; row < 3; row++) {
-            sum += pose[4 * row + axis] * (at[row] - pose[4 * row + 3]);
+    /** A point of the local axes in world axes. */
+    public double[] toWorld(double[] local) {
+        double[] world = local.clone();
+        if (pose.length > 0) {
+            Frame.transform(pose, local, world);
         }
-        return sum;
-    }
-
-    /** A point in the axes of the tree. */
-    public double[] toLocal(double[] at) {
-        return pose.length == 0 ? at.clone() : new double[] {toLocal(0, at), toLocal(1, at), toLocal(2, at)};
-    }
-
-    /** A point given in the axes of the tree. */
-    public double[] toWorld(double[] own) {
-        if (pose.length == 0) {
-            return own.clone();
-        }
-        double[] at = new double[3];
-        Frame.transform(pose, own, at);
-        return at;
+        return world;
     }
 }

@@ -2,7 +2,6 @@ package org.phrenic.access;
 
 import java.util.Locale;
 import java.util.Map;
-import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
 
@@ -15,19 +14,19 @@ import org.phrenic.mesh.Vectors;
 public record Needle(int gauge, double lengthMm) {
     /** Outer diameters of needle tube, mm (ISO 9626 nominal sizes). */
     private static final Map<Integer, Double> DIAMETER_MM =
-            new TreeMap<>(Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7));
+            Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7);
 
-    private static final double SHORTEST_MM = 20;
-    private static final double LONGEST_MM = 300;
+    private static final double MIN_LENGTH_MM = 20;
+    private static final double MAX_LENGTH_MM = 300;
 
     /** @throws IllegalArgumentException with one sentence, for a gauge or a length that no biopsy needle has */
     public Needle {
         if (!DIAMETER_MM.containsKey(gauge)) {
             throw new IllegalArgumentException("found a needle of " + gauge + " G, expected 14 to 22 G");
         }
-        if (!(lengthMm >= SHORTEST_MM && lengthMm <= LONGEST_MM)) {
-            throw new IllegalArgumentException(
-                    "found a needle " + lengthMm + " mm long, expected " + SHORTEST_MM + " to " + LONGEST_MM + " mm");
+        if (!(lengthMm >= MIN_LENGTH_MM && lengthMm <= MAX_LENGTH_MM)) {
+            throw new IllegalArgumentException("found a needle " + lengthMm + " mm long, expected " + MIN_LENGTH_MM
+                    + " to " + MAX_LENGTH_MM + " mm");
         }
     }
 
@@ -42,9 +41,9 @@ public record Needle(int gauge, double lengthMm) {
     }
 
     /**
-     * Makes sure that it is long enough.
+     * Checks that the needle reaches from one point to another.
      *
-     * @throws BadInputException with one sentence, if it is not, or there is no way between the points
+     * @throws BadInputException with one sentence, if it does not, or the points coincide
      */
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);

@@ -1,22 +1,24 @@
 package org.phrenic.access;
 
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.StructureKind;
 
-/** What a needle should keep out of. */
+/** What a needle should not touch. */
 public enum NoGoZone {
     LUNG("lung"),
     /** Rib, costal cartilage, sternum, vertebra, disc. */
     BONE("bone"),
-    /** The zone below a rib's lower border, where intercostal vessels and nerve run ({@link CostalGroove}). */
+    /** The zone of the intercostal vessels and nerve below a rib ({@link CostalGroove}). */
     VESSELS("vessels below a rib"),
     /** The pleural recess ({@link PleuralReflection}). */
     PLEURA("pleural recess"),
-    /** What the body has besides: trachea, bowel. */
+    /** Any other structure of the body: trachea, bowel. */
     ORGAN("other organ");
 
     private final String label;
@@ -26,14 +28,14 @@ public enum NoGoZone {
     }
 
     /**
-     * What a path may not touch unless it is said otherwise. The recess is not among it: in the 7th to 9th space it can
-     * hardly be avoided; that it is crossed is reported.
+     * The zones of a plan that names none. The recess is not among them: in the 7th to 9th intercostal space it can
+     * hardly be avoided; crossing it is reported.
      */
     public static Set<NoGoZone> defaults() {
         return EnumSet.of(LUNG, BONE, VESSELS, ORGAN);
     }
 
-    /** What a structure of this kind is; empty for what a needle passes on its way. */
+    /** The zone of a kind of structure; empty for those that a needle may pass. */
     public static Optional<NoGoZone> of(StructureKind kind) {
         return switch (kind) {
             case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> Optional.of(BONE);
@@ -43,31 +45,30 @@ public enum NoGoZone {
         };
     }
 
-    /** Name for people. */
+    /** Display name. */
     public String label() {
         return label;
     }
 
-    /** Name in a file. */
+    /** Name in files. */
     public String key() {
         return name().toLowerCase(Locale.ROOT);
     }
 
+    /** The bit of the zone in a bit set. */
     public int bit() {
         return 1 << ordinal();
     }
 
-    public static int bits(Collection<NoGoZone> all) {
-        return all.stream().mapToInt(NoGoZone::bit).reduce(0, (a, b) -> a | b);
+    /** The bit set of zones. */
+    public static int bits(Collection<NoGoZone> zones) {
+        return zones.stream().mapToInt(NoGoZone::bit).reduce(0, (a, b) -> a | b);
     }
 
+    /** The zones of a bit set. */
     public static Set<NoGoZone> of(int bits) {
-        Set<NoGoZone> all = EnumSet.noneOf(NoGoZone.class);
-        for (NoGoZone one : values()) {
-            if ((bits & one.bit()) != 0) {
-                all.add(one);
-            }
-        }
-        return all;
+        return Arrays.stream(values())
+                .filter(zone -> (bits & zone.bit()) != 0)
+                .collect(Collectors.toCollection(() -> EnumSet.noneOf(NoGoZone.class)));
     }
 }

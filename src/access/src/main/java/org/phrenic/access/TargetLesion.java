@@ -1,5 +1,6 @@
 package org.phrenic.access;
 
+import java.util.Locale;
 import java.util.Random;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -10,28 +11,28 @@ import org.phrenic.mesh.query.TriangleTree;
 /**
  * A spherical lesion in the liver.
  *
- * @param restMm its middle at end-expiration, LPS, mm; not to be written to
- * @param diameterMm its diameter
+ * @param restMm its centre at end-expiration, LPS, mm; read-only
  */
 public record TargetLesion(double[] restMm, double diameterMm) {
-    /** Lesions of 23 +/- 14 mm were biopsied (PMC4927599); smaller or larger ones than these are not drawn. */
-    private static final double MEAN_MM = 23;
-
-    private static final double SD_MM = 14;
     /** Smallest and largest diameter, mm. */
     public static final double SMALLEST_MM = 5;
 
     public static final double LARGEST_MM = 80;
-    private static final double BEHIND_MM = 400;
-    private static final double SMALLEST_DRAWN_MM = 8;
-    private static final double LARGEST_DRAWN_MM = 50;
-    private static final int MOST_DRAWS = 100_000;
+
+    /** Diameters of biopsied lesions, 23 +/- 14 mm (PMC4927599), and the bounds of random diameters. */
+    private static final double MEAN_MM = 23;
+
+    private static final double SD_MM = 14;
+    private static final double SMALLEST_RANDOM_MM = 8;
+    private static final double LARGEST_RANDOM_MM = 50;
+
+    private static final double RAY_MM = 400;
+    private static final int MAX_DRAWS = 100_000;
 
     /**
      * A target at a place.
      *
-     * @param scene whose liver must hold its middle
-     * @throws BadInputException with one sentence, if it does not, or the diameter cannot be
+     * @throws BadInputException with one sentence, if the place is not in the liver or the diameter is out of range
      */
     public static TargetLesion at(MovingAnatomy scene, double[] restMm, double diameterMm) {
         if (!(diameterMm >= SMALLEST_MM && diameterMm <= LARGEST_MM)) {
@@ -44,7 +45,7 @@ public record TargetLesion(double[] restMm, double diameterMm) {
             TriangleTree.Hit hit = new TriangleTree.Hit();
             tree.closest(restMm[0], restMm[1], restMm[2], hit);
             throw new BadInputException(String.format(
-                    java.util.Locale.ROOT,
+                    Locale.ROOT,
                     "target: found (%.1f, %.1f, %.1f), %.1f mm outside of the liver, expected a place within it",
                     restMm[0],
                     restMm[1],
@@ -55,17 +56,17 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     }
 
     /**
-     * A target behind a place of the liver's surface.
+     * A target behind a point of the liver's surface.
      *
-     * @param onLiverRest that place at end-expiration
+     * @param onLiverRest the point at end-expiration
      * @param direction unit vector of the line of sight
-     * @param depthMm how far behind; in a thinner part of the liver, in its middle
+     * @param depthMm depth behind the surface; half the thickness where the liver is thinner than twice the depth
      * @throws BadInputException with one sentence, as {@link #at}
      */
     public static TargetLesion behindSurface(
             MovingAnatomy scene, double[] onLiverRest, double[] direction, double depthMm, double diameterMm) {
         SegmentProbe probe = new SegmentProbe();
-        double[] far = Vectors.addScaled(onLiverRest, direction, BEHIND_MM);
+        double[] far = Vectors.addScaled(onLiverRest, direction, RAY_MM);
         double[] near = Vectors.addScaled(onLiverRest, direction, -1);
         probe.set(near[0], near[1], near[2], far[0], far[1], far[2]);
         int count = probe.intersect(new TriangleTree(scene.liver().surface().rest()));
@@ -79,22 +80,21 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     }
 
     /**
-     * A target at random, wholly within the liver.
+     * A random target wholly within the liver.
      *
-     * @param seed the same seed gives the same target
-     * @param diameterMm NaN for a diameter drawn as lesions are
+     * @param diameterMm NaN for a random diameter
      */
     public static TargetLesion random(MovingAnatomy scene, long seed, double diameterMm) {
         Random random = new Random(seed);
         double diameter = diameterMm;
         while (Double.isNaN(diameter)) {
             double drawn = MEAN_MM + SD_MM * random.nextGaussian();
-            diameter = drawn >= SMALLEST_DRAWN_MM && drawn <= LARGEST_DRAWN_MM ? drawn : Double.NaN;
+            diameter = drawn >= SMALLEST_RANDOM_MM && drawn <= LARGEST_RANDOM_MM ? drawn : Double.NaN;
         }
         TriangleTree tree = new TriangleTree(scene.liver().surface().rest());
         double[] box = scene.liver().surface().rest().bounds();
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        for (int i = 0; i < MOST_DRAWS; i++) {
+        for (int i = 0; i < MAX_DRAWS; i++) {
             double[] p = new double[3];
             for (int axis = 0; axis < 3; axis++) {
                 p[axis] = box[axis] + random.nextDouble() * (box[3 + axis] - box[axis]);

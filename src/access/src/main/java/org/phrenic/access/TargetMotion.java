@@ -1,33 +1,33 @@
 package org.phrenic.access;
 
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.Vectors;
 
 /**
- * How a target moves over a breath.
+ * Motion of a target over a breath.
  *
- * @param positions of its middle, LPS, mm; not to be written to
+ * @param positions of its centre, LPS, mm; read-only
  */
 public record TargetMotion(List<double[]> positions) {
-    /** Greatest distance between two places, mm: "the target moves X mm". */
+    /** Excursion, the largest distance between two positions, mm. */
     public double excursionMm() {
-        double most = 0;
-        for (double[] a : positions) {
-            for (double[] b : positions) {
-                most = Math.max(most, Vectors.distance(a, b));
-            }
-        }
-        return most;
+        return positions.stream()
+                .flatMapToDouble(a -> positions.stream().mapToDouble(b -> Vectors.distance(a, b)))
+                .max()
+                .orElse(0);
     }
 
-    /** Range in x, y, z (to the left, backwards, upwards), mm. */
+    /** Range in x, y, z (left, posterior, superior), mm. */
     public double[] rangeMm() {
-        double[] range = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            int k = axis;
-            range[axis] = positions.stream().mapToDouble(t -> t[k]).max().orElse(0)
-                    - positions.stream().mapToDouble(t -> t[k]).min().orElse(0);
-        }
-        return range;
+        return IntStream.range(0, 3)
+                .mapToDouble(axis -> coordinates(axis).max().orElse(0)
+                        - coordinates(axis).min().orElse(0))
+                .toArray();
+    }
+
+    private DoubleStream coordinates(int axis) {
+        return positions.stream().mapToDouble(p -> p[axis]);
     }
 }

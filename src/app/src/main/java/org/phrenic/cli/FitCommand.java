@@ -27,6 +27,7 @@ import org.phrenic.fit.FitTarget;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.SyntheticStudy;
 import org.phrenic.fit.search.FitParameter;
+import org.phrenic.fit.search.FitSearch;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -153,17 +154,18 @@ final class FitCommand implements Callable<Integer> {
                 body,
                 read,
                 parameters,
-                heldOut.contains(HALF),
-                "none: the targets are taken to be in the axes of the body",
-                seed(),
-                population == null ? 0 : OptionValues.integer("--population", population, 4, 1000),
-                FitSetup.SIGMA,
-                threads(),
-                evaluations(),
-                minutes == null
-                        ? Double.POSITIVE_INFINITY
-                        : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5),
-                !noSensitivity);
+                new FitSetup.Options(
+                        heldOut.contains(HALF),
+                        "none: the targets are taken to be in the axes of the body",
+                        new FitSearch.Settings(
+                                seed(),
+                                population == null ? 0 : OptionValues.integer("--population", population, 4, 1000),
+                                evaluations(),
+                                minutes == null
+                                        ? Double.POSITIVE_INFINITY
+                                        : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5)),
+                        threads(),
+                        !noSensitivity));
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
         printer.end();
@@ -188,8 +190,7 @@ final class FitCommand implements Callable<Integer> {
                         "--synthetic", synthetic, 1, SyntheticPatient.five().size()),
                 Scenario.defaults().with("resolution=" + resolution).resolution(),
                 threads(),
-                evaluations(),
-                seed(),
+                new FitSearch.Settings(seed(), evaluations()),
                 out,
                 printer);
         printer.end();

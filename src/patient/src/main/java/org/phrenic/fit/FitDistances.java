@@ -1,12 +1,14 @@
 package org.phrenic.fit;
 
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
- * Distances of a part of the body from its target, both ways, mm.
+ * Symmetric distances between a part of the body and its target, mm.
  *
- * @param model the part as it stands; null for pairs of points
+ * @param model the part in its current position; null for pairs of points
  * @param toTarget distance of each vertex of the part from the target, or of each point from where it should be
  * @param modelWeights area about each vertex, 0 where it does not count
  * @param toModel distance of each vertex of the target from the part; empty for pairs of points
@@ -15,7 +17,7 @@ import org.phrenic.mesh.query.DistanceSummary;
 public record FitDistances(
         TriangleMesh model, double[] toTarget, double[] modelWeights, double[] toModel, double[] targetWeights) {
 
-    /** Mean of both directions by area: what a fit makes small. */
+    /** Mean of both directions by area: the objective of a fit. */
     public double mean() {
         double sum = 0;
         double total = 0;
@@ -30,14 +32,12 @@ public record FitDistances(
         return total > 0 ? sum / total : 0;
     }
 
-    /** Figures of both directions by area. */
+    /** Statistics of both directions by area. */
     public DistanceSummary summary() {
-        double[] distances = new double[toTarget.length + toModel.length];
-        double[] weights = new double[distances.length];
-        System.arraycopy(toTarget, 0, distances, 0, toTarget.length);
-        System.arraycopy(toModel, 0, distances, toTarget.length, toModel.length);
-        System.arraycopy(modelWeights, 0, weights, 0, toTarget.length);
-        System.arraycopy(targetWeights, 0, weights, toTarget.length, toModel.length);
-        return DistanceSummary.of(distances, weights);
+        return DistanceSummary.of(joined(toTarget, toModel), joined(modelWeights, targetWeights));
+    }
+
+    private static double[] joined(double[] a, double[] b) {
+        return DoubleStream.concat(Arrays.stream(a), Arrays.stream(b)).toArray();
     }
 }

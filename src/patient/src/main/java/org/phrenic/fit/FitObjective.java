@@ -1,30 +1,30 @@
 package org.phrenic.fit;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.fit.search.DistanceGradient;
 import org.phrenic.fit.search.Evaluation;
 
 /**
- * A body that breathes, how far it is from its targets, and which way leads nearer.
+ * The objective of a fit: the weighted mean distance of a simulated body from its targets, and its gradient by the
+ * vertex positions.
  *
  * <p>Used by one thread at a time.
  */
 final class FitObjective implements AutoCloseable {
-    /** What a body that came apart is worth, mm: worse than any that did not. */
-    private static final double CAME_APART_MM = 1000;
+    /** Value of a body whose simulation diverged, mm: larger than that of any other. */
+    private static final double DIVERGED_MM = 1000;
 
     private final FitHalf half;
     private final InspiratoryHold breath;
     private final List<TargetDistance> distances;
-    /** Those that count, where the part of each begins in a shape, and its share of the mean. */
-    private final List<TargetDistance> counting = new ArrayList<>();
+    /** Targets with a weight; for each, where its part begins in a shape, and its share of the mean. */
+    private final List<TargetDistance> weighted;
 
     private final int[] offsets;
     private final double[] weights;
     private final int length;
-    private List<DistanceGradient> slopes = List.of();
+    private List<DistanceGradient> gradients = List.of();
 
     FitObjective(FitSetup setup) {
         half = setup.fittedHalf();
@@ -32,20 +32,19 @@ final class FitObjective implements AutoCloseable {
         distances = setup.targets().stream()
                 .map(t -> new TargetDistance(t, breath.surfaces()))
                 .toList();
-        distances.stream().filter(d -> d.target().weight() > 0).forEach(counting::add);
-        offsets = new int[counting.size()];
-        weights = new double[counting.size()];
-        double all = counting.stream().mapToDouble(d -> d.target().weight()).sum();
+        weighted = distances.stream().filter(d -> d.target().weight() > 0).toList();
+        double all = weighted.stream().mapToDouble(d -> d.target().weight()).sum();
+        weights = weighted.stream().mapToDouble(d -> d.target().weight() / all).toArray();
+        offsets = new int[weights.length];
         int next = 0;
         for (int i = 0; i < offsets.length; i++) {
-            weights[i] = counting.get(i).target().weight() / all;
-            offsets[i] = next;
-            for (int j = 0; j < i && offsets[i] == next; j++) {
-                if (counting.get(j).sharesSurfaces(counting.get(i))) {
-                    offsets[i] = offsets[j];
-                }
+            int part = 0;
+            while (!weighted.get(part).sharesSurfaces(weighted.get(i))) {
+                part++;
             }
-            next += offsets[i] == next ? counting.get(i).length() : 0;
+            // Targets of the same surfaces share their positions in the shape.
+            offsets[i] = part < i ? offsets[part] : next;
+            next += part < i ? 0 : weighted.get(i).length();
         }
         length = next;
     }
@@ -54,62 +53,57 @@ final class FitObjective implements AutoCloseable {
         return breath;
     }
 
-    /** One a target, also of those held out. */
+    /** The distance from each target, held out or not. */
     List<TargetDistance> distances() {
         return distances;
     }
 
-    /** Mean distance at rest of what is fitted to, by the targets' weights. */
+    /** Value of the body at rest, mm. */
     double initialMm() {
         double sum = 0;
         for (int i = 0; i < weights.length; i++) {
-            sum += weights[i] * counting.get(i).atRest(half).mean();
+            sum += weights[i] * weighted.get(i).atRest(half).mean();
         }
         return sum;
     }
 
-    /** Breathes in with these values of the parameters. */
+    /** Simulates the breath with these parameter values. */
     Evaluation evaluate(double[] values) {
         if (!breath.breatheIn(values)) {
-            return new Evaluation(CAME_APART_MM, new float[0]);
+            return new Evaluation(values, DIVERGED_MM);
         }
         float[] shape = new float[length];
         double mean = 0;
         for (int i = 0; i < offsets.length; i++) {
-            double[] part = counting.get(i).positions(breath);
-            mean += weights[i] * counting.get(i).mean(part, half);
+            double[] part = weighted.get(i).positions(breath);
+            mean += weights[i] * weighted.get(i).mean(part, half);
             for (int k = 0; k < part.length; k++) {
                 shape[offsets[i] + k] = (float) part[k];
             }
         }
-        return new Evaluation(mean, shape);
+        return new Evaluation(values, mean, shape);
     }
 
-    /** Tells of every distance that counts of a shape, with places in the shape instead of vertices. */
-    void visitDistances(double[] shape, DistanceGradient.Visitor told) {
-        if (slopes.isEmpty()) {
-            slopes = counting.stream().map(d -> d.gradient(half)).toList();
+    /** Visits every weighted distance of a shape; vertices are given as positions in the shape. */
+    void visitDistances(double[] shape, DistanceGradient.Visitor visitor) {
+        if (gradients.isEmpty()) {
+            gradients = weighted.stream().map(d -> d.gradient(half)).toList();
         }
-        int[] places = new int[3];
         for (int i = 0; i < offsets.length; i++) {
             int offset = offsets[i];
             double share = weights[i];
-            slopes.get(i)
-                    .visit(
-                            Arrays.copyOfRange(
-                                    shape, offset, offset + counting.get(i).length()),
-                            (weight, distance, direction, vertices, shares) -> {
-                                for (int c = 0; c < 3; c++) {
-                                    places[c] = offset + 3 * vertices[c];
-                                }
-                                told.accept(share * weight, distance, direction, places, shares);
-                            });
+            double[] part =
+                    Arrays.copyOfRange(shape, offset, offset + weighted.get(i).length());
+            gradients.get(i).visit(part, (weight, distance, direction, vertices, shares) -> {
+                int[] places = {offset + 3 * vertices[0], offset + 3 * vertices[1], offset + 3 * vertices[2]};
+                visitor.accept(share * weight, distance, direction, places, shares);
+            });
         }
     }
 
-    /** Whether {@link #visitDistances} can: not of pairs of points. */
+    /** Whether {@link #visitDistances} is possible: no target is pairs of points. */
     boolean hasGradient() {
-        return counting.stream().noneMatch(d -> d.target().isPointPairs());
+        return weighted.stream().noneMatch(d -> d.target().isPointPairs());
     }
 
     @Override

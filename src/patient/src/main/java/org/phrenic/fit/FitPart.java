@@ -1,73 +1,59 @@
 package org.phrenic.fit;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.observe.Surface;
 
-/** What of a body a target is a surface of. */
+/** The part of the body that a target is a surface of. */
 public enum FitPart {
-    LUNGS("lungs", StructureKind.LUNG, null, false),
-    LUNG_RIGHT("lung_R", StructureKind.LUNG, Side.RIGHT, false),
-    LUNG_LEFT("lung_L", StructureKind.LUNG, Side.LEFT, false),
-    LUNG_BASE_RIGHT("lung_base_R", StructureKind.LUNG, Side.RIGHT, true),
-    LUNG_BASE_LEFT("lung_base_L", StructureKind.LUNG, Side.LEFT, true),
-    DIAPHRAGM("diaphragm", StructureKind.DIAPHRAGM, null, false),
-    LIVER("liver", StructureKind.LIVER, null, false);
+    LUNGS("lungs", StructureKind.LUNG, null),
+    LUNG_RIGHT("lung_R", StructureKind.LUNG, Side.RIGHT),
+    LUNG_LEFT("lung_L", StructureKind.LUNG, Side.LEFT),
+    LUNG_BASE_RIGHT("lung_base_R", StructureKind.LUNG, Side.RIGHT),
+    LUNG_BASE_LEFT("lung_base_L", StructureKind.LUNG, Side.LEFT),
+    DIAPHRAGM("diaphragm", StructureKind.DIAPHRAGM, null),
+    LIVER("liver", StructureKind.LIVER, null);
 
     private final String label;
     private final StructureKind kind;
     private final Side side;
-    private final boolean base;
 
-    FitPart(String label, StructureKind kind, Side side, boolean base) {
+    FitPart(String label, StructureKind kind, Side side) {
         this.label = label;
         this.kind = kind;
         this.side = side;
-        this.base = base;
     }
 
-    /** As it is written on the command line. */
+    /** The name on the command line and in files. */
     public String label() {
         return label;
     }
 
-    /**
-     * Whether only its base counts ({@link org.phrenic.patient.LungBaseFacet}): the surface of a lung that lies on the
-     * diaphragm.
-     */
+    /** Whether it is the base of a lung, its {@link org.phrenic.patient.registration.DiaphragmaticSurface}. */
     public boolean isBase() {
-        return base;
+        return this == LUNG_BASE_RIGHT || this == LUNG_BASE_LEFT;
     }
 
-    /** The base of a lung; null of what is not one whole lung. */
+    /** The base of a whole lung; null for other parts. */
     FitPart base() {
-        return switch (this) {
-            case LUNG_RIGHT -> LUNG_BASE_RIGHT;
-            case LUNG_LEFT -> LUNG_BASE_LEFT;
-            default -> null;
-        };
+        return this == LUNG_RIGHT ? LUNG_BASE_RIGHT : this == LUNG_LEFT ? LUNG_BASE_LEFT : null;
     }
 
-    /** Whether a surface of a scene belongs to it. */
+    /** Whether a surface of a scene belongs to the part. */
     public boolean matches(Surface surface) {
         return surface.kind() == kind && (side == null || surface.side() == side);
     }
 
-    /** The part of this label; empty if there is none. */
+    /** The part with this label; empty if there is none. */
     public static Optional<FitPart> of(String label) {
         return Arrays.stream(values()).filter(p -> p.label.equals(label)).findFirst();
     }
 
-    /** All labels, with commas. */
+    /** All labels, separated by commas. */
     public static String labels() {
-        return labelList().stream().collect(Collectors.joining(", "));
-    }
-
-    static List<String> labelList() {
-        return Arrays.stream(values()).map(FitPart::label).toList();
+        return Arrays.stream(values()).map(FitPart::label).collect(Collectors.joining(", "));
     }
 }

@@ -1,13 +1,16 @@
 package org.phrenic.fit;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
@@ -16,8 +19,8 @@ import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.query.DistanceSummary;
 
-/** What a fit found as tables, as a document and as values for JSON. */
-public final class FitReport {
+/** The result of a fit as tables, as a document and as values for JSON. */
+public record FitReport(FitResult result) {
     /** Columns of {@link #distances}. */
     public static final List<Column> DISTANCES = List.of(
             Column.text("target"),
@@ -27,7 +30,6 @@ public final class FitReport {
             Column.number("RMS"),
             Column.number("95 %"),
             Column.number("residual / initial"));
-
     /** Columns of {@link #parameters}. */
     public static final List<Column> PARAMETERS = List.of(
             Column.text("parameter"),
@@ -39,75 +41,66 @@ public final class FitReport {
             Column.number("distance with a step less"),
             Column.number("with a step more"));
 
-    private final FitResult result;
-
-    public FitReport(FitResult result) {
-        this.result = result;
-    }
-
-    /** Distances before and after, mm, target by target. */
+    /** Distances before and after, mm, by target. */
     public List<List<String>> distances() {
         List<List<String>> rows = new ArrayList<>();
         for (FitResult.TargetResult t : result.targets()) {
             String name = t.target().name() + (t.target().weight() > 0 ? "" : " (held out)");
-            rows.add(row(name, "at end-expiration", t.initial(), Double.NaN));
-            rows.add(row("", "fitted", t.residual(), t.ratio()));
+            rows.add(row(name, "at end-expiration", t.initial(), ""));
+            rows.add(row("", "fitted", t.residual(), ratio(t.ratio())));
             if (t.residualFitted() != null) {
-                rows.add(row("", "fitted, half fitted to", t.residualFitted(), Double.NaN));
-                rows.add(row("", "at end-expiration, half held out", t.initialHeldOut(), Double.NaN));
-                rows.add(row(
-                        "",
-                        "fitted, half held out",
-                        t.residualHeldOut(),
-                        t.residualHeldOut().mean() / t.initialHeldOut().mean()));
+                double ratio = t.residualHeldOut().mean() / t.initialHeldOut().mean();
+                rows.add(row("", "fitted, half fitted to", t.residualFitted(), ""));
+                rows.add(row("", "at end-expiration, half held out", t.initialHeldOut(), ""));
+                rows.add(row("", "fitted, half held out", t.residualHeldOut(), ratio(ratio)));
             }
         }
         return rows;
     }
 
-    private static List<String> row(String target, String body, FitDistances distances, double ratio) {
+    private static List<String> row(String target, String body, FitDistances distances, String ratio) {
         DistanceSummary d = distances.summary();
-        return List.of(
-                target,
-                body,
-                mm(d.mean()),
-                mm(d.deviation()),
-                mm(d.rms()),
-                mm(d.percentile95()),
-                Double.isNaN(ratio) ? "" : String.format(Locale.ROOT, "%.3f", ratio));
+        return List.of(target, body, mm(d.mean()), mm(d.deviation()), mm(d.rms()), mm(d.percentile95()), ratio);
     }
 
-    /** Parameters with what each does, a row each. */
+    private static String ratio(double value) {
+        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3f", value);
+    }
+
+    /** The parameters and their effects, one row each. */
     public List<List<String>> parameters() {
-        List<List<String>> rows = new ArrayList<>();
-        for (int i = 0; i < result.values().length; i++) {
-            FitParameter p = result.setup().parameters().get(i);
-            List<String> row = new ArrayList<>(List.of(
-                    p.parameter().key(),
-                    p.parameter().unit(),
-                    number(p.minimum()) + " to " + number(p.maximum()),
-                    number(p.start()),
-                    number(result.values()[i])));
-            if (result.sensitivity().isEmpty()) {
-                row.addAll(List.of("", "", ""));
-            } else {
-                FitResult.Effect e = result.sensitivity().get(i);
-                row.add(number(e.step()));
-                row.add(Double.isNaN(e.belowMm()) ? "bound" : mm(e.belowMm()));
-                row.add(Double.isNaN(e.aboveMm()) ? "bound" : mm(e.aboveMm()));
-            }
-            rows.add(row);
-        }
-        return rows;
+        return IntStream.range(0, result.values().length)
+                .mapToObj(this::parameterRow)
+                .toList();
     }
 
-    /** What was fitted and how it ended, in a sentence or two. */
+    private List<String> parameterRow(int i) {
+        FitParameter p = result.setup().parameters().get(i);
+        List<String> row = new ArrayList<>(List.of(
+                p.parameter().key(),
+                p.parameter().unit(),
+                number(p.minimum()) + " to " + number(p.maximum()),
+                number(p.start()),
+                number(result.values()[i])));
+        if (result.sensitivity().isEmpty()) {
+            row.addAll(List.of("", "", ""));
+        } else {
+            FitResult.Effect e = result.sensitivity().get(i);
+            row.add(number(e.step()));
+            row.add(Double.isNaN(e.belowMm()) ? "bound" : mm(e.belowMm()));
+            row.add(Double.isNaN(e.aboveMm()) ? "bound" : mm(e.aboveMm()));
+        }
+        return row;
+    }
+
+    /** The result in a few sentences. */
     public String summary() {
         FitSetup setup = result.setup();
         return String.format(
                 Locale.ROOT,
-                "The mean distance on what was fitted to fell from %.2f mm (body at end-expiration; %.2f mm breathed in as it was before) to %.2f mm: %.3f of it. %d"
-                        + " parameters, %d evaluations in generations of %d, seed %d; it ended because %s. %s",
+                "The mean distance on what was fitted to fell from %.2f mm (body at end-expiration; %.2f mm breathed in"
+                        + " as it was before) to %.2f mm: %.3f of it. %d parameters, %d evaluations in generations of"
+                        + " %d, seed %d; it ended because %s. %s",
                 result.initialMm(),
                 result.untunedMm(),
                 result.bestMm(),
@@ -115,14 +108,14 @@ public final class FitReport {
                 setup.parameters().size(),
                 result.trials().length,
                 setup.populationSize(),
-                setup.seed(),
+                setup.options().search().seed(),
                 result.ended(),
                 result.reproduced()
                         ? "scenario.yaml was run and gives the same state bit by bit."
                         : "scenario.yaml was run and does NOT give the same state.");
     }
 
-    /** All of it, to be written as a page. */
+    /** The report as a page. */
     public ReportDocument document(List<Picture> pictures) {
         FitSetup setup = result.setup();
         ReportDocument page = new ReportDocument(
@@ -131,7 +124,7 @@ public final class FitReport {
                         + " breathed in and held, with the parameters that bring its surfaces nearest to"
                         + " those given.");
         page.paragraph(summary());
-        page.paragraph("Rigid alignment: " + setup.alignment() + ".");
+        page.paragraph("Rigid alignment: " + setup.options().alignment() + ".");
         page.section("Distances");
         page.paragraph("From the vertices of each surface to the other, both ways together, by area, mm.");
         page.table("", DISTANCES, distances());
@@ -155,75 +148,79 @@ public final class FitReport {
         return page;
     }
 
-    /** All of it as values, for JSON. */
+    /** The report as values for JSON. */
     public Map<String, Object> values() {
         FitSetup setup = result.setup();
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", Disclaimer.TEXT);
-        map.put("anatomy", setup.base().anatomy());
-        map.put("alignment", setup.alignment());
-        map.put("initial_mean_mm", result.initialMm());
-        map.put("untuned_mean_mm", result.untunedMm());
-        map.put("residual_mean_mm", result.bestMm());
-        map.put("ratio", result.ratio());
-        map.put("evaluations", result.trials().length);
-        map.put("population", setup.populationSize());
-        map.put("seed", setup.seed());
-        map.put("ended", result.ended());
-        map.put("reproduced", result.reproduced());
-        map.put("wall_s", result.wallS());
+        OrderedValues map = new OrderedValues()
+                .with("notice", Disclaimer.TEXT)
+                .with("anatomy", setup.base().anatomy())
+                .with("alignment", setup.options().alignment())
+                .with("initial_mean_mm", result.initialMm())
+                .with("untuned_mean_mm", result.untunedMm())
+                .with("residual_mean_mm", result.bestMm())
+                .with("ratio", result.ratio())
+                .with("evaluations", result.trials().length)
+                .with("population", setup.populationSize())
+                .with("seed", setup.options().search().seed())
+                .with("ended", result.ended())
+                .with("reproduced", result.reproduced())
+                .with("wall_s", result.wallS());
         if (!Double.isNaN(result.cpuPerEvaluationS())) {
             map.put("cpu_per_evaluation_s", result.cpuPerEvaluationS());
         }
-        map.put("targets", result.targets().stream().map(FitReport::values).toList());
-        List<Object> parameters = new ArrayList<>();
-        for (int i = 0; i < result.values().length; i++) {
-            FitParameter p = setup.parameters().get(i);
-            Map<String, Object> row = new LinkedHashMap<>();
-            row.put("key", p.parameter().key());
-            row.put("unit", p.parameter().unit());
-            row.put("minimum", p.minimum());
-            row.put("maximum", p.maximum());
-            row.put("start", p.start());
-            row.put("fitted", result.values()[i]);
-            if (!result.sensitivity().isEmpty()) {
-                FitResult.Effect e = result.sensitivity().get(i);
-                row.put("step", e.step());
-                row.put("with_a_step_less_mm", Double.isNaN(e.belowMm()) ? null : e.belowMm());
-                row.put("with_a_step_more_mm", Double.isNaN(e.aboveMm()) ? null : e.aboveMm());
-            }
-            parameters.add(row);
-        }
-        map.put("parameters", parameters);
-        map.put("observed", result.observed());
-        return map;
+        return map.with(
+                        "targets",
+                        result.targets().stream().map(FitReport::values).toList())
+                .with(
+                        "parameters",
+                        IntStream.range(0, result.values().length)
+                                .mapToObj(this::parameterValues)
+                                .toList())
+                .with("observed", result.observed());
     }
 
-    private static Map<String, Object> values(FitResult.TargetResult t) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("target", t.target().name());
-        map.put("weight", t.target().weight());
-        map.put("initial", values(t.initial()));
-        map.put("residual", values(t.residual()));
-        map.put("ratio", t.ratio());
+    private OrderedValues parameterValues(int i) {
+        FitParameter p = result.setup().parameters().get(i);
+        OrderedValues row = new OrderedValues()
+                .with("key", p.parameter().key())
+                .with("unit", p.parameter().unit())
+                .with("minimum", p.minimum())
+                .with("maximum", p.maximum())
+                .with("start", p.start())
+                .with("fitted", result.values()[i]);
+        if (!result.sensitivity().isEmpty()) {
+            FitResult.Effect e = result.sensitivity().get(i);
+            row.with("step", e.step())
+                    .with("with_a_step_less_mm", Double.isNaN(e.belowMm()) ? null : e.belowMm())
+                    .with("with_a_step_more_mm", Double.isNaN(e.aboveMm()) ? null : e.aboveMm());
+        }
+        return row;
+    }
+
+    private static OrderedValues values(FitResult.TargetResult t) {
+        OrderedValues map = new OrderedValues()
+                .with("target", t.target().name())
+                .with("weight", t.target().weight())
+                .with("initial", values(t.initial()))
+                .with("residual", values(t.residual()))
+                .with("ratio", t.ratio());
         if (t.residualHeldOut() != null) {
-            map.put("initial_held_out_half", values(t.initialHeldOut()));
-            map.put("residual_held_out_half", values(t.residualHeldOut()));
-            map.put("residual_fitted_half", values(t.residualFitted()));
+            map.with("initial_held_out_half", values(t.initialHeldOut()))
+                    .with("residual_held_out_half", values(t.residualHeldOut()))
+                    .with("residual_fitted_half", values(t.residualFitted()));
         }
         return map;
     }
 
-    private static Map<String, Object> values(FitDistances distances) {
+    private static OrderedValues values(FitDistances distances) {
         DistanceSummary d = distances.summary();
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("mean_mm", d.mean());
-        map.put("sd_mm", d.deviation());
-        map.put("rms_mm", d.rms());
-        map.put("median_mm", d.median());
-        map.put("percentile_95_mm", d.percentile95());
-        map.put("maximum_mm", d.maximum());
-        return map;
+        return new OrderedValues()
+                .with("mean_mm", d.mean())
+                .with("sd_mm", d.deviation())
+                .with("rms_mm", d.rms())
+                .with("median_mm", d.median())
+                .with("percentile_95_mm", d.percentile95())
+                .with("maximum_mm", d.maximum());
     }
 
     /** Writes fit.json, fit.csv and scenario.yaml into a folder. */
@@ -236,16 +233,16 @@ public final class FitReport {
         YamlWriter.write(folder.resolve("scenario.yaml"), result.scenario().toMap());
     }
 
-    private static String mm(double value) {
+    static String mm(double value) {
         return String.format(Locale.ROOT, "%.2f", value);
     }
 
     /** Four significant digits. */
-    static String number(double value) {
+    private static String number(double value) {
         return value == 0
                 ? "0"
-                : new java.math.BigDecimal(value)
-                        .round(new java.math.MathContext(4))
+                : new BigDecimal(value)
+                        .round(new MathContext(4))
                         .stripTrailingZeros()
                         .toPlainString();
     }

@@ -18,20 +18,20 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * The second breath level: a breath taken in quickly and held, with the numbers of a fit as changes at the first step,
- * so that the body is assembled once for all of them and its shape at rest stays. Always from rest: what is reached is
- * a function of the numbers alone, and the scenario that {@link #scenario} gives reaches it too, bit by bit.
+ * The second breath level: a fast inspiration that is held. The tuned values are changes at the first step, so the body
+ * is assembled once for all evaluations. Each evaluation starts at rest: the state is a function of the values alone,
+ * and the scenario of {@link #scenario} reaches it bit by bit.
  *
- * <p>Used by one thread.
+ * <p>Not thread-safe.
  */
 public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
-    /** Time from rest to where the state is looked at, s; docs/fit.md says how far it is from equilibrium then. */
+    /** Time from rest to the observation, s; docs/fit.md says how far the state then is from equilibrium. */
     public static final double OBSERVED_AT_S = 1.7;
 
     private static final double INSPIRATORY_FRACTION = 0.5;
-    /** The breath's clock stops over 0.2 s and shows half of that time meanwhile. */
+    /** A hold stops the clock of the breath over 0.2 s, in which the clock advances by half of that time. */
     private static final double STOPPING_S = 0.1;
 
     private static final Set<String> PRESETS = Set.of("deep", "quiet", "quiet-supine");
@@ -44,8 +44,7 @@ public final class InspiratoryHold implements AutoCloseable {
     /**
      * Assembles the body and lets it settle.
      *
-     * @param base body, resolution and what else is not tuned
-     * @param parameters what is tuned
+     * @param base body, resolution and everything that is not tuned
      */
     public InspiratoryHold(Scenario base, Thorax thorax, List<FitParameter> parameters) {
         held = held(base);
@@ -54,7 +53,6 @@ public final class InspiratoryHold implements AutoCloseable {
         surfaces = new SceneSurfaces(simulation);
     }
 
-    /** A scenario whose breath is taken in quickly, for as long as it takes to hold it. */
     private static Scenario held(Scenario base) {
         if (!PRESETS.contains(base.preset()) || base.trace().isPresent()) {
             throw new BadInputException(
@@ -67,7 +65,7 @@ public final class InspiratoryHold implements AutoCloseable {
                 .with(RunSettings.DURATION, OBSERVED_AT_S);
     }
 
-    /** The scenario that {@code phrenic run} takes to the same state with these values, each within its bounds. */
+    /** The scenario with which {@code phrenic run} reaches the same state; each value within its bounds. */
     public static Scenario scenario(Scenario base, List<FitParameter> parameters, double[] values) {
         Scenario held = held(base);
         return held.withChanges(changes(held, parameters, values));
@@ -85,10 +83,9 @@ public final class InspiratoryHold implements AutoCloseable {
     }
 
     /**
-     * Breathes in and holds.
+     * Simulates the breath from rest to the observation.
      *
-     * @param values of the parameters
-     * @return whether the body bore it; if not, it stands somewhere
+     * @return false if the simulation diverged; the state is then undefined
      */
     public boolean breatheIn(double[] values) {
         try {
@@ -98,41 +95,28 @@ public final class InspiratoryHold implements AutoCloseable {
                 simulation.step();
             }
             return true;
-        } catch (DivergenceException | IllegalArgumentException unbearable) {
-            // A step that no split makes stable is refused as an illegal argument.
+        } catch (DivergenceException | IllegalArgumentException unstable) {
+            // A time step that no substep makes stable is an illegal argument.
             return false;
         }
     }
 
-    /** Goes on holding for so long, s: to see how far the state was from equilibrium. */
-    public void holdFor(double seconds) {
-        long steps = simulation.steps() + Math.round(seconds / held.timeStepS());
-        while (simulation.steps() < steps) {
-            simulation.step();
-        }
-    }
-
-    /** The surfaces, in an order that never changes. */
+    /** The surfaces of the body, in a fixed order. */
     public SceneSurfaces surfaces() {
         return surfaces;
     }
 
-    /** Where a surface is now. */
+    /** A surface in the current state. */
     public TriangleMesh mesh(int surface) {
         return surfaces.mesh(surface);
     }
 
-    /** How far a column of the observables says, such as {@code dome_right_mm}. */
+    /** An observed quantity in the current state, such as {@code dome_right_mm}. */
     public double observed(String column) {
         return surfaces.observe()[Observation.COLUMNS.indexOf(column)];
     }
 
-    /** Into how many parts a step was split at the end. */
-    public int substeps() {
-        return simulation.stepper().substeps();
-    }
-
-    /** Hash over the bits of the state. */
+    /** Hash of the bits of the state. */
     public String stateHash() {
         return simulation.stateHash();
     }

@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.DistanceGradient;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.registration.DiaphragmaticSurface;
@@ -15,11 +17,11 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Distance of a part of a body from a target, as {@code compare} takes it: from the vertices of each to the other, by
- * area. Of a lung's base only the vertices of its {@link DiaphragmaticSurface} count on either side, but their nearest
- * points may lie anywhere, so that where the base ends does not matter.
+ * Symmetric distance of a part of a body from a target: from the vertices of each to the other, weighted by area. Of
+ * the base of a lung only the vertices of its {@link DiaphragmaticSurface} count on either side; their nearest points
+ * may lie anywhere on the lung, so the border of the base does not matter.
  *
- * <p>Used by one thread.
+ * <p>Not thread-safe.
  */
 final class TargetDistance {
     private final FitTarget target;
@@ -68,13 +70,11 @@ final class TargetDistance {
 
     private boolean[] base(TriangleMesh lung, String whose) {
         boolean[] base = DiaphragmaticSurface.vertexMask(lung);
-        for (boolean corner : base) {
-            if (corner) {
-                return base;
-            }
+        if (IntStream.range(0, base.length).noneMatch(v -> base[v])) {
+            throw new BadInputException("target " + target.name() + ": found nothing that faces down in " + whose
+                    + ", expected a whole lung with a base");
         }
-        throw new BadInputException("target " + target.name() + ": found nothing that looks down in " + whose
-                + ", expected a whole lung with a base");
+        return base;
     }
 
     FitTarget target() {
@@ -86,15 +86,12 @@ final class TargetDistance {
         return of(rest, half);
     }
 
-    /** The part as the body stands. */
+    /** The part in the current state of the body. */
     FitDistances of(InspiratoryHold breath, FitHalf half) {
         return of(joined(breath::mesh), half);
     }
 
-    /**
-     * Mean of the distances with the part's vertices at these places: what {@link FitDistances#mean} says, without
-     * distances that do not count.
-     */
+    /** {@link FitDistances#mean} with the vertices of the part at these positions, without distances of weight 0. */
     double mean(double[] positions, FitHalf half) {
         TriangleMesh model = rest.withPositions(positions);
         if (anchors != null) {
@@ -103,13 +100,13 @@ final class TargetDistance {
         fromModel.refit(positions);
         double[] weights = weights(MeshMeasure.vertexAreas(model), modelBase, rest, half);
         double[] targetWeights = weights(targetAreas, targetBase, target.surface(), half);
-        double sum = counted(fromTarget, model, weights) + counted(fromModel, target.surface(), targetWeights);
+        double sum = weightedSum(fromTarget, model, weights) + weightedSum(fromModel, target.surface(), targetWeights);
         double total =
                 Arrays.stream(weights).sum() + Arrays.stream(targetWeights).sum();
         return total > 0 ? sum / total : 0;
     }
 
-    private static double counted(SurfaceDistance from, TriangleMesh of, double[] weights) {
+    private static double weightedSum(SurfaceDistance from, TriangleMesh of, double[] weights) {
         double sum = 0;
         for (int v = 0; v < weights.length; v++) {
             if (weights[v] > 0) {
@@ -119,22 +116,22 @@ final class TargetDistance {
         return sum;
     }
 
-    /** Places of the part's vertices as the body stands. */
+    /** Vertex positions of the part in the current state of the body. */
     double[] positions(InspiratoryHold breath) {
         return joined(breath::mesh).positions();
     }
 
-    /** How many numbers {@link #positions} has. */
+    /** Length of {@link #positions}. */
     int length() {
         return rest.positions().length;
     }
 
-    /** Whether another looks at the same surfaces of the body. */
+    /** Whether another distance is of the same surfaces of the body. */
     boolean sharesSurfaces(TargetDistance other) {
         return surfaces.equals(other.surfaces);
     }
 
-    /** How the mean distance changes as the part moves; not of pairs of points. */
+    /** Gradient of the mean distance; not for pairs of points. */
     DistanceGradient gradient(FitHalf half) {
         double[] all = new double[rest.vertexCount()];
         Arrays.fill(all, 1);
@@ -176,27 +173,10 @@ final class TargetDistance {
 
     /** The surfaces of the part as one mesh. */
     private TriangleMesh joined(IntFunction<TriangleMesh> meshes) {
-        List<TriangleMesh> parts = surfaces.stream().map(meshes::apply).toList();
-        if (parts.size() == 1) {
-            return parts.get(0);
-        }
-        int vertices = parts.stream().mapToInt(TriangleMesh::vertexCount).sum();
-        int corners = parts.stream().mapToInt(m -> m.triangles().length).sum();
-        double[] positions = new double[3 * vertices];
-        int[] triangles = new int[corners];
-        int vertex = 0;
-        int corner = 0;
-        for (TriangleMesh part : parts) {
-            System.arraycopy(part.positions(), 0, positions, 3 * vertex, part.positions().length);
-            for (int v : part.triangles()) {
-                triangles[corner++] = vertex + v;
-            }
-            vertex += part.vertexCount();
-        }
-        return new TriangleMesh(positions, triangles);
+        return MeshMerge.merge(surfaces.stream().map(meshes::apply).toList());
     }
 
-    /** Points that go with the nearest places of a surface, each keeping its offset from there. */
+    /** Points attached to a surface: each keeps its offset from the point of the surface nearest to it at rest. */
     private static final class Anchors {
         private final int[] corners;
         private final double[] weights;

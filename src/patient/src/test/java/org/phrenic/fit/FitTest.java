@@ -16,6 +16,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.FitParameter;
+import org.phrenic.fit.search.FitSearch;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
@@ -69,15 +70,8 @@ class FitTest {
                 body,
                 truth.targets(),
                 parameters,
-                false,
-                "none",
-                1,
-                6,
-                FitSetup.SIGMA,
-                threads,
-                evaluations,
-                Double.POSITIVE_INFINITY,
-                false);
+                new FitSetup.Options(
+                        new FitSearch.Settings(1, 6, evaluations, Double.POSITIVE_INFINITY), threads, false));
     }
 
     @Test
@@ -146,7 +140,12 @@ class FitTest {
     @Test
     void refusesATargetThatTheBodyDoesNotHave() {
         FitTarget liver = FitTarget.of(FitPart.LUNGS, truth.targets().get(0).surface());
-        FitSetup wrong = FitSetup.of(base, body, List.of(liver), setup(1, 1).parameters(), 1);
+        FitSetup wrong = new FitSetup(
+                base,
+                body,
+                List.of(liver),
+                setup(1, 1).parameters(),
+                new FitSetup.Options(new FitSearch.Settings(1, 1), 1, true));
         assertThatThrownBy(() -> Fit.run(wrong, folder.resolve("journal.csv"), (count, most, best, initial) -> {}))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found no lungs that moves in the body");

@@ -1,24 +1,23 @@
 package org.phrenic.access.attempt;
 
-import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.document.OrderedValues;
 
 /**
- * Something that happened in an attempt.
+ * An event of an attempt.
  *
- * @param kind what
- * @param structure the structure it happened to; empty for none
+ * @param structure that it happened to; empty for none
  * @param timeS simulated time, s
  * @param breath number of the breath, from 1
- * @param phase place in the breath, 0 to below 1
- * @param label what the breath did
+ * @param phase position in the breath, 0 to below 1
+ * @param label what the breath was doing
  * @param depthMm of the tip below the skin, along the needle
  */
 public record AttemptEvent(
         Kind kind, String structure, double timeS, int breath, double phase, RespiratoryPhase label, double depthMm) {
-    /** What can happen. */
+    /** Kinds of events. */
     public enum Kind {
         SKIN_CONTACT,
         SKIN_PUNCTURE,
@@ -30,18 +29,16 @@ public record AttemptEvent(
         OUT_OF_SKIN
     }
 
-    /** Plain values for a report. */
+    /** Values for a report. */
     public Map<String, Object> toMap() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("event", kind.name().toLowerCase(Locale.ROOT));
+        OrderedValues map = new OrderedValues().with("event", kind.name().toLowerCase(Locale.ROOT));
         if (!structure.isEmpty()) {
             map.put("structure", structure);
         }
-        map.put("time_s", timeS);
-        map.put("breath", breath);
-        map.put("phase", phase);
-        map.put("breathing", label.name().toLowerCase(Locale.ROOT));
-        map.put("depth_mm", depthMm);
-        return map;
+        return map.with("time_s", timeS)
+                .with("breath", breath)
+                .with("phase", phase)
+                .with("breathing", label.name().toLowerCase(Locale.ROOT))
+                .with("depth_mm", depthMm);
     }
 }

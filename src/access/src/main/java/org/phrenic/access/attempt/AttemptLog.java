@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -14,44 +15,81 @@ import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
 
-/** What is gathered while an attempt goes on. */
+/** Accumulates the events and measures of an attempt, frame by frame. */
 final class AttemptLog {
+    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
+    private static final int PHASE = Observation.COLUMNS.indexOf("phase");
+
     private final Set<NoGoZone> avoided;
+    private double timeS = Double.NaN;
+    private double frameS;
+    private int breath = 1;
+    private double phase;
+    private double phaseBefore;
+    private RespiratoryPhase label = RespiratoryPhase.PAUSE;
+
     private final List<AttemptEvent> events = new ArrayList<>();
     private final List<TargetingError> samples = new ArrayList<>();
     private final Set<String> entered = new LinkedHashSet<>();
     private final EnumMap<NoGoZone, Double> secondsIn = new EnumMap<>(NoGoZone.class);
     private final Map<String, Approach> closest = new TreeMap<>();
     private double inNoGoS;
-    private double begunS = Double.NaN;
     private double insideSinceS = Double.NaN;
     private double insideS;
-    private double lastS = Double.NaN;
-    private double travelledMm;
-    private double slipMm;
-    private double pullMm;
-    private double swingDeg;
+    private double endS = Double.NaN;
+    private double tipTravelMm;
+    private double driftMm;
+    private double capsulePullMm;
+    private double rotationDeg;
     private double[] targetFrom;
-    private double[] targetLow;
-    private double[] targetHigh;
-    private double targetMovedMm;
-    private double borderMm = PathAnalyzer.MAX_DISTANCE_MM;
-    private boolean sampled;
+    private double[] targetLow = new double[3];
+    private double[] targetHigh = targetLow;
+    private double targetExcursionMm;
+    private double grooveMm = PathAnalyzer.MAX_DISTANCE_MM;
 
     AttemptLog(Set<NoGoZone> avoided) {
         this.avoided = avoided;
     }
 
-    void add(AttemptEvent event) {
-        events.add(event);
-        if (Double.isNaN(begunS)) {
-            begunS = event.timeS();
+    /** Advances to a frame; the time since the last frame, s, 0 for the first. */
+    double update(Frame frame, RespiratoryPhase phaseLabel) {
+        frameS = Double.isNaN(timeS) ? 0 : frame.timeS() - timeS;
+        if (frameS < 0) {
+            throw new IllegalArgumentException(
+                    "found a frame of " + frame.timeS() + " s after one of " + timeS + " s, expected frames in order");
         }
+        timeS = frame.timeS();
+        int breathNow = 1 + (int) frame.values()[BREATH];
+        phaseBefore = breathNow == breath ? phase : 0;
+        breath = breathNow;
+        phase = frame.values()[PHASE];
+        label = phaseLabel;
+        return frameS;
     }
 
-    /** Structures are entered anew. */
+    /** Time of the last frame, s. */
+    double timeS() {
+        return timeS;
+    }
+
+    /** Adds an event at the last frame. */
+    void event(AttemptEvent.Kind kind, String structure, double depthMm) {
+        event(kind, structure, depthMm, timeS);
+    }
+
+    /** Adds an event between the last two frames; the phase is interpolated, in a new breath from its beginning. */
+    void event(AttemptEvent.Kind kind, String structure, double depthMm, double when) {
+        double before = frameS > 0 ? (timeS - when) / frameS : 0;
+        double at = phase - before * (phase - phaseBefore);
+        events.add(new AttemptEvent(kind, structure, when, breath, at, label, depthMm));
+    }
+
+    /** Structures count as entered anew. */
     void newAttempt() {
         entered.clear();
     }
@@ -62,101 +100,92 @@ final class AttemptLog {
 
     void skinPunctured(double when) {
         insideSinceS = when;
-        if (!sampled) {
+        if (samples.isEmpty()) {
             targetFrom = null;
         }
     }
 
-    void withdrawn(double when) {
-        insideS += when - insideSinceS;
+    void withdrawn() {
+        insideS += timeS - insideSinceS;
         insideSinceS = Double.NaN;
-        lastS = when;
+        endS = timeS;
     }
 
-    /** The target's way counts from the puncture of the skin to the last sample. */
-    void trackTarget(double[] now) {
-        if (Double.isNaN(insideSinceS) || sampled) {
+    /** Tracks the target from the puncture of the skin to the first sample. */
+    void trackTarget(double[] position) {
+        if (Double.isNaN(insideSinceS) || !samples.isEmpty()) {
             return;
         }
         if (targetFrom == null) {
-            targetFrom = now;
-            targetLow = now.clone();
-            targetHigh = now.clone();
-            targetMovedMm = 0;
+            targetFrom = position;
+            targetLow = position.clone();
+            targetHigh = position.clone();
+            targetExcursionMm = 0;
         }
-        targetMovedMm = Math.max(targetMovedMm, Vectors.distance(now, targetFrom));
+        targetExcursionMm = Math.max(targetExcursionMm, Vectors.distance(position, targetFrom));
         for (int axis = 0; axis < 3; axis++) {
-            targetLow[axis] = Math.min(targetLow[axis], now[axis]);
-            targetHigh[axis] = Math.max(targetHigh[axis], now[axis]);
+            targetLow[axis] = Math.min(targetLow[axis], position[axis]);
+            targetHigh[axis] = Math.max(targetHigh[axis], position[axis]);
         }
     }
 
-    void sampled(TargetingError miss, double when) {
-        samples.add(miss);
-        sampled = true;
-        lastS = when;
+    void sampled(TargetingError error) {
+        samples.add(error);
+        endS = timeS;
     }
 
     void travelled(double mm) {
-        travelledMm += mm;
+        tipTravelMm += mm;
     }
 
-    /** The tissue has taken the tip deeper or less deep. */
+    /** The tissue has moved the tip along the needle. */
     void tipDrifted(double mm) {
-        slipMm += Math.abs(mm);
+        driftMm += Math.abs(mm);
     }
 
     void capsulePulled(double mm, double degrees) {
-        pullMm = Math.max(pullMm, mm);
-        swingDeg = Math.max(swingDeg, degrees);
+        capsulePullMm = Math.max(capsulePullMm, mm);
+        rotationDeg = Math.max(rotationDeg, degrees);
     }
 
-    /** The shaft was so for some time. */
-    void addExposure(PathAnalysis shaft, double seconds) {
-        boolean any = false;
-        for (NoGoZone one : shaft.noGo()) {
-            secondsIn.merge(one, seconds, Double::sum);
-            any |= avoided.contains(one);
-        }
-        inNoGoS += any ? seconds : 0;
-        borderMm = Math.min(borderMm, shaft.costalGrooveMm());
-        for (Approach a : shaft.approaches()) {
-            closest.merge(a.name(), a, (x, y) -> y.distanceMm() < x.distanceMm() ? y : x);
-        }
+    /** Adds a time for which the needle lay along a path. */
+    void addExposure(PathAnalysis needle, double seconds) {
+        needle.noGo().forEach(zone -> secondsIn.merge(zone, seconds, Double::sum));
+        inNoGoS += needle.noGo().stream().anyMatch(avoided::contains) ? seconds : 0;
+        grooveMm = Math.min(grooveMm, needle.costalGrooveMm());
+        Approach.merge(closest, needle.approaches());
     }
 
-    List<String> warnings(Optional<PathAnalysis> shaft, double pull) {
-        List<String> words = new ArrayList<>(shaft.map(s -> s.reasons(avoided)).orElse(List.of()));
-        if (pull > AttemptRecord.PULL_WARNING_MM) {
-            words.add(String.format(
-                    java.util.Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pull));
+    List<String> warnings(Optional<PathAnalysis> needle, double pullMm) {
+        List<String> warnings =
+                new ArrayList<>(needle.map(n -> n.reasons(avoided)).orElse(List.of()));
+        if (pullMm > AttemptRecord.PULL_WARNING_MM) {
+            warnings.add(String.format(
+                    Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));
         }
-        return words;
+        return warnings;
     }
 
-    AttemptRecord record(TargetLesion target, Needle needle, double nowS) {
-        double inside = insideS + (Double.isNaN(insideSinceS) ? 0 : nowS - insideSinceS);
-        double[] range = new double[3];
-        if (targetLow != null) {
-            range = Vectors.subtract(targetHigh, targetLow);
-        }
+    AttemptRecord record(TargetLesion target, Needle needle) {
         return new AttemptRecord(
                 target,
                 needle,
                 Set.copyOf(avoided),
                 List.copyOf(samples),
                 List.copyOf(events),
-                Double.isNaN(begunS) ? 0 : (Double.isNaN(lastS) ? nowS : lastS) - begunS,
-                inside,
-                travelledMm,
+                events.isEmpty()
+                        ? 0
+                        : (Double.isNaN(endS) ? timeS : endS) - events.get(0).timeS(),
+                insideS + (Double.isNaN(insideSinceS) ? 0 : timeS - insideSinceS),
+                tipTravelMm,
                 inNoGoS,
                 new EnumMap<>(secondsIn),
                 List.copyOf(closest.values()),
-                borderMm,
-                targetMovedMm,
-                range,
-                pullMm,
-                swingDeg,
-                slipMm);
+                grooveMm,
+                targetExcursionMm,
+                Vectors.subtract(targetHigh, targetLow),
+                capsulePullMm,
+                rotationDeg,
+                driftMm);
     }
 }

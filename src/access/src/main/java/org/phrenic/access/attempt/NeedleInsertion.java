@@ -20,85 +20,76 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * A needle in a breathing body, step by step: it is placed on the skin, advanced, redirected, withdrawn, and takes a
- * sample, while frames move the body on. What follows is a function of the frames and of the commands between them
- * alone, so an attempt in a window and one by plan give the same record if they are given the same.
+ * Insertion of a needle into a breathing body: it is placed on the skin, advanced, redirected, withdrawn, and takes
+ * samples, while frames move the body. The result is a function of the frames and of the commands between them alone,
+ * so an attempt by hand and a planned one with the same commands give the same record.
  *
- * <p>The needle is straight and rigid and meets no friction. It goes through the skin at a point that moves with the
- * skin, and keeps its direction in the room as a hand would. From the liver's capsule on the tip stays with the tissue
- * that it is in: between advances it goes where that tissue goes, and the needle turns about its point in the skin. How
- * far the capsule is pulled aside by that, and the needle turned, is recorded as a warning; no force is worked out.
+ * <p>The needle is straight and rigid and has no friction. It passes the skin at a point that moves with the skin and
+ * keeps its direction in space. Inside the liver its tip moves with the tissue between advances, and the needle turns
+ * about the point of the skin; how far the capsule is pulled and the needle turned is recorded, no force is computed.
  * Bone stops the tip.
  *
- * <p>Used by one thread.
+ * <p>Not thread-safe.
  */
 public final class NeedleInsertion {
-    private static final double STOPPED_MM = 1e-9;
+    private static final double TOLERANCE_MM = 1e-9;
 
-    private final MovingAnatomy scene;
+    private final MovingAnatomy anatomy;
     private final LiverTissue tissue;
     private final TargetLesion target;
-    private final LiverTissue.Point middle;
+    private final LiverTissue.Point targetCentre;
     private final Needle needle;
-    private final PathAnalyzer reader;
+    private final PathAnalyzer analyzer;
     private final AttemptLog log;
-
-    private final AttemptClock clock = new AttemptClock();
     private final NeedleShaft shaft;
     private double speed;
     private double goal;
 
     /**
-     * @param scene that has taken a frame; the session takes all further ones
-     * @param avoided what the needle should not touch; time spent in it is recorded
+     * @param anatomy that has been updated to a frame; all further frames are given to the insertion
+     * @param avoided zones; the time that the needle spends in them is recorded
      */
-    public NeedleInsertion(MovingAnatomy scene, TargetLesion target, Needle needle, Set<NoGoZone> avoided) {
-        this.scene = scene;
+    public NeedleInsertion(MovingAnatomy anatomy, TargetLesion target, Needle needle, Set<NoGoZone> avoided) {
+        this.anatomy = anatomy;
         this.target = target;
         this.needle = needle;
-        tissue = new LiverTissue(scene);
-        middle = tissue.pointAtRest(target.restMm());
+        tissue = new LiverTissue(anatomy);
+        targetCentre = tissue.pointAtRest(target.restMm());
         shaft = new NeedleShaft(tissue);
-        reader = new PathAnalyzer(scene, needle);
+        analyzer = new PathAnalyzer(anatomy, needle);
         log = new AttemptLog(avoided);
     }
 
-    /**
-     * Time goes on to a frame: the body moves, the tip with its tissue, then the needle as it was told to.
-     *
-     * @param doing what the breath is doing
-     */
-    public void update(Frame frame, RespiratoryPhase doing) {
-        double passed = clock.update(frame, doing);
-        scene.update(frame);
+    /** Advances to a frame: the body moves, the tip with its tissue, then the needle as commanded. */
+    public void update(Frame frame, RespiratoryPhase phase) {
+        double elapsed = log.update(frame, phase);
+        anatomy.update(frame);
         log.trackTarget(targetNow());
         if (!shaft.isPlaced()) {
             return;
         }
         log.tipDrifted(shaft.followTissue());
         double before = shaft.depth();
-        advanceTip(passed);
-        registerContacts(before, passed);
+        advanceTip(elapsed);
+        registerContacts(before, elapsed);
         if (shaft.isTipAnchored()) {
-            log.capsulePulled(capsulePullMm(), rotationByLiverDeg());
+            log.capsulePulled(shaft.capsulePullMm(), shaft.rotationByLiverDeg());
         }
     }
 
-    private void advanceTip(double passed) {
+    private void advanceTip(double elapsed) {
         if (speed == 0) {
             return;
         }
         double depth = shaft.depth();
-        double next = depth + Math.signum(goal - depth) * speed * passed;
+        double next = depth + Math.signum(goal - depth) * speed * elapsed;
         boolean arrives = (next - goal) * (depth - goal) <= 0;
         next = arrives ? goal : next;
-        if (next > depth) {
-            Optional<Crossing> bone = bone(next);
-            if (bone.isPresent()) {
-                next = Math.max(depth, bone.get().fromMm());
-                event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next, clock.timeS());
-                arrives = true;
-            }
+        Optional<Crossing> bone = next > depth ? boneBefore(next) : Optional.empty();
+        if (bone.isPresent()) {
+            next = Math.max(depth, bone.get().fromMm());
+            log.event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next);
+            arrives = true;
         }
         if (arrives) {
             speed = 0;
@@ -107,47 +98,45 @@ public final class NeedleInsertion {
         shaft.moveTo(next);
     }
 
-    /** The bone that stands in the way between here and there. */
-    private Optional<Crossing> bone(double next) {
+    /** The bone between the tip and a depth. */
+    private Optional<Crossing> boneBefore(double depth) {
         double[] from = shaft.tip();
-        double[] to = shaft.at(next);
-        return scene.hazards().stream()
+        double[] to = shaft.at(depth);
+        return anatomy.hazards().stream()
                 .filter(s -> s.noGo().orElseThrow() == NoGoZone.BONE && s.boxDistance(from, to) <= 0)
-                .flatMap(s -> reader.crossingsOf(s, shaft.entry(), to).stream())
-                .filter(c -> c.fromMm() >= shaft.depth() - STOPPED_MM)
+                .flatMap(s -> analyzer.crossingsOf(s, shaft.entry(), to).stream())
+                .filter(c -> c.fromMm() >= shaft.depth() - TOLERANCE_MM)
                 .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 
-    /** Notes what the tip has come into, and takes hold of the tissue or lets it go. */
-    private void registerContacts(double before, double passed) {
+    /** Records punctures and entered structures; anchors or releases the tip. */
+    private void registerContacts(double before, double elapsed) {
         double depth = shaft.depth();
+        double frameBefore = log.timeS() - elapsed;
         if (before == 0 && depth > 0) {
-            event(AttemptEvent.Kind.SKIN_PUNCTURE, "", 0, timeS() - passed);
-            log.skinPunctured(timeS() - passed);
+            log.event(AttemptEvent.Kind.SKIN_PUNCTURE, "", 0, frameBefore);
+            log.skinPunctured(frameBefore);
         }
         if (before > 0 && depth == 0) {
-            event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS());
-            log.withdrawn(timeS());
+            log.event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0);
+            log.withdrawn();
             shaft.remove();
         }
         if (depth == 0) {
             return;
         }
-        PathAnalysis path = reader.analyze(shaft.entry(), tipNow());
-        log.addExposure(path, passed);
+        PathAnalysis path = analyzer.analyze(shaft.entry(), shaft.tip());
+        log.addExposure(path, elapsed);
         Optional<Crossing> liver = Optional.empty();
         for (Crossing c : path.crossings()) {
             boolean isLiver = c.kind() == StructureKind.LIVER;
             if (log.isFirstEntry(c.name())) {
                 double share = depth > before ? (c.fromMm() - before) / (depth - before) : 1;
-                double when = timeS() - passed * (1 - Math.max(0, Math.min(1, share)));
-                event(
-                        isLiver ? AttemptEvent.Kind.CAPSULE_PUNCTURE : AttemptEvent.Kind.ENTERS,
-                        c.label(),
-                        c.fromMm(),
-                        when);
+                double when = log.timeS() - elapsed * (1 - Math.max(0, Math.min(1, share)));
+                AttemptEvent.Kind kind = isLiver ? AttemptEvent.Kind.CAPSULE_PUNCTURE : AttemptEvent.Kind.ENTERS;
+                log.event(kind, c.label(), c.fromMm(), when);
             }
-            if (isLiver && c.toMm() >= depth - STOPPED_MM) {
+            if (isLiver && c.toMm() >= depth - TOLERANCE_MM) {
                 liver = Optional.of(c);
             }
         }
@@ -158,47 +147,38 @@ public final class NeedleInsertion {
         }
     }
 
-    private void event(AttemptEvent.Kind kind, String structure, double atDepth, double when) {
-        log.add(clock.event(kind, structure, atDepth, when));
-    }
-
     /**
-     * Sets the tip on the skin, pointing at a place within. A needle that is in the body is taken out first.
+     * Sets the tip on the skin, pointing at a place within. A needle in the body is withdrawn first.
      *
-     * @param at within {@value SkinPoint#NEAR_MM} mm of the skin
-     * @param aim where it points to
+     * @param entry near the skin in the current frame
      * @throws BadInputException with one sentence, if the entry is not on the skin or the needle is too short; nothing
      *     has changed then
      */
-    public void place(double[] at, double[] aim) {
-        place(SkinPoint.current(scene.skin(), at), aim);
+    public void place(double[] entry, double[] aim) {
+        place(SkinPoint.current(anatomy.skin(), entry), aim);
     }
 
-    /** As {@link #place}, at a place of the skin that is given as it is at end-expiration. */
-    public void placeAtRest(double[] at, double[] aim) {
-        place(SkinPoint.atRest(scene.skin(), at), aim);
+    /** As {@link #place}, with the entry as it is at end-expiration. */
+    public void placeAtRest(double[] entry, double[] aim) {
+        place(SkinPoint.atRest(anatomy.skin(), entry), aim);
     }
 
     private void place(SkinPoint point, double[] aim) {
         double[] from = point.current();
         needle.requireReach(from, aim);
         if (shaft.depth() > 0) {
-            withdrawAtOnce();
+            log.travelled(shaft.depth());
+            log.event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0);
+            log.withdrawn();
         }
         shaft.place(point, from, aim);
         speed = 0;
         log.newAttempt();
-        event(AttemptEvent.Kind.SKIN_CONTACT, "", 0, timeS());
-    }
-
-    private void withdrawAtOnce() {
-        log.travelled(shaft.depth());
-        event(AttemptEvent.Kind.OUT_OF_SKIN, "", 0, timeS());
-        log.withdrawn(timeS());
+        log.event(AttemptEvent.Kind.SKIN_CONTACT, "", 0);
     }
 
     /**
-     * Points the needle elsewhere; it turns about its point in the skin.
+     * Points the needle elsewhere; it turns about its point of the skin.
      *
      * @throws BadInputException with one sentence, if it is not placed, its tip is in the liver, or it is too short
      */
@@ -209,15 +189,15 @@ public final class NeedleInsertion {
         }
         needle.requireReach(shaft.entry(), aim);
         shaft.pointAt(aim);
-        event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth(), timeS());
+        log.event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth());
     }
 
     /**
-     * From now on the tip goes to a depth below the skin and stops there, forth or back.
+     * Starts to move the tip to a depth below the skin, forth or back.
      *
-     * @param toDepthMm 0 takes the needle out
-     * @param speedMmPerS more than 0
-     * @throws BadInputException with one sentence, if it is not placed, too short, or the numbers cannot be
+     * @param toDepthMm 0 withdraws the needle
+     * @param speedMmPerS above 0
+     * @throws BadInputException with one sentence, if it is not placed, too short, or a number is out of range
      */
     public void advance(double toDepthMm, double speedMmPerS) {
         requirePlaced();
@@ -235,13 +215,8 @@ public final class NeedleInsertion {
         speed = goal == shaft.depth() ? 0 : speedMmPerS;
     }
 
-    /** The needle stays as deep as it is. */
-    public void stop() {
-        speed = 0;
-    }
-
     /**
-     * Takes a sample where the tip is now.
+     * Takes a sample at the tip.
      *
      * @throws BadInputException with one sentence, if the needle is not in the body
      */
@@ -250,10 +225,10 @@ public final class NeedleInsertion {
         if (shaft.depth() == 0) {
             throw new BadInputException("sample: found the needle outside of the body, expected it advanced first");
         }
-        event(AttemptEvent.Kind.SAMPLE, shaft.isTipAnchored() ? "liver" : "", shaft.depth(), timeS());
-        TargetingError miss = targetingError();
-        log.sampled(miss, timeS());
-        return miss;
+        log.event(AttemptEvent.Kind.SAMPLE, shaft.isTipAnchored() ? "liver" : "", shaft.depth());
+        TargetingError error = targetingError();
+        log.sampled(error);
+        return error;
     }
 
     private void requirePlaced() {
@@ -262,99 +237,41 @@ public final class NeedleInsertion {
         }
     }
 
-    /** Whether it is on or in the body. */
-    public boolean isPlaced() {
-        return shaft.isPlaced();
+    /** The current pose of the needle. */
+    public NeedleShaft shaft() {
+        return shaft;
     }
 
-    /** Whether it is being advanced or withdrawn. */
-    public boolean isMoving() {
-        return speed != 0;
-    }
-
-    /** Whether the tip is in the liver. */
-    public boolean isInLiver() {
-        return shaft.isTipAnchored();
-    }
-
-    /** Where the needle goes through the skin, LPS, mm; a copy. */
-    public double[] entryNow() {
-        return shaft.entry().clone();
-    }
-
-    /** Unit direction from skin to tip; a copy. */
-    public double[] directionNow() {
-        return shaft.direction().clone();
-    }
-
-    /** Where the tip is, LPS, mm. */
-    public double[] tipNow() {
-        return shaft.tip();
-    }
-
-    /** Where the hub is, LPS, mm. */
+    /** Position of the hub, LPS, mm. */
     public double[] hubNow() {
         return shaft.at(shaft.depth() - needle.lengthMm());
     }
 
-    /** Depth of the tip below the skin, along the needle, mm. */
-    public double depthMm() {
-        return shaft.depth();
+    /** Whether the needle is being advanced or withdrawn. */
+    public boolean isMoving() {
+        return speed != 0;
     }
 
-    /** Where the middle of the target is, LPS, mm. */
+    /** Current centre of the target, LPS, mm. */
     public double[] targetNow() {
-        return tissue.position(middle);
+        return tissue.position(targetCentre);
     }
 
-    /** How the tip lies to the target. */
+    /** Current targeting error. */
     public TargetingError targetingError() {
-        return TargetingError.of(tipNow(), shaft.direction(), targetNow(), target);
+        return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target);
     }
 
-    /**
-     * What the path from the skin to a place meets as the body stands; for advice before and while the needle goes in.
-     */
-    public PathAnalysis readTo(double[] at) {
-        return reader.analyze(shaft.entry(), at);
-    }
-
-    /** What a path from a place on the skin to another meets as the body stands. */
-    public PathAnalysis read(double[] from, double[] to) {
-        return reader.analyze(from, to);
-    }
-
-    /**
-     * Distance between the needle and where it went through the capsule, which has moved with the liver, mm; 0 while it
-     * is not in the liver.
-     */
-    public double capsulePullMm() {
-        return shaft.capsulePullMm();
-    }
-
-    /**
-     * How far the liver has turned the needle since it went through the capsule, degrees; 0 while it is not in the
-     * liver.
-     */
-    public double rotationByLiverDeg() {
-        return shaft.rotationByLiverDeg();
-    }
-
-    /** What is wrong at this moment, a few words each: in no-go structures, capsule pulled aside. */
+    /** Current warnings, a few words each: touched zones, capsule pulled aside. */
     public List<String> warnings() {
         return log.warnings(
-                shaft.depth() > 0 ? Optional.of(reader.analyze(shaft.entry(), tipNow())) : Optional.empty(),
-                capsulePullMm());
+                shaft.depth() > 0 ? Optional.of(analyzer.analyze(shaft.entry(), shaft.tip())) : Optional.empty(),
+                shaft.capsulePullMm());
     }
 
     /** Time of the last frame, s. */
     public double timeS() {
-        return clock.timeS();
-    }
-
-    /** The scene as it stands. */
-    public MovingAnatomy scene() {
-        return scene;
+        return log.timeS();
     }
 
     /** The target. */
@@ -362,13 +279,8 @@ public final class NeedleInsertion {
         return target;
     }
 
-    /** The needle. */
-    public Needle needle() {
-        return needle;
-    }
-
     /** The record so far. */
     public AttemptRecord record() {
-        return log.record(target, needle, timeS());
+        return log.record(target, needle);
     }
 }

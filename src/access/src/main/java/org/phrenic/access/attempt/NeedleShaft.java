@@ -6,11 +6,11 @@ import org.phrenic.access.SkinPoint;
 import org.phrenic.mesh.Vectors;
 
 /**
- * How a straight, rigid needle lies in a body: through a point of the skin that moves with it, in a direction that is
- * kept in the room, and from the liver's capsule on with its tip in the tissue: then the tip goes where that tissue
- * goes and the needle turns about its point in the skin.
+ * Pose of a straight, rigid needle in the body. It passes a point of the skin that moves with the skin, and keeps its
+ * direction in space. While its tip is anchored in the liver, the tip moves with its tissue and the needle turns about
+ * the point of the skin.
  */
-final class NeedleShaft {
+public final class NeedleShaft {
     private final LiverTissue tissue;
     private Optional<SkinPoint> skin = Optional.empty();
     private double[] entry = new double[3];
@@ -24,7 +24,7 @@ final class NeedleShaft {
         this.tissue = tissue;
     }
 
-    /** Its tip is on the skin and points at a place. */
+    /** Sets the tip on the skin, pointing at a place. */
     void place(SkinPoint point, double[] from, double[] aim) {
         skin = Optional.of(point);
         entry = from;
@@ -33,18 +33,16 @@ final class NeedleShaft {
         pointAt(aim);
     }
 
-    /** It is in no body. */
     void remove() {
         skin = Optional.empty();
         tip = Optional.empty();
     }
 
-    /** Points at a place, about its point in the skin. */
     void pointAt(double[] aim) {
         direction = Vectors.normalize(Vectors.subtract(aim, entry));
     }
 
-    /** The body has moved: skin and tissue take it along. How much deeper the tip is by that, mm. */
+    /** Follows skin and tissue to the current frame; the change of depth, mm. */
     double followTissue() {
         entry = skin.orElseThrow().current();
         if (tip.isEmpty()) {
@@ -52,76 +50,71 @@ final class NeedleShaft {
         }
         double[] line = Vectors.subtract(tissue.position(tip.get()), entry);
         double length = Vectors.length(line);
-        double deeper = length - depth;
+        double change = length - depth;
         depth = length;
         direction = Vectors.normalize(line);
-        return deeper;
+        return change;
     }
 
-    /** The tip goes to a depth; from tissue to tissue where it is in the liver. */
+    /** Moves the tip to a depth; an anchored tip is anchored there anew. */
     void moveTo(double toDepthMm) {
         depth = toDepthMm;
-        tip = tip.map(held -> tissue.pointNowAt(tip()));
+        tip = tip.map(anchor -> tissue.pointNowAt(tip()));
     }
 
-    /** The tissue holds the tip from now on. */
+    /** Anchors the tip in the tissue; the needle crosses the capsule at a depth. */
     void anchorTip(double capsuleDepthMm) {
         tip = Optional.of(tissue.pointNowAt(tip()));
         capsule = tissue.pointNowAt(at(capsuleDepthMm));
-        directionAtCapsule = direction.clone();
+        directionAtCapsule = direction;
     }
 
-    /** The tip is free. */
     void releaseTip() {
         tip = Optional.empty();
     }
 
-    boolean isPlaced() {
+    /** Whether the needle is on or in the body. */
+    public boolean isPlaced() {
         return skin.isPresent();
     }
 
     /** Whether the tip is in the liver. */
-    boolean isTipAnchored() {
+    public boolean isTipAnchored() {
         return tip.isPresent();
     }
 
     /** Depth of the tip below the skin, along the needle, mm. */
-    double depth() {
+    public double depth() {
         return depth;
     }
 
-    /** Where it goes through the skin, LPS, mm; not to be written to. */
-    double[] entry() {
+    /** Where the needle passes the skin, LPS, mm; read-only. */
+    public double[] entry() {
         return entry;
     }
 
-    /** Unit vector from skin to tip; not to be written to. */
-    double[] direction() {
+    /** Unit vector from skin to tip; read-only. */
+    public double[] direction() {
         return direction;
     }
 
-    /** Where the tip is, LPS, mm. */
-    double[] tip() {
+    /** Position of the tip, LPS, mm. */
+    public double[] tip() {
         return at(depth);
     }
 
-    /** The place at a depth below the skin, LPS, mm. */
-    double[] at(double depthMm) {
+    /** Position at a depth below the skin, LPS, mm. */
+    public double[] at(double depthMm) {
         return Vectors.addScaled(entry, direction, depthMm);
     }
 
-    /**
-     * Distance between the needle and where it went through the capsule, which has moved with the liver, mm; 0 while
-     * the tip is not held.
-     */
-    double capsulePullMm() {
+    /** Distance of the needle from where it punctured the capsule, mm; 0 while the tip is not in the liver. */
+    public double capsulePullMm() {
         return tip.isEmpty() ? 0 : Vectors.distanceToLine(tissue.position(capsule), entry, direction);
     }
 
-    /**
-     * How far the liver has turned the needle since it went through the capsule, degrees; 0 while the tip is not held.
-     */
-    double rotationByLiverDeg() {
+    /** Rotation of the needle by the liver since it punctured the capsule, degrees; 0 while the tip is not in it. */
+    public double rotationByLiverDeg() {
         return tip.isEmpty() ? 0 : Vectors.angleDeg(direction, directionAtCapsule);
     }
 }

@@ -4,16 +4,13 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * A moment of an attempt, for a picture.
+ * A moment of an attempt, for a picture. Positions LPS, mm.
  *
  * @param name such as "sample"
  * @param frame of the body; a copy
- * @param label what the breath did
- * @param hub of the needle, LPS, mm
+ * @param hub of the needle
  * @param entry on the skin
- * @param tip of the needle
- * @param target its middle
- * @param targetRadiusMm its radius
+ * @param target centre of the target
  */
 public record NeedleSnapshot(
         String name,
@@ -23,16 +20,4 @@ public record NeedleSnapshot(
         double[] entry,
         double[] tip,
         double[] target,
-        double targetRadiusMm) {
-    static NeedleSnapshot of(String name, NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
-        return new NeedleSnapshot(
-                name,
-                frame.copy(),
-                label,
-                needle.hubNow(),
-                needle.entryNow(),
-                needle.tipNow(),
-                needle.targetNow(),
-                needle.target().radiusMm());
-    }
-}
+        double targetRadiusMm) {}

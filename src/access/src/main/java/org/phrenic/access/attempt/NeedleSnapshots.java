@@ -5,27 +5,41 @@ import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
-/** The moments of an attempt that a report shows: each time that the needle was set on the skin, and each sample. */
+/** Takes the snapshots of an attempt that a report shows: each placement on the skin, and each sample. */
 public final class NeedleSnapshots {
-    private final List<NeedleSnapshot> views = new ArrayList<>();
+    private final List<NeedleSnapshot> snapshots = new ArrayList<>();
     private boolean wasPlaced;
     private int samples;
 
-    /** Looks at the needle after all that was done at a frame. */
+    /** Observes the needle after all commands at a frame. */
     public void observe(NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
-        if (needle.isPlaced() && !wasPlaced) {
-            views.add(NeedleSnapshot.of("placed", needle, frame, label));
+        boolean placed = needle.shaft().isPlaced();
+        if (placed && !wasPlaced) {
+            add("placed", needle, frame, label);
         }
-        wasPlaced = needle.isPlaced();
+        wasPlaced = placed;
         int taken = needle.record().samples().size();
         if (taken > samples) {
-            views.add(NeedleSnapshot.of(taken == 1 ? "sample" : "sample_" + taken, needle, frame, label));
+            add(taken == 1 ? "sample" : "sample_" + taken, needle, frame, label);
         }
         samples = taken;
     }
 
-    /** All so far, in order. */
+    private void add(String name, NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
+        NeedleShaft shaft = needle.shaft();
+        snapshots.add(new NeedleSnapshot(
+                name,
+                frame.copy(),
+                label,
+                needle.hubNow(),
+                shaft.entry(),
+                shaft.tip(),
+                needle.targetNow(),
+                needle.target().radiusMm()));
+    }
+
+    /** The snapshots so far, in order. */
     public List<NeedleSnapshot> all() {
-        return List.copyOf(views);
+        return List.copyOf(snapshots);
     }
 }

@@ -1,37 +1,36 @@
 package org.phrenic.access.attempt;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.mesh.Vectors;
 
 /**
- * How a needle's tip lies to the middle of its target.
+ * Position of a needle's tip relative to the centre of its target.
  *
- * @param axialMm how much deeper the middle lies, along the needle; negative where the tip is past it
- * @param lateralMm distance of the middle from the needle's line
+ * @param axialMm depth of the centre beyond the tip, along the needle; negative where the tip is past it
+ * @param lateralMm distance of the centre from the line of the needle
  * @param hit whether the tip is within the target
  */
 public record TargetingError(double axialMm, double lateralMm, boolean hit) {
-    static TargetingError of(double[] tip, double[] direction, double[] middle, TargetLesion target) {
-        double[] d = Vectors.subtract(middle, tip);
+    static TargetingError of(double[] tip, double[] direction, double[] centre, TargetLesion target) {
+        double[] d = Vectors.subtract(centre, tip);
         double axial = Vectors.dot(d, direction);
-        return new TargetingError(
-                axial, Vectors.length(Vectors.addScaled(d, direction, -axial)), Vectors.length(d) <= target.radiusMm());
+        double lateral = Vectors.length(Vectors.addScaled(d, direction, -axial));
+        return new TargetingError(axial, lateral, Vectors.length(d) <= target.radiusMm());
     }
 
-    /** Distance between tip and middle, mm. */
+    /** Distance between tip and centre, mm. */
     public double distanceMm() {
         return Math.sqrt(axialMm * axialMm + lateralMm * lateralMm);
     }
 
-    /** Plain values for a report. */
+    /** Values for a report. */
     public Map<String, Object> toMap() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("hit", hit);
-        map.put("distance_mm", distanceMm());
-        map.put("axial_mm", axialMm);
-        map.put("lateral_mm", lateralMm);
-        return map;
+        return new OrderedValues()
+                .with("hit", hit)
+                .with("distance_mm", distanceMm())
+                .with("axial_mm", axialMm)
+                .with("lateral_mm", lateralMm);
     }
 }

@@ -1,2 +1,2 @@
-/** One needle attempt: insertion, events, record and errors. */
+/** One needle attempt: the insertion frame by frame, its events, targeting errors and record. */
 package org.phrenic.access.attempt;

@@ -1,17 +1,13 @@
 package org.phrenic.access.path;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
-import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
@@ -20,43 +16,57 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.TargetMotion;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * From where on the skin a target can be reached by a straight path, and in which part of the breath. At each moment
- * the path goes from where the skin's vertex is then to where the target's middle is then; it is free if it touches
- * nothing that is to be avoided, enters the skin from outside, and is no longer than the needle.
+ * From which points of the skin a target can be reached by a straight path, and at which moments of the breath. At each
+ * moment a path runs from the current position of a vertex of the skin to the current centre of the target; it is free
+ * if it touches no avoided zone, enters the skin from outside and is no longer than the needle.
  *
- * <p>The trees of the scene are refitted to each moment; the points of the skin are shared out in blocks. The result
- * does not depend on the number of threads.
+ * <p>The vertices are evaluated in blocks in parallel; the result does not depend on the number of threads.
  */
 public final class AccessMap {
+    /** Margin above which the shorter of two paths is preferred, mm. */
+    public static final double SUFFICIENT_MARGIN_MM = 3;
+
     private static final int BLOCK = 64;
+    /** Bit of a path that is too long for the needle, or comes from within. */
+    private static final int OUT_OF_REACH = 1 << 30;
 
     /** Whether a point of the skin gives access. */
     public enum Access {
         /** At every moment of the breath. */
         FREE,
-        /** At some. */
+        /** At some moments. */
         PART,
-        /** At none. */
+        /** At no moment. */
         NEVER
     }
 
-    /** A path that is too long for the needle, or comes from within. */
-    private static final int OUT_OF_REACH = 1 << 30;
+    /** Numbers of points of the skin: all, those in reach of the needle at the first moment, and those by access. */
+    public record Counts(int points, int inReach, int free, int part, int never) {
+        /** Values for a report. */
+        public OrderedValues toMap() {
+            return new OrderedValues()
+                    .with("skin_points", points)
+                    .with("in_reach", inReach)
+                    .with("free", free)
+                    .with("in_part", part)
+                    .with("never", never);
+        }
+    }
 
     private final List<BreathMoment> cycle;
     private final Set<NoGoZone> avoided;
     private final int avoidedBits;
-    /** What the path touches, a row a moment, a number a vertex. */
+    /** Zones that the path touches, and margin of a free path, mm, by moment and vertex. */
     private final int[][] touched;
-    /** Margin of a free path, mm; 0 where it is not free; a row a moment. */
-    private final float[][] margins;
 
+    private final float[][] margins;
     /** Smallest margin over the free moments, mm; infinite where there is none. */
     private final float[] margin;
 
@@ -66,10 +76,10 @@ public final class AccessMap {
     private final double[][] targets;
     private final TriangleMesh skin;
 
-    private AccessMap(MovingAnatomy scene, List<BreathMoment> cycle, Set<NoGoZone> avoided) {
+    private AccessMap(MovingAnatomy anatomy, List<BreathMoment> cycle, Set<NoGoZone> avoided) {
         this.cycle = List.copyOf(cycle);
         this.avoided = avoided;
-        skin = scene.skin().surface().rest();
+        skin = anatomy.skin().surface().rest();
         int n = skin.vertexCount();
         avoidedBits = NoGoZone.bits(avoided) | OUT_OF_REACH;
         touched = new int[cycle.size()][n];
@@ -84,49 +94,43 @@ public final class AccessMap {
         Arrays.fill(nearest, "");
     }
 
-    /**
-     * Works the map out.
-     *
-     * @param scene of the surfaces of the cycle; afterwards it shows the last moment
-     * @param cycle moments of a breath, such as those of {@link BreathCycle#record}
-     * @param avoided what a path may not touch
-     * @param workers threads to share the work
-     */
+    /** Computes the map; afterwards the anatomy shows the last moment of the cycle. */
     public static AccessMap of(
-            MovingAnatomy scene,
+            MovingAnatomy anatomy,
             List<BreathMoment> cycle,
             TargetLesion target,
             Needle needle,
             Set<NoGoZone> avoided,
             Workers workers) {
-        AccessMap map = new AccessMap(scene, cycle, avoided);
-        LiverTissue tissue = new LiverTissue(scene);
-        LiverTissue.Point middle = tissue.pointAtRest(target.restMm());
-        int blocks = (map.margin.length + BLOCK - 1) / BLOCK;
-        PathAnalyzer[] readers = new PathAnalyzer[blocks];
-        Arrays.setAll(readers, i -> new PathAnalyzer(scene, needle));
-        List<MovingStructure> structures = scene.structures();
+        AccessMap map = new AccessMap(anatomy, cycle, avoided);
+        LiverTissue tissue = new LiverTissue(anatomy);
+        LiverTissue.Point centre = tissue.pointAtRest(target.restMm());
+        int blocks = (map.size() + BLOCK - 1) / BLOCK;
+        PathAnalyzer[] analyzers = new PathAnalyzer[blocks];
+        Arrays.setAll(analyzers, i -> new PathAnalyzer(anatomy, needle));
+        List<MovingStructure> structures = anatomy.structures();
         for (int m = 0; m < cycle.size(); m++) {
             int moment = m;
             workers.run(
                     structures.size(),
                     i -> structures.get(i).update(cycle.get(moment).frame()));
-            map.targets[m] = tissue.position(middle);
-            double[] normals = MeshMeasure.vertexNormals(
-                    map.skin.withPositions(scene.skin().positions()));
+            map.targets[m] = tissue.position(centre);
+            TriangleMesh skin = map.skin.withPositions(anatomy.skin().positions());
+            double[] normals = MeshMeasure.vertexNormals(skin);
             workers.run(blocks, block -> {
-                int end = Math.min((block + 1) * BLOCK, map.margin.length);
+                int end = Math.min((block + 1) * BLOCK, map.size());
                 for (int v = block * BLOCK; v < end; v++) {
-                    map.evaluate(moment, v, scene.skin().positions(), normals, readers[block], needle);
+                    map.evaluate(moment, v, skin, normals, analyzers[block], needle);
                 }
             });
         }
-        scene.update(cycle.get(cycle.size() - 1).frame());
+        anatomy.update(cycle.get(cycle.size() - 1).frame());
         return map;
     }
 
-    private void evaluate(int moment, int v, double[] skinNow, double[] normals, PathAnalyzer reader, Needle needle) {
-        double[] entry = Arrays.copyOfRange(skinNow, 3 * v, 3 * v + 3);
+    private void evaluate(
+            int moment, int v, TriangleMesh skinNow, double[] normals, PathAnalyzer analyzer, Needle needle) {
+        double[] entry = Arrays.copyOfRange(skinNow.positions(), 3 * v, 3 * v + 3);
         double[] target = targets[moment];
         double[] path = Vectors.subtract(target, entry);
         double length = Vectors.length(path);
@@ -136,19 +140,19 @@ public final class AccessMap {
             touched[moment][v] = OUT_OF_REACH;
             return;
         }
-        touched[moment][v] = reader.touched(entry, target);
-        if ((touched[moment][v] & avoidedBits) == 0) {
-            float m = (float) reader.margin(entry, target, avoided);
-            margins[moment][v] = m;
-            if (m < margin[v]) {
-                margin[v] = m;
-                nearest[v] = reader.nearestOfMargin();
-                angleDeg[v] = (float) reader.capsuleAngle(entry, target);
+        touched[moment][v] = analyzer.touched(entry, target);
+        if (isFree(moment, v)) {
+            PathAnalyzer.Margin found = analyzer.margin(entry, target, avoided);
+            margins[moment][v] = (float) found.mm();
+            if (margins[moment][v] < margin[v]) {
+                margin[v] = margins[moment][v];
+                nearest[v] = found.nearest();
+                angleDeg[v] = (float) analyzer.capsuleAngle(entry, target);
             }
         }
     }
 
-    /** How many points of the skin: the vertices of its mesh. */
+    /** Number of points of the skin, the vertices of its mesh. */
     public int size() {
         return margin.length;
     }
@@ -163,22 +167,22 @@ public final class AccessMap {
         return cycle;
     }
 
-    /** What a path may not touch. */
+    /** The avoided zones. */
     public Set<NoGoZone> avoided() {
         return avoided;
     }
 
-    /** Where the target's middle is at a moment; a copy. */
+    /** Centre of the target at a moment; a copy. */
     public double[] target(int moment) {
         return targets[moment].clone();
     }
 
-    /** How the target moves over the breath. */
+    /** Motion of the target over the breath. */
     public TargetMotion motion() {
         return new TargetMotion(List.of(targets));
     }
 
-    /** Whether the path from a vertex of the skin is free at a moment. */
+    /** Whether the path from a vertex is free at a moment. */
     public boolean isFree(int moment, int vertex) {
         return (touched[moment][vertex] & avoidedBits) == 0;
     }
@@ -188,12 +192,12 @@ public final class AccessMap {
         return (touched[moment][vertex] & OUT_OF_REACH) == 0;
     }
 
-    /** What the path touches at a moment. */
+    /** The zones that the path touches at a moment. */
     public Set<NoGoZone> touched(int moment, int vertex) {
         return NoGoZone.of(touched[moment][vertex]);
     }
 
-    /** At how many moments the path from a vertex is free. */
+    /** Number of moments at which the path from a vertex is free. */
     public int freeMoments(int vertex) {
         int count = 0;
         for (int m = 0; m < touched.length; m++) {
@@ -202,48 +206,26 @@ public final class AccessMap {
         return count;
     }
 
-    /** Whether a vertex gives access. */
+    /** Access from a vertex. */
     public Access access(int vertex) {
         int free = freeMoments(vertex);
         return free == 0 ? Access.NEVER : free == touched.length ? Access.FREE : Access.PART;
     }
 
     /**
-     * The moments at which the path is free, as runs from the first to the last moment of each; a run may go on over
-     * the end of the breath into its beginning.
-     */
-    public List<SafeWindow> windows(int vertex) {
-        List<SafeWindow> windows = new ArrayList<>();
-        int n = touched.length;
-        for (int m = 0; m < n; m++) {
-            if (isFree(m, vertex) && !isFree((m + n - 1) % n, vertex)) {
-                int end = m;
-                while (isFree((end + 1) % n, vertex)) {
-                    end++;
-                }
-                windows.add(new SafeWindow(m, end % n, end - m + 1));
-            }
-        }
-        if (windows.isEmpty() && n > 0 && isFree(0, vertex)) {
-            windows.add(new SafeWindow(0, n - 1, n));
-        }
-        return windows;
-    }
-
-    /**
-     * Smallest distance from what is to be avoided, over the moments at which the path is free, mm, at most
+     * Smallest distance from the avoided zones over the moments at which the path is free, mm, at most
      * {@link PathAnalyzer#MAX_DISTANCE_MM}; 0 where it never is.
      */
     public double marginMm(int vertex) {
         return Float.isInfinite(margin[vertex]) ? 0 : margin[vertex];
     }
 
-    /** Distance from what is to be avoided at a moment, mm; 0 where the path is not free then. */
+    /** Distance from the avoided zones at a moment, mm; 0 where the path is not free. */
     public double marginMm(int moment, int vertex) {
         return margins[moment][vertex];
     }
 
-    /** The structure that the margin is taken from; empty for none. */
+    /** The structure from which the margin is taken; empty for none. */
     public String nearest(int vertex) {
         return nearest[vertex];
     }
@@ -253,12 +235,12 @@ public final class AccessMap {
         return lengthMm[vertex];
     }
 
-    /** Angle to the liver's surface where the margin is smallest, degrees, 90 straight in; NaN where there is none. */
+    /** Angle to the liver's surface where the margin is smallest, degrees, 90 for perpendicular; NaN for none. */
     public double angleDeg(int vertex) {
         return angleDeg[vertex];
     }
 
-    /** Share of the breath in which each vertex gives access, per cent: what the map is coloured by. */
+    /** Share of the breath in which each vertex gives access, per cent. */
     public float[] freePercent() {
         float[] share = new float[size()];
         for (int v = 0; v < share.length; v++) {
@@ -268,48 +250,42 @@ public final class AccessMap {
     }
 
     /**
-     * The vertex that a path is best begun at: of those that are free longest, and of these of such with at least
-     * {@code roomMm} of margin or the greatest there is, that with the shortest path.
+     * The best entry: of the vertices with the most free moments, and of these those with a sufficient margin or the
+     * largest there is, the one with the shortest path.
      *
      * @return empty if no vertex is ever free
      */
-    public Optional<Integer> best(double roomMm) {
+    public Optional<Integer> best(double sufficientMm) {
         int longest = Math.max(
                 1, IntStream.range(0, size()).map(this::freeMoments).max().orElse(0));
-        return shortest(v -> freeMoments(v) == longest, this::marginMm, roomMm);
+        return shortest(v -> freeMoments(v) == longest, this::marginMm, sufficientMm);
     }
 
-    /** As {@link #best}, of the vertices that are free at a moment, however short. */
-    public Optional<Integer> bestAt(int moment, double roomMm) {
-        return shortest(v -> isFree(moment, v), v -> marginMm(moment, v), roomMm);
+    /** As {@link #best}, of the vertices that are free at a moment. */
+    public Optional<Integer> bestAt(int moment, double sufficientMm) {
+        return shortest(v -> isFree(moment, v), v -> marginMm(moment, v), sufficientMm);
     }
 
-    private Optional<Integer> shortest(IntPredicate allowed, IntToDoubleFunction room, double roomMm) {
-        double most = IntStream.range(0, size())
+    private Optional<Integer> shortest(IntPredicate allowed, IntToDoubleFunction margin, double sufficientMm) {
+        double largest = IntStream.range(0, size())
                 .filter(allowed)
-                .mapToDouble(room)
+                .mapToDouble(margin)
                 .max()
                 .orElse(0);
         return IntStream.range(0, size())
-                .filter(v -> allowed.test(v) && room.applyAsDouble(v) >= Math.min(most, roomMm))
+                .filter(v -> allowed.test(v) && margin.applyAsDouble(v) >= Math.min(largest, sufficientMm))
                 .boxed()
                 .min(Comparator.comparingDouble(this::lengthMm));
     }
 
-    /** How many vertices give access, in part or never; of those in reach of the needle, and of all. */
-    public Map<String, Object> counts() {
-        Map<String, Object> map = new LinkedHashMap<>();
+    /** The numbers of points. */
+    public Counts counts() {
         int[] count = new int[Access.values().length];
         int reached = 0;
         for (int v = 0; v < size(); v++) {
             count[access(v).ordinal()]++;
             reached += isInReach(0, v) ? 1 : 0;
         }
-        map.put("skin_points", size());
-        map.put("in_reach", reached);
-        map.put("free", count[0]);
-        map.put("in_part", count[1]);
-        map.put("never", count[2]);
-        return map;
+        return new Counts(size(), reached, count[0], count[1], count[2]);
     }
 }

@@ -1,20 +1,20 @@
 package org.phrenic.access.path;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.document.OrderedValues;
 
 /**
  * A stretch of a path within a structure.
  *
  * @param name of the structure, or {@link #RECESS}
- * @param label name for people
- * @param kind what it is; OTHER for the recess
- * @param fromMm depth at which the path enters, from the skin along the path
- * @param toMm depth at which it leaves, or the path's end
+ * @param label display name
+ * @param kind OTHER for the recess
+ * @param fromMm depth of the entry along the path
+ * @param toMm depth of the exit, or the end of the path
  */
 public record Crossing(String name, String label, StructureKind kind, double fromMm, double toMm) {
-    /** Name of the pleural recess, which no surface shows. */
+    /** Name of the pleural recess, which has no surface. */
     public static final String RECESS = "pleural_recess";
 
     /** Length within, mm. */
@@ -22,12 +22,11 @@ public record Crossing(String name, String label, StructureKind kind, double fro
         return toMm - fromMm;
     }
 
-    /** Plain values for a report. */
+    /** Values for a report. */
     public Map<String, Object> toMap() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("structure", name);
-        map.put("from_mm", fromMm);
-        map.put("to_mm", toMm);
-        return map;
+        return new OrderedValues()
+                .with("structure", name)
+                .with("from_mm", fromMm)
+                .with("to_mm", toMm);
     }
 }

@@ -3,12 +3,7 @@ package org.phrenic.access.path;
 import java.util.Locale;
 import org.phrenic.anatomy.Side;
 
-/**
- * Where a path passes the rib cage: the n-th intercostal space lies below rib n.
- *
- * @param number of the rib above
- * @param side of the body
- */
+/** An intercostal space; space n lies below rib n. */
 public record IntercostalSpace(int number, Side side) {
     /** "7th intercostal space, right". */
     public String label() {

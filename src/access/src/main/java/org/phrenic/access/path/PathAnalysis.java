@@ -1,27 +1,24 @@
 package org.phrenic.access.path;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.phrenic.access.NoGoZone;
+import org.phrenic.document.OrderedValues;
 
 /**
- * What a straight path from the skin meets, at one moment.
+ * What a straight path from the skin meets at one moment.
  *
  * @param timeS of the frame
- * @param lengthMm of the path
- * @param crossings structures in the order in which they are entered; one that is entered twice stands twice
- * @param space the intercostal space it passes, if it passes one
- * @param approaches nearest first: each lung, bone and other organ within reach of {@link PathAnalyzer#MAX_DISTANCE_MM}
- * @param costalGrooveMm distance from the nearest lower border of a rib, no more than
- *     {@link PathAnalyzer#MAX_DISTANCE_MM}
- * @param costalGrooveRib the rib of that border; empty where none is near
- * @param capsuleAngleDeg between the path and the liver's surface where it enters, 90 straight in; NaN if it does not
- * @param noGo what it touches of {@link NoGoZone}
+ * @param crossings in the order of entry; a structure that is entered twice is listed twice
+ * @param space the intercostal space it passes, if any
+ * @param approaches to each lung, bone and other organ within {@link PathAnalyzer#MAX_DISTANCE_MM}, nearest first
+ * @param costalGrooveMm distance from the nearest costal groove, at most {@link PathAnalyzer#MAX_DISTANCE_MM}
+ * @param costalGrooveRib the rib of that groove; empty if none is near
+ * @param capsuleAngleDeg between the path and the liver's surface at the entry, 90 for perpendicular; NaN without one
+ * @param noGo the zones that it touches
  */
 public record PathAnalysis(
         double timeS,
@@ -38,54 +35,54 @@ public record PathAnalysis(
         return crossings.stream().filter(c -> c.name().equals(name)).findFirst();
     }
 
-    /**
-     * Why a path should not be taken, in words such as "crosses right rib 8"; empty if nothing of {@code avoided} is
-     * touched.
-     *
-     * @param avoided what counts
-     */
+    /** Reasons against the path, such as "crosses right rib 8"; empty if it touches no zone of {@code avoided}. */
     public List<String> reasons(Set<NoGoZone> avoided) {
         List<String> reasons = new ArrayList<>();
-        if (noGo.contains(NoGoZone.LUNG) && avoided.contains(NoGoZone.LUNG)) {
+        if (touches(NoGoZone.LUNG, avoided)) {
             reasons.add("crosses lung");
         }
-        for (Approach a : approaches) {
-            boolean bone = a.label().contains("rib") || a.label().contains("cartilage");
-            if (a.distanceMm() == 0 && bone && avoided.contains(NoGoZone.BONE)) {
-                reasons.add("crosses " + a.label());
-            }
+        if (avoided.contains(NoGoZone.BONE)) {
+            approaches.stream()
+                    .filter(a -> a.distanceMm() == 0)
+                    .map(Approach::label)
+                    .filter(label -> label.contains("rib") || label.contains("cartilage"))
+                    .forEach(label -> reasons.add("crosses " + label));
         }
-        if (reasons.isEmpty() && noGo.contains(NoGoZone.BONE) && avoided.contains(NoGoZone.BONE)) {
+        if (reasons.isEmpty() && touches(NoGoZone.BONE, avoided)) {
             reasons.add("touches bone");
         }
-        if (noGo.contains(NoGoZone.VESSELS) && avoided.contains(NoGoZone.VESSELS)) {
+        if (touches(NoGoZone.VESSELS, avoided)) {
             reasons.add("runs close below " + costalGrooveRib + ", where its vessels and nerve are");
         }
-        if (noGo.contains(NoGoZone.PLEURA) && avoided.contains(NoGoZone.PLEURA)) {
+        if (touches(NoGoZone.PLEURA, avoided)) {
             reasons.add("crosses the pleural recess");
         }
-        if (noGo.contains(NoGoZone.ORGAN) && avoided.contains(NoGoZone.ORGAN)) {
+        if (touches(NoGoZone.ORGAN, avoided)) {
             reasons.add("crosses another organ");
         }
         return reasons;
     }
 
-    /** Plain values for a report. */
+    private boolean touches(NoGoZone zone, Set<NoGoZone> avoided) {
+        return noGo.contains(zone) && avoided.contains(zone);
+    }
+
+    /** Values for a report. */
     public Map<String, Object> toMap() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("time_s", timeS);
-        map.put("length_mm", lengthMm);
-        map.put("space", space.map(IntercostalSpace::label).orElse("none"));
-        map.put("crossings", crossings.stream().map(Crossing::toMap).toList());
-        map.put("closest", approaches.stream().limit(8).map(Approach::toMap).toList());
+        OrderedValues map = new OrderedValues()
+                .with("time_s", timeS)
+                .with("length_mm", lengthMm)
+                .with("space", space.map(IntercostalSpace::label).orElse("none"))
+                .with("crossings", crossings.stream().map(Crossing::toMap).toList())
+                .with(
+                        "closest",
+                        approaches.stream().limit(8).map(Approach::toMap).toList());
         if (!costalGrooveRib.isEmpty()) {
-            map.put("rib_lower_border_mm", costalGrooveMm);
-            map.put("rib_lower_border_of", costalGrooveRib);
+            map.with("rib_lower_border_mm", costalGrooveMm).with("rib_lower_border_of", costalGrooveRib);
         }
         if (!Double.isNaN(capsuleAngleDeg)) {
             map.put("capsule_angle_deg", capsuleAngleDeg);
         }
-        map.put("no_go", noGo.stream().map(NoGoZone::key).collect(Collectors.toList()));
-        return map;
+        return map.with("no_go", noGo.stream().map(NoGoZone::key).toList());
     }
 }

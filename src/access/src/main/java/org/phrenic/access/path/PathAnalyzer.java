@@ -12,42 +12,50 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.simulation.observe.Surface;
 
 /**
- * Says what a straight path through a scene meets. Keeps working memory: one a thread.
+ * Finds what a straight path through the anatomy meets in the current frame. Not thread-safe.
  *
- * <p>A path begins on the skin, so the skin is not asked. Within a closed surface it is from an entry to the matching
- * exit; what an open surface leaves without an exit lasts to the path's end, and an exit without an entry began at the
- * path's start.
+ * <p>A path begins on the skin, so the skin is not queried. Within a closed surface a path is from an entry to the
+ * matching exit; an entry without an exit extends to the end of the path, an exit without an entry to its start.
  */
 public final class PathAnalyzer {
     /** Structures farther than this from a path are not listed, mm. */
     public static final double MAX_DISTANCE_MM = 40;
 
-    private final MovingAnatomy scene;
+    private static final double NONE = Double.POSITIVE_INFINITY;
+
+    private final MovingAnatomy anatomy;
     private final double radius;
     private final SegmentProbe probe = new SegmentProbe();
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
-    private String nearestOfMargin = "";
 
     /**
-     * @param scene what is asked; the reader sees the frame that it took last
-     * @param needle whose radius counts: what is nearer than it is touched
+     * Margin of a path.
+     *
+     * @param mm distance from the nearest zone, less the needle's radius or the width of the zone of the vessels; at
+     *     most {@link #MAX_DISTANCE_MM}; 0 where one is touched
+     * @param nearest the structure it is taken from, for a costal groove with {@link MovingAnatomy#VESSELS_PREFIX};
+     *     empty if none is near
      */
-    public PathAnalyzer(MovingAnatomy scene, Needle needle) {
-        this.scene = scene;
+    public record Margin(double mm, String nearest) {}
+
+    /** @param needle whose radius counts: a structure nearer than it is touched */
+    public PathAnalyzer(MovingAnatomy anatomy, Needle needle) {
+        this.anatomy = anatomy;
         radius = needle.radiusMm();
     }
 
-    /** All about the path from a point on the skin to a point within. */
+    /** Analyses the path from a point of the skin to a point within. */
     public PathAnalysis analyze(double[] entry, double[] end) {
         List<Crossing> crossings = new ArrayList<>();
         List<Approach> approaches = new ArrayList<>();
-        for (MovingStructure s : scene.structures()) {
+        for (MovingStructure s : anatomy.structures()) {
             if (s.surface().kind() != StructureKind.SKIN) {
                 crossings.addAll(crossingsOf(s, entry, end));
             }
@@ -59,35 +67,34 @@ public final class PathAnalyzer {
             }
         }
         approaches.sort(Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name));
-        double depth = chestWallDepth(entry, end);
-        recess(entry, end, depth, crossings).ifPresent(crossings::add);
+        double wallDepth = chestWallDepth(entry, end);
+        recess(pleuralDepth(entry, end), wallDepth, crossings).ifPresent(crossings::add);
         crossings.sort(Comparator.comparingDouble(Crossing::fromMm).thenComparing(Crossing::name));
-        double border = MAX_DISTANCE_MM;
-        String borderOf = "";
-        for (CostalGroove b : scene.borders()) {
-            double d = b.distance(entry, end, probe, border);
-            if (d < border) {
-                border = d;
-                borderOf = b.rib().label();
+        double groove = MAX_DISTANCE_MM;
+        String grooveRib = "";
+        for (CostalGroove g : anatomy.grooves()) {
+            double d = g.distance(entry, end, probe, groove);
+            if (d < groove) {
+                groove = d;
+                grooveRib = g.rib().label();
             }
         }
         return new PathAnalysis(
-                scene.timeS(),
+                anatomy.timeS(),
                 Vectors.distance(entry, end),
                 List.copyOf(crossings),
-                space(entry, end, depth),
+                space(entry, end, wallDepth),
                 List.copyOf(approaches),
-                border,
-                borderOf,
+                groove,
+                grooveRib,
                 capsuleAngle(entry, end),
                 NoGoZone.of(touched(entry, end)));
     }
 
     /** The stretches of a path within one structure. */
     public List<Crossing> crossingsOf(MovingStructure s, double[] entry, double[] end) {
-        s.setProbe(entry, end, probe);
-        int count = probe.intersect(s.tree());
-        List<Crossing> out = new ArrayList<>();
+        int count = intersect(s, entry, end);
+        List<Crossing> crossings = new ArrayList<>();
         int depth = 0;
         double since = 0;
         for (int i = 0; i < count; i++) {
@@ -97,23 +104,28 @@ public final class PathAnalyzer {
             } else {
                 depth = Math.max(0, depth - 1);
                 if (depth == 0) {
-                    out.add(crossing(s, since, probe.depth(i)));
+                    crossings.add(crossing(s, since, probe.depth(i)));
                     since = probe.depth(i);
                 }
             }
         }
         if (depth > 0) {
-            out.add(crossing(s, since, probe.length()));
+            crossings.add(crossing(s, since, probe.length()));
         }
-        return out;
+        return crossings;
     }
 
     private static Crossing crossing(MovingStructure s, double from, double to) {
         return new Crossing(s.surface().name(), s.label(), s.surface().kind(), from, to);
     }
 
+    private int intersect(MovingStructure s, double[] entry, double[] end) {
+        s.setProbe(entry, end, probe);
+        return probe.intersect(s.tree());
+    }
+
     /**
-     * Distance of a path from a structure, no more than {@code limit}; then {@link SegmentProbe#nearestDepth} is where.
+     * Distance of a path from a structure, at most {@code limit}; the probe then holds the depth of the nearest point.
      */
     private double distance(MovingStructure s, double[] entry, double[] end, double limit) {
         if (s.boxDistance(entry, end) >= limit) {
@@ -123,140 +135,120 @@ public final class PathAnalyzer {
         return probe.distance(s.tree(), limit);
     }
 
-    /** What of {@link NoGoZone} a path touches, a bit each. */
+    /** The zones that a path touches, as bits of {@link NoGoZone}. */
     int touched(double[] entry, double[] end) {
         int bits = 0;
-        for (MovingStructure s : scene.hazards()) {
+        for (MovingStructure s : anatomy.hazards()) {
             int bit = s.noGo().orElseThrow().bit();
             if ((bits & bit) == 0 && distance(s, entry, end, radius) < radius) {
                 bits |= bit;
             }
         }
-        for (CostalGroove b : scene.borders()) {
-            if (b.distance(entry, end, probe, CostalGroove.NEUROVASCULAR_ZONE_MM)
-                    < CostalGroove.NEUROVASCULAR_ZONE_MM) {
-                bits |= NoGoZone.VESSELS.bit();
-                break;
-            }
+        double zone = CostalGroove.NEUROVASCULAR_ZONE_MM;
+        if (anatomy.grooves().stream().anyMatch(g -> g.distance(entry, end, probe, zone) < zone)) {
+            bits |= NoGoZone.VESSELS.bit();
         }
-        return crossesPleura(entry, end) ? bits | NoGoZone.PLEURA.bit() : bits;
+        return pleuralDepth(entry, end) < NONE ? bits | NoGoZone.PLEURA.bit() : bits;
     }
 
-    /**
-     * Distance from the nearest of what is to be avoided, less the needle's radius or the width of the vessels' zone,
-     * mm; no more than {@value #MAX_DISTANCE_MM}. The pleural recess has no distance: it is crossed or not.
-     *
-     * @return 0 where one is touched
-     */
-    public double margin(double[] entry, double[] end, Set<NoGoZone> avoided) {
+    /** Margin of a path from the avoided zones; the pleural recess has no distance, it is crossed or not. */
+    public Margin margin(double[] entry, double[] end, Set<NoGoZone> avoided) {
         double margin = MAX_DISTANCE_MM;
-        nearestOfMargin = "";
-        for (MovingStructure s : scene.hazards()) {
+        String nearest = "";
+        for (MovingStructure s : anatomy.hazards()) {
             if (avoided.contains(s.noGo().orElseThrow())) {
                 double d = distance(s, entry, end, margin + radius);
                 if (d < margin + radius) {
                     margin = d - radius;
-                    nearestOfMargin = s.surface().name();
+                    nearest = s.surface().name();
                 }
             }
         }
         if (avoided.contains(NoGoZone.VESSELS)) {
-            for (CostalGroove b : scene.borders()) {
-                double d = b.distance(entry, end, probe, margin + CostalGroove.NEUROVASCULAR_ZONE_MM);
-                if (d < margin + CostalGroove.NEUROVASCULAR_ZONE_MM) {
-                    margin = d - CostalGroove.NEUROVASCULAR_ZONE_MM;
-                    nearestOfMargin =
-                            MovingAnatomy.VESSELS_PREFIX + b.rib().surface().name();
+            double zone = CostalGroove.NEUROVASCULAR_ZONE_MM;
+            for (CostalGroove g : anatomy.grooves()) {
+                double d = g.distance(entry, end, probe, margin + zone);
+                if (d < margin + zone) {
+                    margin = d - zone;
+                    nearest = MovingAnatomy.VESSELS_PREFIX + g.rib().surface().name();
                 }
             }
         }
-        return Math.max(0, margin);
-    }
-
-    /** What the last {@link #margin} was taken from; empty if nothing was near. */
-    public String nearestOfMargin() {
-        return nearestOfMargin;
-    }
-
-    private boolean crossesPleura(double[] entry, double[] end) {
-        return pleuralDepth(entry, end) < Double.POSITIVE_INFINITY;
+        return new Margin(Math.max(0, margin), nearest);
     }
 
     /** Depth at which a path enters the diaphragm from the recess; infinite where it does not. */
     private double pleuralDepth(double[] entry, double[] end) {
-        if (scene.diaphragm().isEmpty()) {
-            return Double.POSITIVE_INFINITY;
+        if (anatomy.diaphragm().isEmpty()) {
+            return NONE;
         }
-        MovingStructure sheet = scene.diaphragm().get();
-        sheet.setProbe(entry, end, probe);
-        int count = probe.intersect(sheet.tree());
+        MovingStructure diaphragm = anatomy.diaphragm().get();
+        int count = intersect(diaphragm, entry, end);
         for (int i = 0; i < count; i++) {
-            if (probe.facing(i) > 0 && isPleural(sheet.surface(), probe.triangle(i))) {
+            if (probe.facing(i) > 0 && isPleural(diaphragm.surface().rest(), probe.triangle(i))) {
                 return probe.depth(i);
             }
         }
-        return Double.POSITIVE_INFINITY;
+        return NONE;
     }
 
-    private boolean isPleural(Surface sheet, int triangle) {
+    private boolean isPleural(TriangleMesh diaphragm, int triangle) {
         double[] mean = new double[3];
         for (int k = 0; k < 3; k++) {
-            int v = sheet.rest().triangles()[3 * triangle + k];
-            mean[0] += sheet.rest().x(v) / 3;
-            mean[1] += sheet.rest().y(v) / 3;
-            mean[2] += sheet.rest().z(v) / 3;
+            int v = diaphragm.triangles()[3 * triangle + k];
+            mean[0] += diaphragm.x(v) / 3;
+            mean[1] += diaphragm.y(v) / 3;
+            mean[2] += diaphragm.z(v) / 3;
         }
-        return scene.pleura().orElseThrow().isAbove(mean[0], mean[1], mean[2]);
+        return anatomy.pleura().orElseThrow().isAbove(mean[0], mean[1], mean[2]);
     }
 
-    /** The stretch of a path between the cage's wall and the diaphragm where there is no lung. */
-    private Optional<Crossing> recess(double[] entry, double[] end, double wall, List<Crossing> crossings) {
-        double depth = pleuralDepth(entry, end);
-        if (depth == Double.POSITIVE_INFINITY) {
+    /** The stretch between chest wall and diaphragm where there is no lung. */
+    private static Optional<Crossing> recess(double pleuralDepth, double wallDepth, List<Crossing> crossings) {
+        if (pleuralDepth == NONE) {
             return Optional.empty();
         }
-        double from = Double.isNaN(wall) ? depth : Math.min(wall, depth);
+        double from = Double.isNaN(wallDepth) ? pleuralDepth : Math.min(wallDepth, pleuralDepth);
         for (Crossing c : crossings) {
-            if (c.kind() == StructureKind.LUNG && c.fromMm() < depth) {
-                from = Math.max(from, Math.min(c.toMm(), depth));
+            if (c.kind() == StructureKind.LUNG && c.fromMm() < pleuralDepth) {
+                from = Math.max(from, Math.min(c.toMm(), pleuralDepth));
             }
         }
-        return Optional.of(new Crossing(Crossing.RECESS, "pleural recess", StructureKind.OTHER, from, depth));
+        return Optional.of(new Crossing(Crossing.RECESS, "pleural recess", StructureKind.OTHER, from, pleuralDepth));
     }
 
-    /** Depth at which the path is nearest to a rib or cartilage; NaN where none is within reach. */
+    /** Depth at which the path is nearest to a rib or cartilage; NaN if none is within reach. */
     private double chestWallDepth(double[] entry, double[] end) {
         double best = MAX_DISTANCE_MM;
         double depth = Double.NaN;
-        for (MovingStructure s : scene.hazards()) {
-            if (isCage(s.surface().kind())) {
-                double d = distance(s, entry, end, best);
-                if (d < best) {
-                    best = d;
-                    depth = probe.nearestDepth();
-                }
+        for (MovingStructure s : anatomy.hazards()) {
+            double d = isCage(s) ? distance(s, entry, end, best) : best;
+            if (d < best) {
+                best = d;
+                depth = probe.nearestDepth();
             }
         }
         return depth;
     }
 
-    private static boolean isCage(StructureKind kind) {
+    private static boolean isCage(MovingStructure s) {
+        StructureKind kind = s.surface().kind();
         return kind == StructureKind.RIB || kind == StructureKind.COSTAL_CARTILAGE;
     }
 
-    /** Between which neighbouring ribs, with their cartilages, a path passes at the depth of the wall. */
-    private Optional<IntercostalSpace> space(double[] entry, double[] end, double depth) {
-        if (Double.isNaN(depth)) {
+    /** The neighbouring ribs, with their cartilages, between which a path passes the chest wall. */
+    private Optional<IntercostalSpace> space(double[] entry, double[] end, double wallDepth) {
+        if (Double.isNaN(wallDepth)) {
             return Optional.empty();
         }
-        double[] at = Vectors.addScaled(entry, Vectors.normalize(Vectors.subtract(end, entry)), depth);
+        double[] at = Vectors.addScaled(entry, Vectors.normalize(Vectors.subtract(end, entry)), wallDepth);
         int above = 0;
         int below = Integer.MAX_VALUE;
         Side side = Side.MIDLINE;
         double nearest = MAX_DISTANCE_MM;
-        for (MovingStructure s : scene.hazards()) {
-            double[] own = s.toLocal(at);
-            if (!isCage(s.surface().kind()) || !s.tree().closest(own[0], own[1], own[2], MAX_DISTANCE_MM, hit)) {
+        for (MovingStructure s : anatomy.hazards()) {
+            double[] local = s.toLocal(at);
+            if (!isCage(s) || !s.tree().closest(local[0], local[1], local[2], MAX_DISTANCE_MM, hit)) {
                 continue;
             }
             double[] point = s.toWorld(new double[] {hit.x, hit.y, hit.z});
@@ -275,29 +267,18 @@ public final class PathAnalyzer {
 
     /** Angle between a path and the liver's surface where it first enters, degrees; NaN where it does not. */
     double capsuleAngle(double[] entry, double[] end) {
-        MovingStructure liver = scene.liver();
-        liver.setProbe(entry, end, probe);
-        int count = probe.intersect(liver.tree());
+        MovingStructure liver = anatomy.liver();
+        int count = intersect(liver, entry, end);
         for (int i = 0; i < count; i++) {
             if (probe.facing(i) > 0) {
-                double[] normal = normal(liver, probe.triangle(i));
-                double[] own = Vectors.subtract(liver.toLocal(end), liver.toLocal(entry));
-                return 90 - Math.min(90, Vectors.angleDeg(Vectors.subtract(new double[3], own), normal));
+                int[] t = liver.surface().rest().triangles();
+                int c = 3 * probe.triangle(i);
+                double[] normal = new double[3];
+                Triangles.cross(liver.positions(), 3 * t[c], 3 * t[c + 1], 3 * t[c + 2], normal);
+                double[] path = Vectors.subtract(liver.toLocal(end), liver.toLocal(entry));
+                return 90 - Math.min(90, Vectors.angleDeg(Vectors.subtract(new double[3], path), normal));
             }
         }
         return Double.NaN;
-    }
-
-    private static double[] normal(MovingStructure s, int triangle) {
-        int[] t = s.surface().rest().triangles();
-        double[] p = s.positions();
-        double[][] corner = new double[3][];
-        for (int k = 0; k < 3; k++) {
-            int v = 3 * t[3 * triangle + k];
-            corner[k] = new double[] {p[v], p[v + 1], p[v + 2]};
-        }
-        double[] u = Vectors.subtract(corner[1], corner[0]);
-        double[] v = Vectors.subtract(corner[2], corner[0]);
-        return new double[] {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     }
 }

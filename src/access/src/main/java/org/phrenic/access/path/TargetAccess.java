@@ -1,31 +1,76 @@
 package org.phrenic.access.path;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * What is known of a target before a needle is placed.
+ * Access to a target, found before a needle is placed.
  *
- * @param target where it is
- * @param map from where it can be reached
- * @param bySpace the map by intercostal space
+ * @param bySpace the points of the map in reach of the needle, by the intercostal space of their path at the first
+ *     moment
  */
-public record TargetAccess(TargetLesion target, AccessMap map, List<AccessBySpace.Row> bySpace) {
-    /** Works it out; afterwards the scene shows the first moment of the breath. */
+public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> bySpace) {
+    private static final String OTHER = "over bone or below the costal margin";
+
+    /**
+     * Points of the skin whose path passes an intercostal space.
+     *
+     * @param space such as "7th intercostal space, right"
+     * @param free over the whole breath
+     * @param part in part of it
+     * @param never at no moment
+     */
+    public record SpaceCount(String space, int free, int part, int never) {
+        /** Values for a report. */
+        public Map<String, Object> toMap() {
+            return new OrderedValues()
+                    .with("space", space)
+                    .with("free", free)
+                    .with("in_part", part)
+                    .with("never", never);
+        }
+    }
+
+    /** Computes the access map; afterwards the anatomy shows the first moment of the breath. */
     public static TargetAccess of(
-            MovingAnatomy scene,
+            MovingAnatomy anatomy,
             List<BreathMoment> cycle,
             TargetLesion target,
             Needle needle,
             Set<NoGoZone> avoided,
             Workers workers) {
-        AccessMap map = AccessMap.of(scene, cycle, target, needle, avoided, workers);
-        return new TargetAccess(target, map, AccessBySpace.of(scene, map, needle));
+        AccessMap map = AccessMap.of(anatomy, cycle, target, needle, avoided, workers);
+        return new TargetAccess(target, map, count(anatomy, map, needle));
+    }
+
+    private static List<SpaceCount> count(MovingAnatomy anatomy, AccessMap map, Needle needle) {
+        anatomy.update(map.cycle().get(0).frame());
+        PathAnalyzer analyzer = new PathAnalyzer(anatomy, needle);
+        Map<String, int[]> counts = new TreeMap<>();
+        double[] skin = anatomy.skin().positions();
+        for (int v = 0; v < map.size(); v++) {
+            if (map.isInReach(0, v)) {
+                String key = analyzer.analyze(Arrays.copyOfRange(skin, 3 * v, 3 * v + 3), map.target(0))
+                        .space()
+                        .map(s -> String.format(Locale.ROOT, "%02d %s", s.number(), s.label()))
+                        .orElse("99 " + OTHER);
+                counts.computeIfAbsent(key, k -> new int[3])[map.access(v).ordinal()]++;
+            }
+        }
+        List<SpaceCount> rows = new ArrayList<>();
+        counts.forEach((key, c) -> rows.add(new SpaceCount(key.substring(3), c[0], c[1], c[2])));
+        return rows;
     }
 }

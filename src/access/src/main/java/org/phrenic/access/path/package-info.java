@@ -1,2 +1,2 @@
-/** Straight paths to a target: what they cross, over the breath and over the skin. */
+/** Straight paths from the skin to a target: what they cross at one moment, over a breath, and from all over the skin. */
 package org.phrenic.access.path;

@@ -9,20 +9,18 @@ import java.util.stream.Collectors;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * A moment of the breathing that can be waited for: "end-expiration of breath 3".
+ * An event of the breathing that a step waits for: "end-expiration of breath 3".
  *
- * @param kind what happens
- * @param breath in which breath, from 1; empty for the next time
+ * @param breath number of the breath, from 1; empty for the next occurrence
  */
 public record BreathEvent(Kind kind, OptionalInt breath) {
     private static final Pattern TEXT = Pattern.compile("([a-z-]+)(?: of breath ([0-9]{1,6}))?");
 
-    /** What can be waited for. */
+    /** Kinds of events. */
     public enum Kind {
-        /** Air begins to flow in. */
         INSPIRATION,
         END_INSPIRATION,
-        /** Air has flowed out: the pause begins or lasts, or the next breath begins. */
+        /** The pause begins or lasts, or the next breath begins. */
         END_EXPIRATION,
         /** The breath is held. */
         HOLD;
@@ -30,43 +28,32 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
         String label() {
             return name().toLowerCase(Locale.ROOT).replace('_', '-');
         }
-
-        private static String labels() {
-            return Arrays.stream(values()).map(Kind::label).collect(Collectors.joining(", "));
-        }
     }
 
     /**
-     * Reads one.
+     * Parses an event.
      *
      * @throws IllegalArgumentException with what was found and expected
      */
     public static BreathEvent parse(String text) {
         Matcher m = TEXT.matcher(text.strip());
-        if (m.matches()) {
-            for (Kind kind : Kind.values()) {
-                if (kind.label().equals(m.group(1))) {
-                    OptionalInt breath = m.group(2) == null
-                            ? OptionalInt.empty()
-                            : OptionalInt.of(Math.max(1, Integer.parseInt(m.group(2))));
-                    return new BreathEvent(kind, breath);
-                }
+        for (Kind kind : Kind.values()) {
+            if (m.matches() && kind.label().equals(m.group(1))) {
+                return new BreathEvent(
+                        kind,
+                        m.group(2) == null
+                                ? OptionalInt.empty()
+                                : OptionalInt.of(Math.max(1, Integer.parseInt(m.group(2)))));
             }
         }
-        throw new IllegalArgumentException("found '" + text + "', expected seconds or one of " + Kind.labels()
+        throw new IllegalArgumentException("found '" + text + "', expected seconds or one of "
+                + Arrays.stream(Kind.values()).map(Kind::label).collect(Collectors.joining(", "))
                 + ", such as 'end-expiration of breath 3'");
     }
 
-    /**
-     * Whether it happens now.
-     *
-     * @param before what the breath did at the look before
-     * @param breathBefore its number, from 1
-     * @param now what it does
-     * @param breathNow its number
-     */
+    /** Whether the event occurs between two frames, of which each gives the phase and the number of the breath. */
     boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
-        boolean yes =
+        boolean occurs =
                 switch (kind) {
                     case INSPIRATION ->
                         now == RespiratoryPhase.INSPIRATION && (before != now || breathBefore != breathNow);
@@ -78,7 +65,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
         int number = (kind == Kind.END_EXPIRATION && now != RespiratoryPhase.PAUSE) || kind == Kind.END_INSPIRATION
                 ? breathBefore
                 : breathNow;
-        return yes && (breath.isEmpty() || breath.getAsInt() == number);
+        return occurs && (breath.isEmpty() || breath.getAsInt() == number);
     }
 
     /** "end-expiration of breath 3". */

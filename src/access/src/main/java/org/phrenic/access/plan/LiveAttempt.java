@@ -6,14 +6,12 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleSnapshot;
 
 /**
- * An attempt on a run that is played live, as it ended.
+ * A finished attempt in a live run.
  *
- * @param steps what was done, as a plan's; those of the plan where one was played
- * @param target it was about
- * @param record of it
- * @param snapshots what to make pictures of
+ * @param steps as those of a plan: what was done by hand, or the played plan's
+ * @param snapshots for pictures
  * @param endS simulated time at its end, s
- * @param stateHash of the body then
+ * @param stateHash of the body at its end
  */
 public record LiveAttempt(
         List<PlanStep> steps,
@@ -22,8 +20,8 @@ public record LiveAttempt(
         List<NeedleSnapshot> snapshots,
         double endS,
         String stateHash) {
-    /** The plan that does the same again. */
-    public RehearsalPlan toPlan(RehearsalPlan asked) {
-        return asked.withSteps(target, steps, endS);
+    /** The plan that repeats it. */
+    public RehearsalPlan toPlan(RehearsalPlan original) {
+        return original.withSteps(target, steps, endS);
     }
 }

@@ -9,6 +9,7 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.attempt.NeedleShaft;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathAnalysis;
@@ -24,41 +25,40 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * A needle in a run that is played live. It looks at the run every {@link Rehearsal#FRAME_INTERVAL_S}, as a plan does;
- * what is asked of it is done at the next look, in order, and written down as the steps of a plan. So an attempt by
- * hand, the plan that it makes, and that plan without a window give the same record, bit for bit. Where the run begins
- * anew, so does the attempt.
+ * A needle in a live run. It observes the run every {@link Rehearsal#FRAME_INTERVAL_S}, as a planned attempt does;
+ * requests are executed at the next frame, in order, and recorded as steps of a plan. An attempt by hand and the plan
+ * recorded from it, played live or headless, give the same record, bit for bit. The attempt restarts with the run.
  *
- * <p>What is asked may be asked on any thread, and returns at once.
+ * <p>Requests may come from any thread and return at once.
  */
 public final class LiveRehearsal implements StepListener {
-    /** Told of what happens, on the run's thread. */
+    /** Receives events, on the thread of the run. */
     public interface Listener {
-        /** What was asked cannot be done, and why. */
+        /** A request cannot be executed, and why. */
         void refused(String sentence);
 
         /** An attempt has ended: the needle is out after a sample, or the plan was played. */
         void finished(LiveAttempt attempt);
     }
 
-    /** Wall time between two descriptions for a screen, ns. */
+    /** Wall time between two published states, ns. */
     private static final long SHOW_NS = 40_000_000;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
     private final LiveRun run;
-    private final MovingAnatomy scene;
+    private final MovingAnatomy anatomy;
     private final Frame ofScene;
     private final RehearsalPlan plan;
     private final TargetLesion target;
-    private final Optional<AccessMap> shown;
+    private final Optional<AccessMap> map;
     private final Listener listener;
-    private final PathAnalyzer reader;
+    private final PathAnalyzer analyzer;
     private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
     private final ManualStepRecorder steps = new ManualStepRecorder();
 
-    private NeedleInsertion session;
-    private NeedleSnapshots views;
+    private NeedleInsertion needle;
+    private NeedleSnapshots snapshots;
     private PlanPlayer player;
     private Optional<double[]> entryRest = Optional.empty();
     private Optional<SkinPoint> entry = Optional.empty();
@@ -67,36 +67,34 @@ public final class LiveRehearsal implements StepListener {
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
     private Frame frame;
-    private RespiratoryPhase label = RespiratoryPhase.PAUSE;
+    private RespiratoryPhase phase = RespiratoryPhase.PAUSE;
     private double timeS;
     private boolean over;
     private long describedNs;
     private volatile NeedleState state;
 
     /**
-     * @param run that is watched, with {@code run.watch(Rehearsal.LOOK_EVERY_S, rehearsal)}
-     * @param scene of the run's surfaces; nobody else uses it while this watches
-     * @param ofScene a frame of the run's scene; another scene is not looked at
-     * @param plan needle and what it should avoid, and the steps if it is to be played
-     * @param target what the needle is for
-     * @param shown the target's map if the plan is to be played; empty for an attempt by hand
+     * @param run to which the rehearsal is added as a listener every {@link Rehearsal#FRAME_INTERVAL_S}
+     * @param anatomy of the run's surfaces, used by the rehearsal alone
+     * @param ofScene a frame of the run's scene; frames of other scenes are ignored
+     * @param map access map of the target, to play the plan; empty for an attempt by hand
      */
     public LiveRehearsal(
             LiveRun run,
-            MovingAnatomy scene,
+            MovingAnatomy anatomy,
             Frame ofScene,
             RehearsalPlan plan,
             TargetLesion target,
-            Optional<AccessMap> shown,
+            Optional<AccessMap> map,
             Listener listener) {
         this.run = run;
-        this.scene = scene;
+        this.anatomy = anatomy;
         this.ofScene = ofScene;
         this.plan = plan;
         this.target = target;
-        this.shown = shown;
+        this.map = map;
         this.listener = listener;
-        reader = new PathAnalyzer(scene, plan.needle());
+        analyzer = new PathAnalyzer(anatomy, plan.needle());
     }
 
     @Override
@@ -105,24 +103,24 @@ public final class LiveRehearsal implements StepListener {
             return;
         }
         frame = shownFrame;
-        label = doing;
-        if (session == null || frame.timeS() < timeS) {
+        phase = doing;
+        if (needle == null || frame.timeS() < timeS) {
             steps.clear();
             begin();
         }
         timeS = frame.timeS();
         int breath = 1 + (int) frame.values()[BREATH];
-        session.update(frame, label);
+        needle.update(frame, phase);
         boolean done = player == null ? runRequests(breath) : play(breath);
-        views.observe(session, frame, label);
-        before = label;
+        snapshots.observe(needle, frame, phase);
+        before = phase;
         breathBefore = breath;
         if (done) {
             listener.finished(new LiveAttempt(
                     player == null ? steps.stepsUntil(timeS) : plan.steps(),
                     target,
-                    session.record(),
-                    views.all(),
+                    needle.record(),
+                    snapshots.all(),
                     timeS,
                     run.commandHash()));
             over = true;
@@ -134,10 +132,10 @@ public final class LiveRehearsal implements StepListener {
     }
 
     private void begin() {
-        session = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
-        views = new NeedleSnapshots();
-        player =
-                shown.map(map -> new PlanPlayer(plan, session, map, this::hold)).orElse(null);
+        needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
+        snapshots = new NeedleSnapshots();
+        player = map.map(known -> new PlanPlayer(plan, needle, known, this::hold))
+                .orElse(null);
         holdAt = Optional.empty();
         before = RespiratoryPhase.PAUSE;
         breathBefore = 1;
@@ -150,7 +148,7 @@ public final class LiveRehearsal implements StepListener {
             return false;
         }
         try {
-            return player.update(label, breath);
+            return player.update(phase, breath);
         } catch (BadInputException bad) {
             over = true;
             listener.refused(bad.getMessage());
@@ -158,9 +156,9 @@ public final class LiveRehearsal implements StepListener {
         }
     }
 
-    /** Says whether the attempt has ended by that. */
+    /** Executes the requests; whether the attempt has ended. */
     private boolean runRequests(int breath) {
-        if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, label, breath)) {
+        if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, phase, breath)) {
             holdAt = Optional.empty();
             held(true);
         }
@@ -171,7 +169,7 @@ public final class LiveRehearsal implements StepListener {
                 listener.refused(bad.getMessage());
             }
         }
-        return !over && !session.isPlaced() && !session.record().samples().isEmpty();
+        return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
     private void hold(boolean on, String origin) {
@@ -180,13 +178,10 @@ public final class LiveRehearsal implements StepListener {
 
     private void held(boolean on) {
         hold(on, "window");
-        steps.held(timeS, on);
+        steps.add(timeS, new PlanStep.HoldBreath("by hand, hold_breath", on));
     }
 
-    /**
-     * Holds the breath when it next comes to its end, of expiration or inspiration; without one lets it go on. A breath
-     * that is held goes on first.
-     */
+    /** Requests a hold at the next event of a kind; without one, or before a new hold, releases a held breath. */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         requests.add(() -> {
             holdAt = end.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
@@ -196,31 +191,31 @@ public final class LiveRehearsal implements StepListener {
         });
     }
 
-    /** Means to go in at a place of the skin, given as it is at end-expiration. Not while the needle is in the body. */
+    /** Chooses the entry on the skin, given at end-expiration; refused while the needle is in the body. */
     public void enterAt(double[] onSkinAtRest) {
         requests.add(() -> {
-            if (session.isPlaced() && session.depthMm() > 0) {
+            if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
                 throw new BadInputException("entry: found the needle in the body, expected it withdrawn first");
             }
-            SkinPoint point = SkinPoint.atRest(scene.skin(), onSkinAtRest);
+            SkinPoint point = SkinPoint.atRest(anatomy.skin(), onSkinAtRest);
             entryRest = Optional.of(onSkinAtRest.clone());
             entry = Optional.of(point);
         });
     }
 
     /**
-     * Moves the tip to a depth below the skin. A needle that is not placed is set on the skin first, pointing at where
-     * the target is at that moment.
+     * Moves the tip to a depth below the skin. A needle that is not placed is first set on the skin, pointing at the
+     * current position of the target.
      *
-     * @param speedMmPerS more than 0
+     * @param speedMmPerS above 0
      */
     public void moveTo(double depthMm, double speedMmPerS) {
         requests.add(() -> {
-            if (!session.isPlaced()) {
+            if (!needle.shaft().isPlaced()) {
                 place();
             }
-            session.advance(depthMm, speedMmPerS);
-            steps.moved(timeS, depthMm, speedMmPerS);
+            needle.advance(depthMm, speedMmPerS);
+            steps.add(timeS, new PlanStep.Advance("by hand, advance", Optional.of(depthMm), speedMmPerS, false));
         });
     }
 
@@ -232,52 +227,54 @@ public final class LiveRehearsal implements StepListener {
             // Another attempt in the same run.
             over = false;
             steps.keepBreathHolds();
-            session = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
-            views = new NeedleSnapshots();
-            session.update(frame, label);
+            needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
+            snapshots = new NeedleSnapshots();
+            needle.update(frame, phase);
         }
-        double[] aim = session.targetNow();
-        session.placeAtRest(entryRest.get(), aim);
-        steps.placed(timeS, entryRest.get());
-        aimedMm = Vectors.distance(session.entryNow(), aim);
+        double[] aim = needle.targetNow();
+        needle.placeAtRest(entryRest.get(), aim);
+        steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, PlanStep.Aim.TARGET));
+        aimedMm = Vectors.distance(needle.shaft().entry(), aim);
     }
 
-    /** Points the needle at where the target is now; it turns about its place in the skin. */
+    /** Points the needle at the current position of the target; it turns about its point of the skin. */
     public void aim() {
         requests.add(() -> {
-            double[] aim = session.targetNow();
-            session.redirect(aim);
-            steps.redirected(timeS);
-            aimedMm = Vectors.distance(session.entryNow(), aim);
+            double[] aim = needle.targetNow();
+            needle.redirect(aim);
+            steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.TARGET));
+            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         });
     }
 
-    /** Takes a sample where the tip is. */
+    /** Takes a sample at the tip. */
     public void sample() {
         requests.add(() -> {
-            session.sample();
-            steps.sampled(timeS);
+            needle.sample();
+            steps.add(timeS, new PlanStep.Sample("by hand, sample"));
         });
     }
 
     private NeedleState describe(int breath) {
-        double[] at = session.targetNow();
-        boolean placed = session.isPlaced();
-        Optional<double[]> from = placed ? Optional.of(session.entryNow()) : entry.map(SkinPoint::current);
-        double[] start = from.orElse(at);
-        double aimed = placed ? Math.max(aimedMm, session.depthMm()) : Vectors.distance(start, at);
+        NeedleShaft shaft = needle.shaft();
+        double[] centre = needle.targetNow();
+        boolean placed = shaft.isPlaced();
+        Optional<double[]> from = placed ? Optional.of(shaft.entry()) : entry.map(SkinPoint::current);
+        double[] start = from.orElse(centre);
+        double aimed = placed ? Math.max(aimedMm, shaft.depth()) : Vectors.distance(start, centre);
         double[] direction = placed
-                ? session.directionNow()
-                : aimed > 0 ? Vectors.normalize(Vectors.subtract(at, start)) : new double[] {0, 0, 1};
+                ? shaft.direction()
+                : aimed > 0 ? Vectors.normalize(Vectors.subtract(centre, start)) : new double[] {0, 0, 1};
         double[] end = Vectors.addScaled(start, direction, aimed);
-        Optional<PathAnalysis> path = from.map(skin -> reader.analyze(skin, end));
-        double margin = path.isPresent() ? reader.margin(start, end, plan.avoided()) : 0;
-        double depth = placed ? session.depthMm() : 0;
+        Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
+        PathAnalyzer.Margin margin =
+                path.isPresent() ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
+        double depth = placed ? shaft.depth() : 0;
         return new NeedleState(
                 timeS,
                 breath,
-                label,
-                at,
+                phase,
+                centre,
                 target.radiusMm(),
                 from,
                 placed,
@@ -285,20 +282,20 @@ public final class LiveRehearsal implements StepListener {
                 Vectors.addScaled(start, direction, depth),
                 depth,
                 aimed,
-                session.isInLiver(),
-                session.isMoving(),
-                placed ? Optional.of(session.targetingError()) : Optional.empty(),
+                shaft.isTipAnchored(),
+                needle.isMoving(),
+                placed ? Optional.of(needle.targetingError()) : Optional.empty(),
                 path,
                 path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),
-                margin,
-                path.isPresent() ? scene.labelOf(reader.nearestOfMargin()) : "",
-                placed ? session.warnings() : List.of(),
-                session.record().samples().size(),
+                margin.mm(),
+                anatomy.labelOf(margin.nearest()),
+                placed ? needle.warnings() : List.of(),
+                needle.record().samples().size(),
                 holdAt.map(BreathEvent::text).orElse(""),
                 player != null);
     }
 
-    /** How it stands; null before the first look. */
+    /** The current state; null before the first frame. */
     public NeedleState state() {
         return state;
     }

@@ -9,87 +9,87 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.phrenic.access.CostalGroove;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.path.IntercostalSpace;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * Whether a path may be taken over a breath, in a clinician's words.
+ * Advice on a path over a breath, in a clinician's words.
  *
- * @param level how it is marked
- * @param headline in a few words
- * @param reasons what is wrong with it and when, each a line; empty if nothing
- * @param margin how far it stays from what is to be avoided while it is free; empty where it never is
- * @param way its length, space and angle
+ * @param reasons against the path and when they hold, one line each; empty if there are none
+ * @param margin to the avoided zones while the path is free; empty if it never is
+ * @param way length, intercostal space and angle of the path
  */
 public record PathAdvice(Level level, String headline, List<String> reasons, String margin, String way) {
-    /** How a path is marked: green, amber, red. */
+    /** Levels of advice, shown green, amber and red. */
     public enum Level {
         FREE,
         CAREFUL,
         BARRED
     }
 
-    /** Of a path over a breath. */
+    /** Advice on a path. */
     public static PathAdvice of(PathOverBreath path) {
         int moments = path.analyses().size();
         int free = path.freeMoments();
-        Map<String, Set<RespiratoryPhase>> when = new LinkedHashMap<>();
+        Map<String, Set<RespiratoryPhase>> phases = new LinkedHashMap<>();
         int tightest = -1;
         for (int m = 0; m < moments; m++) {
-            RespiratoryPhase label = path.cycle().get(m).label();
-            path.analyses().get(m).reasons(path.avoided()).forEach(reason -> when.computeIfAbsent(
-                            reason, r -> new LinkedHashSet<>())
-                    .add(label));
+            RespiratoryPhase phase = path.cycle().get(m).label();
+            for (String reason : path.analyses().get(m).reasons(path.avoided())) {
+                phases.computeIfAbsent(reason, r -> new LinkedHashSet<>()).add(phase);
+            }
             if (path.isFree(m) && (tightest < 0 || path.marginsMm()[m] < path.marginsMm()[tightest])) {
                 tightest = m;
             }
         }
         List<String> reasons = new ArrayList<>();
-        when.forEach((reason, labels) -> reasons.add(free == 0 ? reason : reason + " " + words(labels)));
-        boolean close = tightest >= 0 && path.marginsMm()[tightest] < Rehearsal.SUFFICIENT_MARGIN_MM;
+        phases.forEach((reason, of) -> reasons.add(free == 0 ? reason : reason + " " + words(of)));
+        boolean close = tightest >= 0 && path.marginsMm()[tightest] < AccessMap.SUFFICIENT_MARGIN_MM;
         Level level = free == 0 ? Level.BARRED : free < moments || close ? Level.CAREFUL : Level.FREE;
         String headline = free == 0
                 ? "Barred over the whole breath"
                 : free < moments
                         ? "Free in " + Math.round(100.0 * free / moments) + " % of the breath"
                         : close ? "Free over the whole breath, but close" : "Free over the whole breath";
+        String margin = tightest < 0
+                ? ""
+                : margin(path.marginsMm()[tightest], path.analyses().get(tightest));
         return new PathAdvice(
                 level,
                 headline,
                 List.copyOf(reasons),
-                tightest < 0
-                        ? ""
-                        : margin(path.marginsMm()[tightest], path.analyses().get(tightest)),
+                margin,
                 way(path.analyses().get(0)));
     }
 
     /** "8.3 mm from right lung". */
-    private static String margin(double marginMm, PathAnalysis reading) {
+    private static String margin(double marginMm, PathAnalysis path) {
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
             return "nothing to be avoided within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
         }
-        boolean border = reading.approaches().isEmpty()
-                || reading.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM
-                        < reading.approaches().get(0).distanceMm() - 1;
-        String nearest = border
-                ? "the vessels below " + reading.costalGrooveRib()
-                : reading.approaches().get(0).label();
+        boolean groove = path.approaches().isEmpty()
+                || path.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM
+                        < path.approaches().get(0).distanceMm() - 1;
+        String nearest = groove
+                ? "the vessels below " + path.costalGrooveRib()
+                : path.approaches().get(0).label();
         return String.format(Locale.ROOT, "%.1f mm from %s", marginMm, nearest);
     }
 
-    private static String way(PathAnalysis reading) {
-        return String.format(Locale.ROOT, "%.0f mm to the target", reading.lengthMm())
-                + reading.space().map(s -> ", " + s.label()).orElse("")
-                + (Double.isNaN(reading.capsuleAngleDeg())
-                        ? ""
-                        : String.format(Locale.ROOT, ", %.0f\u00b0 to the liver's surface", reading.capsuleAngleDeg()));
+    private static String way(PathAnalysis path) {
+        double angle = path.capsuleAngleDeg();
+        return String.format(Locale.ROOT, "%.0f mm to the target", path.lengthMm())
+                + path.space().map(IntercostalSpace::label).map(s -> ", " + s).orElse("")
+                + (Double.isNaN(angle) ? "" : String.format(Locale.ROOT, ", %.0f\u00b0 to the liver's surface", angle));
     }
 
-    private static String words(Set<RespiratoryPhase> labels) {
-        return labels.stream()
-                .map(label -> switch (label) {
+    private static String words(Set<RespiratoryPhase> phases) {
+        return phases.stream()
+                .map(phase -> switch (phase) {
                     case INSPIRATION -> "while breathing in";
                     case EXPIRATION -> "while breathing out";
                     case PAUSE -> "at the end of expiration";

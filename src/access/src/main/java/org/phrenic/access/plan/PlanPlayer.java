@@ -8,12 +8,9 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
 
-/**
- * Does the steps of a plan with a needle, as the breathing lets it: after each frame that the needle has taken,
- * whatever can be done then.
- */
+/** Executes the steps of a plan with a needle: after each frame, all steps that are then possible. */
 public final class PlanPlayer {
-    /** Told to hold the breath or let it go on. */
+    /** Holds or releases the breath. */
     public interface Breathing {
         void hold(boolean held, String origin);
     }
@@ -29,7 +26,7 @@ public final class PlanPlayer {
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
 
-    /** @param map of the target, whose best points a plan may ask for */
+    /** @param map of the target, for steps that ask for its best points */
     public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, AccessMap map, Breathing breathing) {
         this.plan = plan;
         this.needle = needle;
@@ -38,26 +35,24 @@ public final class PlanPlayer {
     }
 
     /**
-     * Does what can be done at this frame.
+     * Executes what is possible at this frame.
      *
-     * @param now what the breath is doing
-     * @param breath its number, from 1
-     * @return whether all is done
-     * @throws BadInputException with one sentence that names the step, if it cannot be done or what it waits for does
-     *     not come
+     * @param breath number of the breath, from 1
+     * @return whether all steps are done
+     * @throws BadInputException with one sentence that names the step, if it cannot be done or its event does not occur
      */
-    public boolean update(RespiratoryPhase now, int breath) {
+    public boolean update(RespiratoryPhase phase, int breath) {
         List<PlanStep> steps = plan.steps();
-        while (next < steps.size() && isDone(steps.get(next), now, breath)) {
+        while (next < steps.size() && isDone(steps.get(next), phase, breath)) {
             next++;
             begun = false;
         }
-        before = now;
+        before = phase;
         breathBefore = breath;
         return next == steps.size();
     }
 
-    private boolean isDone(PlanStep step, RespiratoryPhase now, int breath) {
+    private boolean isDone(PlanStep step, RespiratoryPhase phase, int breath) {
         try {
             if (needle.timeS() > plan.timeoutS()) {
                 throw new BadInputException(String.format(
@@ -73,15 +68,15 @@ public final class PlanPlayer {
                 begun = true;
                 sinceS = needle.timeS();
             }
-            return isDone(step, first, now, breath);
+            return isDone(step, first, phase, breath);
         } catch (BadInputException bad) {
             throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
         }
     }
 
-    private boolean isDone(PlanStep step, boolean first, RespiratoryPhase now, int breath) {
+    private boolean isDone(PlanStep step, boolean first, RespiratoryPhase phase, int breath) {
         if (step instanceof PlanStep.WaitFor wait) {
-            return happens(wait.event(), now, breath);
+            return occurs(wait.event(), phase, breath);
         }
         if (step instanceof PlanStep.WaitSeconds wait) {
             return needle.timeS() - sinceS >= wait.seconds() - 1e-9;
@@ -89,11 +84,14 @@ public final class PlanPlayer {
         if (step instanceof PlanStep.HoldBreath hold) {
             breathing.hold(hold.held(), hold.place());
         } else if (step instanceof PlanStep.Place place) {
-            place(place);
+            double[] entry = entry(place, map);
+            double[] aim = point(place.aim());
+            needle.placeAtRest(entry, aim);
+            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         } else if (step instanceof PlanStep.Redirect redirect) {
             double[] aim = point(redirect.aim());
             needle.redirect(aim);
-            aimedMm = Vectors.distance(needle.entryNow(), aim);
+            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         } else if (step instanceof PlanStep.Advance advance) {
             if (first) {
                 needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
@@ -105,8 +103,8 @@ public final class PlanPlayer {
         return true;
     }
 
-    private boolean happens(BreathEvent event, RespiratoryPhase now, int breath) {
-        if (event.occurs(before, breathBefore, now, breath)) {
+    private boolean occurs(BreathEvent event, RespiratoryPhase phase, int breath) {
+        if (event.occurs(before, breathBefore, phase, breath)) {
             return true;
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {
@@ -116,27 +114,19 @@ public final class PlanPlayer {
         return false;
     }
 
-    private void place(PlanStep.Place place) {
-        double[] entry = entry(place, map);
-        double[] aim = point(place.aim());
-        needle.placeAtRest(entry, aim);
-        aimedMm = Vectors.distance(needle.entryNow(), aim);
-    }
-
     /**
-     * The point of the skin at end-expiration that a step means.
+     * The entry of a step, on the skin at end-expiration.
      *
      * @throws BadInputException with one sentence, if the needle is too short or no path is free
      */
     static double[] entry(PlanStep.Place place, AccessMap map) {
+        double margin = AccessMap.SUFFICIENT_MARGIN_MM;
         return place.entryRest()
-                .or(() -> (place.atEndExpiration()
-                                ? map.bestAt(0, Rehearsal.SUFFICIENT_MARGIN_MM)
-                                : map.best(Rehearsal.SUFFICIENT_MARGIN_MM))
-                        .map(map::pointAtRest))
+                .or(() -> (place.atEndExpiration() ? map.bestAt(0, margin) : map.best(margin)).map(map::pointAtRest))
                 .orElseThrow(() -> new BadInputException(place.place()
-                        + (map.counts().get("in_reach").equals(0)
-                                ? ": found the needle too short to reach the target from anywhere on the skin, expected a longer one"
+                        + (map.counts().inReach() == 0
+                                ? ": found the needle too short to reach the target from anywhere on the skin,"
+                                        + " expected a longer one"
                                 : ": found no free path to the target from anywhere on the skin, expected one")));
     }
 

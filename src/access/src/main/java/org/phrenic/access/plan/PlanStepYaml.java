@@ -1,14 +1,14 @@
 package org.phrenic.access.plan;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 
-/** Reads the steps of a plan: a list of mappings, each with one key that says what is done. */
+/** The steps of a plan in YAML: a list of mappings, each with one key, the kind of the step. */
 final class PlanStepYaml {
     private static final List<String> KINDS =
             List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw");
@@ -41,28 +41,19 @@ final class PlanStepYaml {
             case "wait" -> wait(step, place);
             case "hold_breath" -> new PlanStep.HoldBreath(place, step.flag(kind));
             case "place" -> {
-                YamlMap map = step.map(kind);
-                map.requireOnly(List.of("entry", "aim"));
+                YamlMap map = map(step, kind, List.of("entry", "aim"));
                 Optional<double[]> entry = entry(map);
                 boolean atRest = entry.isEmpty() && map.text("entry", BEST).equals(BEST_AT_REST);
                 yield new PlanStep.Place(place, entry, atRest, aim(map));
             }
-            case "redirect" -> {
-                YamlMap map = step.map(kind);
-                map.requireOnly(List.of("aim"));
-                yield new PlanStep.Redirect(place, aim(map));
-            }
+            case "redirect" -> new PlanStep.Redirect(place, aim(map(step, kind, List.of("aim"))));
             case "advance" -> {
-                YamlMap map = step.map(kind);
-                map.requireOnly(MOVE_KEYS);
-                Optional<Double> depth = map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty();
-                yield new PlanStep.Advance(place, depth, speed(map), map.flag("wait", true));
+                YamlMap map = map(step, kind, MOVE_KEYS);
+                yield advance(place, map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty(), map);
             }
             case "withdraw" -> {
-                YamlMap map = step.map(kind);
-                map.requireOnly(MOVE_KEYS);
-                yield new PlanStep.Advance(
-                        place, Optional.of(map.number("depth_mm", 0)), speed(map), map.flag("wait", true));
+                YamlMap map = map(step, kind, MOVE_KEYS);
+                yield advance(place, Optional.of(map.number("depth_mm", 0)), map);
             }
             default -> {
                 if (!step.text(kind).equals("now")) {
@@ -73,43 +64,18 @@ final class PlanStepYaml {
         };
     }
 
-    /** Plain values of steps, as {@link #read} takes them. */
-    static List<Map<String, Object>> toPlain(List<PlanStep> steps) {
-        return steps.stream().map(PlanStepYaml::toPlain).toList();
+    private static YamlMap map(YamlMap step, String kind, List<String> keys) {
+        YamlMap map = step.map(kind);
+        map.requireOnly(keys);
+        return map;
     }
 
-    private static Map<String, Object> toPlain(PlanStep step) {
-        if (step instanceof PlanStep.WaitSeconds wait) {
-            return Map.of("wait", wait.seconds());
-        } else if (step instanceof PlanStep.WaitFor wait) {
-            return Map.of("wait", wait.event().text());
-        } else if (step instanceof PlanStep.HoldBreath hold) {
-            return Map.of("hold_breath", hold.held());
-        } else if (step instanceof PlanStep.Place place) {
-            Map<String, Object> map = new LinkedHashMap<>();
-            map.put(
-                    "entry",
-                    place.entryRest().isPresent()
-                            ? place.entryRest().get()
-                            : place.atEndExpiration() ? BEST_AT_REST : BEST);
-            map.put("aim", toPlain(place.aim()));
-            return Map.of("place", map);
-        } else if (step instanceof PlanStep.Redirect redirect) {
-            return Map.of("redirect", Map.of("aim", toPlain(redirect.aim())));
-        } else if (step instanceof PlanStep.Advance advance) {
-            Map<String, Object> map = new LinkedHashMap<>();
-            advance.depthMm().ifPresent(depth -> map.put("depth_mm", depth));
-            map.put("speed_mm_per_s", advance.speedMmPerS());
-            if (!advance.awaited()) {
-                map.put("wait", false);
-            }
-            return Map.of("advance", map);
+    private static PlanStep advance(String place, Optional<Double> depthMm, YamlMap map) {
+        double speed = map.number("speed_mm_per_s", SPEED_MM_PER_S);
+        if (!(speed > 0)) {
+            throw map.bad("speed_mm_per_s", "found " + speed + ", expected more than 0");
         }
-        return Map.of("sample", "now");
-    }
-
-    private static Object toPlain(PlanStep.Aim aim) {
-        return aim.point().isPresent() ? aim.point().get() : aim.atRest() ? AIM_AT_REST : AIM;
+        return new PlanStep.Advance(place, depthMm, speed, map.flag("wait", true));
     }
 
     private static PlanStep wait(YamlMap step, String place) {
@@ -128,25 +94,25 @@ final class PlanStepYaml {
     }
 
     private static Optional<double[]> entry(YamlMap map) {
-        if (isText(map, "entry") && !List.of(BEST, BEST_AT_REST).contains(map.text("entry"))) {
+        if (!isText(map, "entry")) {
+            return Optional.of(point(map, "entry"));
+        }
+        if (!List.of(BEST, BEST_AT_REST).contains(map.text("entry"))) {
             throw map.bad(
                     "entry",
                     "found '" + map.text("entry") + "', expected '" + BEST + "', '" + BEST_AT_REST
                             + "' or three numbers in mm");
         }
-        return isText(map, "entry") ? Optional.empty() : Optional.of(point(map, "entry"));
+        return Optional.empty();
     }
 
     private static PlanStep.Aim aim(YamlMap map) {
-        if (!map.has("aim")) {
-            return new PlanStep.Aim(Optional.empty(), false);
-        }
-        if (!isText(map, "aim")) {
+        if (map.has("aim") && !isText(map, "aim")) {
             return new PlanStep.Aim(Optional.of(point(map, "aim")), false);
         }
-        return switch (map.text("aim")) {
-            case AIM -> new PlanStep.Aim(Optional.empty(), false);
-            case AIM_AT_REST -> new PlanStep.Aim(Optional.empty(), true);
+        return switch (map.text("aim", AIM)) {
+            case AIM -> PlanStep.Aim.TARGET;
+            case AIM_AT_REST -> PlanStep.Aim.TARGET_AT_REST;
             default ->
                 throw map.bad(
                         "aim",
@@ -159,14 +125,6 @@ final class PlanStepYaml {
         return map.toMap().get(key) instanceof String;
     }
 
-    private static double speed(YamlMap map) {
-        double speed = map.number("speed_mm_per_s", SPEED_MM_PER_S);
-        if (!(speed > 0)) {
-            throw map.bad("speed_mm_per_s", "found " + speed + ", expected more than 0");
-        }
-        return speed;
-    }
-
     /** Three numbers. */
     static double[] point(YamlMap map, String key) {
         double[] p = map.numbers(key);
@@ -174,5 +132,42 @@ final class PlanStepYaml {
             throw map.bad(key, "found " + p.length + " numbers, expected three: x, y, z in mm, LPS");
         }
         return p;
+    }
+
+    /** Values of a step that {@link #read} accepts. */
+    static Map<String, Object> toPlain(PlanStep step) {
+        if (step instanceof PlanStep.WaitSeconds wait) {
+            return Map.of("wait", wait.seconds());
+        } else if (step instanceof PlanStep.WaitFor wait) {
+            return Map.of("wait", wait.event().text());
+        } else if (step instanceof PlanStep.HoldBreath hold) {
+            return Map.of("hold_breath", hold.held());
+        } else if (step instanceof PlanStep.Place place) {
+            Object best = place.atEndExpiration() ? BEST_AT_REST : BEST;
+            return Map.of(
+                    "place",
+                    new OrderedValues()
+                            .with(
+                                    "entry",
+                                    place.entryRest().isPresent()
+                                            ? place.entryRest().get()
+                                            : best)
+                            .with("aim", toPlain(place.aim())));
+        } else if (step instanceof PlanStep.Redirect redirect) {
+            return Map.of("redirect", Map.of("aim", toPlain(redirect.aim())));
+        } else if (step instanceof PlanStep.Advance advance) {
+            OrderedValues map = new OrderedValues();
+            advance.depthMm().ifPresent(depth -> map.put("depth_mm", depth));
+            map.put("speed_mm_per_s", advance.speedMmPerS());
+            if (!advance.awaited()) {
+                map.put("wait", false);
+            }
+            return Map.of("advance", map);
+        }
+        return Map.of("sample", "now");
+    }
+
+    private static Object toPlain(PlanStep.Aim aim) {
+        return aim.point().isPresent() ? aim.point().get() : aim.atRest() ? AIM_AT_REST : AIM;
     }
 }

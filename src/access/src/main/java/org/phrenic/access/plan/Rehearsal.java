@@ -12,7 +12,6 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.attempt.NeedleSnapshots;
-import org.phrenic.access.path.AccessBySpace;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
@@ -30,15 +29,10 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * A plan from beginning to end without a screen: a breath is recorded, the access map worked out, the body breathes
- * anew and the plan is played.
+ * A played plan: a breath is recorded, the access map computed, the simulation restarted and the plan played.
  *
- * @param plan what was played
- * @param surfaces of the body
- * @param targetAccess the target it was about, and from where that can be reached
- * @param path the planned path over the breath; empty where nothing was placed
- * @param record of the attempt
- * @param snapshots what to make pictures of, in order
+ * @param path the planned path over the breath; empty if the plan places no needle
+ * @param snapshots for pictures, in order
  * @param stateHash of the body at the end
  */
 public record Rehearsal(
@@ -49,21 +43,15 @@ public record Rehearsal(
         AttemptRecord record,
         List<NeedleSnapshot> snapshots,
         String stateHash) {
-    /**
-     * Between two looks of the needle, s of simulated time. A window that wants the same record gives the session
-     * frames at the same times.
-     */
+    /** Simulated time between two frames of the needle, s; live runs use the same times. */
     public static final double FRAME_INTERVAL_S = 0.02;
-
-    /** What counts as room enough about a path, mm; see {@link AccessMap#best}. */
-    public static final double SUFFICIENT_MARGIN_MM = 3;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
     /**
-     * Plays a plan.
+     * Plays a plan without a window.
      *
-     * @throws BadInputException with one sentence, if it cannot be played as it stands
+     * @throws BadInputException with one sentence, if it cannot be played
      */
     public static Rehearsal play(RehearsalPlan plan, SimulationRun.Progress progress) {
         Thorax thorax = SimulationRun.loadThorax(plan.scenario());
@@ -71,87 +59,79 @@ public record Rehearsal(
         return play(plan, thorax, progress);
     }
 
-    /** As {@link #play(RehearsalPlan, SimulationRun.Progress)}, on the plan's body that is at hand already. */
+    /** As {@link #play(RehearsalPlan, SimulationRun.Progress)}, with the body of the plan already loaded. */
     public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
         try (Simulation simulation = Simulation.of(plan.scenario(), thorax);
                 Workers workers = Workers.of(plan.scenario().threads())) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
-            Frame frame = surfaces.newFrame();
-            MovingAnatomy scene = new MovingAnatomy(surfaces.surfaces());
-            scene.update(frame);
-            TargetLesion target = plan.target(scene);
-            requireEntries(plan, scene, target);
+            MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());
+            anatomy.update(surfaces.newFrame());
+            TargetLesion target = plan.target(anatomy);
+            requireEntries(plan, anatomy, target);
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.moments());
             long begun = System.nanoTime();
-            AccessMap map = AccessMap.of(scene, cycle, target, plan.needle(), plan.avoided(), workers);
+            TargetAccess access = TargetAccess.of(anatomy, cycle, target, plan.needle(), plan.avoided(), workers);
             progress.note(String.format(
                     Locale.ROOT,
                     "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
-                    map.size(),
-                    map.counts().get("in_reach"),
+                    access.map().size(),
+                    access.map().counts().inReach(),
                     cycle.size(),
                     1e-9 * (System.nanoTime() - begun)));
-            TargetAccess study = new TargetAccess(target, map, AccessBySpace.of(scene, map, plan.needle()));
-            Optional<PathOverBreath> path = plannedPath(plan, study, scene);
+            Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
             if (simulation.restart()) {
-                return attempt(plan, simulation, surfaces, frame, scene, study, path, progress);
+                NeedleSnapshots snapshots = new NeedleSnapshots();
+                AttemptRecord record = attempt(plan, simulation, surfaces, anatomy, access, snapshots, progress);
+                return new Rehearsal(
+                        plan, surfaces.surfaces(), access, path, record, snapshots.all(), simulation.stateHash());
             }
         }
-        throw new BadInputException(
-                plan.file()
-                        + ": found a scenario with changes of its own, expected one without: a plan holds the breath by its steps");
+        throw new BadInputException(plan.file() + ": found a scenario with changes of its own, expected one without:"
+                + " a plan holds the breath by its steps");
     }
 
-    private static Rehearsal attempt(
+    private static AttemptRecord attempt(
             RehearsalPlan plan,
             Simulation simulation,
             SceneSurfaces surfaces,
-            Frame frame,
-            MovingAnatomy scene,
-            TargetAccess study,
-            Optional<PathOverBreath> path,
+            MovingAnatomy anatomy,
+            TargetAccess access,
+            NeedleSnapshots snapshots,
             SimulationRun.Progress progress) {
-        NeedleInsertion needle = new NeedleInsertion(scene, study.target(), plan.needle(), plan.avoided());
+        NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());
         PlanPlayer player = new PlanPlayer(
                 plan,
                 needle,
-                study.map(),
+                access.map(),
                 (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held)));
-        NeedleSnapshots views = new NeedleSnapshots();
+        Frame frame = surfaces.newFrame();
+        long stepsPerFrame =
+                Math.max(1, Math.round(FRAME_INTERVAL_S / simulation.stepper().dt()));
         boolean done = false;
         long begun = System.nanoTime();
         while (!done) {
             surfaces.capture(frame);
-            RespiratoryPhase label = simulation.breathLabel();
-            needle.update(frame, label);
-            done = player.update(label, 1 + (int) frame.values()[BREATH]);
-            views.observe(needle, frame, label);
-            step(simulation, done);
+            RespiratoryPhase phase = simulation.breathLabel();
+            needle.update(frame, phase);
+            done = player.update(phase, 1 + (int) frame.values()[BREATH]);
+            snapshots.observe(needle, frame, phase);
+            for (long i = 0; !done && i < stepsPerFrame; i++) {
+                simulation.step();
+            }
             double perS = simulation.steps() / (1e-9 * (System.nanoTime() - begun));
             progress.advanced(simulation.time(), Math.max(simulation.time(), simulation.durationS()), perS);
         }
-        return new Rehearsal(
-                plan, surfaces.surfaces(), study, path, needle.record(), views.all(), simulation.stateHash());
+        return needle.record();
     }
 
-    private static void step(Simulation simulation, boolean done) {
-        long steps = done
-                ? 0
-                : Math.max(1, Math.round(FRAME_INTERVAL_S / simulation.stepper().dt()));
-        for (long i = 0; i < steps; i++) {
-            simulation.step();
-        }
-    }
-
-    /** Finds an entry that is not on the skin, or too far from the target, before a breath is simulated. */
-    private static void requireEntries(RehearsalPlan plan, MovingAnatomy scene, TargetLesion target) {
+    /** Refuses an entry off the skin or out of reach before a breath is simulated. */
+    private static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
+                double[] entry = place.entryRest().get();
                 try {
-                    SkinPoint.atRest(scene.skin(), place.entryRest().get());
-                    plan.needle()
-                            .requireReach(
-                                    place.entryRest().get(), place.aim().point().orElse(target.restMm()));
+                    SkinPoint.atRest(anatomy.skin(), entry);
+                    plan.needle().requireReach(entry, place.aim().point().orElse(target.restMm()));
                 } catch (BadInputException bad) {
                     throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
                 }
@@ -159,30 +139,27 @@ public record Rehearsal(
         }
     }
 
-    /**
-     * The path from where a plan enters first, over the breath; empty where nothing is placed. Afterwards the scene
-     * shows the last moment of the breath.
-     */
-    public static Optional<PathOverBreath> plannedPath(RehearsalPlan plan, TargetAccess study, MovingAnatomy scene) {
+    /** The first planned path over the breath; empty without one. Afterwards the anatomy shows the last moment. */
+    public static Optional<PathOverBreath> plannedPath(RehearsalPlan plan, TargetAccess access, MovingAnatomy anatomy) {
         return plan.steps().stream()
                 .filter(PlanStep.Place.class::isInstance)
-                .map(step -> PlanPlayer.entry((PlanStep.Place) step, study.map()))
+                .map(step -> PlanPlayer.entry((PlanStep.Place) step, access.map()))
                 .findFirst()
                 .map(entry -> PathOverBreath.of(
-                        scene, study.map().cycle(), entry, study.target(), plan.needle(), plan.avoided()));
+                        anatomy, access.map().cycle(), entry, access.target(), plan.needle(), plan.avoided()));
     }
 
-    /** The target it was about. */
+    /** The target. */
     public TargetLesion target() {
         return targetAccess.target();
     }
 
-    /** From where the target can be reached. */
+    /** The access map. */
     public AccessMap map() {
         return targetAccess.map();
     }
 
-    /** Whether what counts as done was reached; true where the plan asks for nothing. */
+    /** Whether all goals of the plan are reached. */
     public boolean goalsReached() {
         return plan.goals().reached(record);
     }

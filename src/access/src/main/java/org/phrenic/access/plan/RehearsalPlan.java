@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +18,7 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
@@ -26,21 +26,14 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
 /**
- * A planned attempt: body and breathing, target, needle, and what is done in which order. Read from YAML; unknown keys
- * are errors.
+ * A planned attempt: body and breathing, target, needle and steps. Read from YAML; unknown keys are errors.
  *
- * @param title what it is
  * @param description for whom and why, in a sentence or two; may be empty
- * @param difficulty easy, medium or hard; empty where it is not said
- * @param scenario body and breathing
- * @param targetRestMm middle of the target at end-expiration; empty for one at random
- * @param seed of a target at random
- * @param diameterMm of the target; NaN, with a seed, for one drawn as lesions are
- * @param avoided what counts as no-go
- * @param moments moments of the breath for access map and path
- * @param timeoutS simulated time after which what is waited for counts as never reached
- * @param goals what counts as done
- * @param steps what is done
+ * @param difficulty easy, medium or hard; may be empty
+ * @param targetSpec the target, by its position or at random
+ * @param avoided zones
+ * @param moments of the breath for access map and path
+ * @param timeoutS simulated time after which a step fails
  * @param file that it was read from, for messages
  */
 public record RehearsalPlan(
@@ -48,9 +41,7 @@ public record RehearsalPlan(
         String description,
         String difficulty,
         Scenario scenario,
-        Optional<double[]> targetRestMm,
-        OptionalLong seed,
-        double diameterMm,
+        TargetSpec targetSpec,
         Needle needle,
         Set<NoGoZone> avoided,
         int moments,
@@ -72,15 +63,36 @@ public record RehearsalPlan(
             "done_when",
             "steps");
     private static final List<String> DIFFICULTIES = List.of("easy", "medium", "hard");
-    private static final List<String> SHIPPED =
+    private static final List<String> EXERCISES =
             List.of("1-large-target.yaml", "2-dome-target.yaml", "3-held-breath.yaml");
-    private static final List<String> TARGET_KEYS = List.of("rest_mm", "seed", "diameter_mm");
-    private static final List<String> NEEDLE_KEYS = List.of("gauge", "length_mm");
-    private static final int MOST_PHASES = 100;
-    private static final double GIVE_UP_S = 60;
+    private static final int MAX_MOMENTS = 100;
+    private static final double TIMEOUT_S = 60;
 
     /**
-     * Reads a plan. Paths in it are taken from its folder.
+     * A target by its position, or at random.
+     *
+     * @param restMm centre at end-expiration; empty for a random one
+     * @param seed of a random one
+     * @param diameterMm NaN, with a seed, for a random one
+     */
+    public record TargetSpec(Optional<double[]> restMm, OptionalLong seed, double diameterMm) {
+        private static TargetSpec of(TargetLesion target) {
+            return new TargetSpec(Optional.of(target.restMm()), OptionalLong.empty(), target.diameterMm());
+        }
+
+        private OrderedValues toMap() {
+            OrderedValues map = new OrderedValues();
+            restMm.ifPresent(at -> map.put("rest_mm", at));
+            seed.ifPresent(number -> map.put("seed", number));
+            if (!Double.isNaN(diameterMm)) {
+                map.put("diameter_mm", diameterMm);
+            }
+            return map;
+        }
+    }
+
+    /**
+     * Reads a plan. Paths in it are relative to its folder.
      *
      * @throws BadInputException with one sentence that names file, line and key
      */
@@ -88,31 +100,12 @@ public record RehearsalPlan(
         return of(YamlDocument.read(file), file);
     }
 
-    /** The exercises that come with the program, from easy to hard. */
+    /** The exercises of the program, from easy to hard. */
     public static List<RehearsalPlan> exercises() {
-        return SHIPPED.stream().map(RehearsalPlan::shipped).toList();
+        return EXERCISES.stream().map(RehearsalPlan::exercise).toList();
     }
 
-    /** The same on another body or breath: with keys of a scenario, as {@code key=value}, set over its own. */
-    public RehearsalPlan with(List<String> set) {
-        return new RehearsalPlan(
-                title,
-                description,
-                difficulty,
-                scenario.with(set.toArray(String[]::new)),
-                targetRestMm,
-                seed,
-                diameterMm,
-                needle,
-                avoided,
-                moments,
-                timeoutS,
-                goals,
-                steps,
-                file);
-    }
-
-    private static RehearsalPlan shipped(String name) {
+    private static RehearsalPlan exercise(String name) {
         try (InputStream in = RehearsalPlan.class.getResourceAsStream("/org/phrenic/data/exercises/" + name)) {
             if (in == null) {
                 throw new IllegalStateException("the exercise " + name + " is missing from the program");
@@ -123,31 +116,35 @@ public record RehearsalPlan(
         }
     }
 
+    /** A plan without steps, for practice on a body. */
+    public static RehearsalPlan practice(Scenario scenario, TargetLesion target, Needle needle) {
+        return new RehearsalPlan(
+                "Practice",
+                "A target and an entry of one's own choice.",
+                "",
+                scenario,
+                TargetSpec.of(target),
+                needle,
+                NoGoZone.defaults(),
+                BreathCycle.PHASES,
+                TIMEOUT_S,
+                Goals.none(),
+                List.of(),
+                "practice");
+    }
+
     private static RehearsalPlan of(YamlMap yaml, Path file) {
         yaml.requireOnly(KEYS);
-        YamlMap target = yaml.map("target");
-        target.requireOnly(TARGET_KEYS);
-        if (target.has("rest_mm") == target.has("seed")) {
-            throw yaml.bad(
-                    "target",
-                    "found " + (target.has("seed") ? "both" : "neither")
-                            + " of rest_mm and seed, expected one of them");
-        }
-        if (target.has("rest_mm") && !target.has("diameter_mm")) {
-            throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
-        }
         return new RehearsalPlan(
                 yaml.text("title", file.getFileName().toString().replaceFirst("\\.[^.]*$", "")),
                 yaml.text("description", ""),
                 difficulty(yaml),
                 scenario(yaml, file),
-                target.has("rest_mm") ? Optional.of(PlanStepYaml.point(target, "rest_mm")) : Optional.empty(),
-                target.has("seed") ? OptionalLong.of(target.integer("seed")) : OptionalLong.empty(),
-                target.number("diameter_mm", Double.NaN),
+                target(yaml),
                 needle(yaml),
                 avoided(yaml),
-                (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MOST_PHASES),
-                within(yaml, "give_up_after_s", yaml.number("give_up_after_s", GIVE_UP_S), 1, 3600),
+                (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MAX_MOMENTS),
+                within(yaml, "give_up_after_s", yaml.number("give_up_after_s", TIMEOUT_S), 1, 3600),
                 Goals.read(yaml.mapOrEmpty("done_when")),
                 yaml.has("steps") ? PlanStepYaml.read(yaml.maps("steps"), file.toString()) : List.of(),
                 file.toString());
@@ -159,6 +156,24 @@ public record RehearsalPlan(
             throw yaml.bad("difficulty", "found '" + difficulty + "', expected " + String.join(", ", DIFFICULTIES));
         }
         return difficulty;
+    }
+
+    private static TargetSpec target(YamlMap yaml) {
+        YamlMap target = yaml.map("target");
+        target.requireOnly(List.of("rest_mm", "seed", "diameter_mm"));
+        if (target.has("rest_mm") == target.has("seed")) {
+            throw yaml.bad(
+                    "target",
+                    "found " + (target.has("seed") ? "both" : "neither")
+                            + " of rest_mm and seed, expected one of them");
+        }
+        if (target.has("rest_mm") && !target.has("diameter_mm")) {
+            throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
+        }
+        return new TargetSpec(
+                target.has("rest_mm") ? Optional.of(PlanStepYaml.point(target, "rest_mm")) : Optional.empty(),
+                target.has("seed") ? OptionalLong.of(target.integer("seed")) : OptionalLong.empty(),
+                target.number("diameter_mm", Double.NaN));
     }
 
     private static double within(YamlMap yaml, String key, double value, double low, double high) {
@@ -182,11 +197,11 @@ public record RehearsalPlan(
 
     private static Needle needle(YamlMap yaml) {
         YamlMap needle = yaml.mapOrEmpty("needle");
-        needle.requireOnly(NEEDLE_KEYS);
-        Needle usual = Needle.standard();
+        needle.requireOnly(List.of("gauge", "length_mm"));
+        Needle standard = Needle.standard();
         try {
             return new Needle(
-                    (int) needle.integer("gauge", usual.gauge()), needle.number("length_mm", usual.lengthMm()));
+                    (int) needle.integer("gauge", standard.gauge()), needle.number("length_mm", standard.lengthMm()));
         } catch (IllegalArgumentException none) {
             throw yaml.bad("needle", none.getMessage());
         }
@@ -199,7 +214,7 @@ public record RehearsalPlan(
         Set<NoGoZone> avoided = EnumSet.noneOf(NoGoZone.class);
         for (String name : yaml.texts("avoid")) {
             avoided.add(Arrays.stream(NoGoZone.values())
-                    .filter(one -> one.key().equals(name))
+                    .filter(zone -> zone.key().equals(name))
                     .findFirst()
                     .orElseThrow(() -> yaml.bad(
                             "avoid",
@@ -211,87 +226,61 @@ public record RehearsalPlan(
         return avoided;
     }
 
-    /** The same with other steps and a target at a place: what was done by hand. */
-    RehearsalPlan withSteps(TargetLesion target, List<PlanStep> done, double lastS) {
+    /** The plan with keys of its scenario, {@code key=value}, set to other values. */
+    public RehearsalPlan with(List<String> set) {
+        return copy(scenario.with(set.toArray(String[]::new)), targetSpec, timeoutS, steps);
+    }
+
+    /** The plan with a target at a position and other steps, which last until {@code lastS}. */
+    RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
+        double timeout = Math.max(timeoutS, Math.ceil(lastS + 1));
+        return copy(scenario, TargetSpec.of(target), timeout, List.copyOf(other));
+    }
+
+    private RehearsalPlan copy(Scenario other, TargetSpec target, double timeout, List<PlanStep> otherSteps) {
         return new RehearsalPlan(
                 title,
                 description,
                 difficulty,
-                scenario,
-                Optional.of(target.restMm()),
-                OptionalLong.empty(),
-                target.diameterMm(),
+                other,
+                target,
                 needle,
                 avoided,
                 moments,
-                Math.max(timeoutS, Math.ceil(lastS + 1)),
+                timeout,
                 goals,
-                List.copyOf(done),
+                otherSteps,
                 file);
     }
 
     /**
-     * Plain values of a plan with a target at a place, as {@link #read} takes them.
+     * Values of the plan that {@link #read} accepts.
      *
-     * @param scenarioFile where the scenario lies, from the folder of the plan
+     * @param scenarioFile of the scenario, relative to the folder of the plan
      */
     public Map<String, Object> toMap(String scenarioFile) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("title", title);
-        map.put("description", description);
+        OrderedValues map = new OrderedValues().with("title", title).with("description", description);
         if (!difficulty.isEmpty()) {
             map.put("difficulty", difficulty);
         }
-        map.put("scenario", scenarioFile);
-        Map<String, Object> target = new LinkedHashMap<>();
-        targetRestMm.ifPresent(at -> target.put("rest_mm", at));
-        seed.ifPresent(number -> target.put("seed", number));
-        if (!Double.isNaN(diameterMm)) {
-            target.put("diameter_mm", diameterMm);
-        }
-        map.put("target", target);
-        Map<String, Object> used = new LinkedHashMap<>();
-        used.put("gauge", needle.gauge());
-        used.put("length_mm", needle.lengthMm());
-        map.put("needle", used);
-        map.put("avoid", avoided.stream().sorted().map(NoGoZone::key).toList());
-        map.put("phases", moments);
-        map.put("give_up_after_s", timeoutS);
-        map.put("done_when", goals.toMap());
-        map.put("steps", PlanStepYaml.toPlain(steps));
-        return map;
-    }
-
-    /**
-     * A plan without steps: practice on a body as it breathes now.
-     *
-     * @param scenario body and breathing
-     * @param target where it is
-     */
-    public static RehearsalPlan practice(Scenario scenario, TargetLesion target, Needle needle) {
-        return new RehearsalPlan(
-                "Practice",
-                "A target and an entry of one's own choice.",
-                "",
-                scenario,
-                Optional.of(target.restMm()),
-                OptionalLong.empty(),
-                target.diameterMm(),
-                needle,
-                NoGoZone.defaults(),
-                BreathCycle.PHASES,
-                GIVE_UP_S,
-                Goals.none(),
-                List.of(),
-                "practice");
+        return map.with("scenario", scenarioFile)
+                .with("target", targetSpec.toMap())
+                .with(
+                        "needle",
+                        new OrderedValues().with("gauge", needle.gauge()).with("length_mm", needle.lengthMm()))
+                .with("avoid", avoided.stream().sorted().map(NoGoZone::key).toList())
+                .with("phases", moments)
+                .with("give_up_after_s", timeoutS)
+                .with("done_when", goals.toMap())
+                .with("steps", steps.stream().map(PlanStepYaml::toPlain).toList());
     }
 
     /** The target in a body. */
-    public TargetLesion target(MovingAnatomy scene) {
+    public TargetLesion target(MovingAnatomy anatomy) {
         try {
-            return targetRestMm.isPresent()
-                    ? TargetLesion.at(scene, targetRestMm.get(), diameterMm)
-                    : TargetLesion.random(scene, seed.getAsLong(), diameterMm);
+            return targetSpec.restMm.isPresent()
+                    ? TargetLesion.at(anatomy, targetSpec.restMm.get(), targetSpec.diameterMm)
+                    : TargetLesion.random(anatomy, targetSpec.seed.getAsLong(), targetSpec.diameterMm);
         } catch (BadInputException bad) {
             throw new BadInputException(file + ": " + bad.getMessage(), bad);
         }

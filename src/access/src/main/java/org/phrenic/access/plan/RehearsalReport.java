@@ -1,31 +1,34 @@
 package org.phrenic.access.plan;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.PleuralReflection;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
-import org.phrenic.access.path.AccessBySpace;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.IntercostalSpace;
 import org.phrenic.access.path.PathAnalysis;
+import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.access.path.TargetAccess;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
 
-/** What is written of a rehearsal: plain values for JSON, and a report card to be read. */
+/** The report of a rehearsal: values for JSON, and a document to read. */
 public final class RehearsalReport {
-    private static final int CLOSEST = 8;
+    private static final int MAX_APPROACHES = 8;
 
     private final Rehearsal rehearsal;
     private final AttemptRecord record;
@@ -35,58 +38,64 @@ public final class RehearsalReport {
         record = rehearsal.record();
     }
 
-    /** Everything, in the order in which it is written. The same plan gives the same values. */
+    /** All values in order; the same plan gives the same values. */
     public Map<String, Object> values() {
-        Map<String, Object> map = new LinkedHashMap<>();
         RehearsalPlan plan = rehearsal.plan();
-        map.put("title", plan.title());
-        map.put("done", rehearsal.goalsReached());
-        map.put(
-                "goals",
-                plan.goals().evaluate(record).stream()
-                        .map(Goals.GoalResult::toMap)
-                        .toList());
-        map.put("attempt", record.toMap());
+        OrderedValues map = new OrderedValues()
+                .with("title", plan.title())
+                .with("done", rehearsal.goalsReached())
+                .with(
+                        "goals",
+                        plan.goals().evaluate(record).stream()
+                                .map(Goals.GoalResult::toMap)
+                                .toList())
+                .with("attempt", record.toMap());
         rehearsal.path().ifPresent(path -> map.put("path", path.toMap()));
-        map.put("access", access());
-        map.put("scenario", plan.scenario().toMap());
-        map.put("definitions", definitions());
-        map.put("state_sha256", rehearsal.stateHash());
-        map.put("notice", Disclaimer.TEXT);
-        return map;
+        return map.with("access", access())
+                .with("scenario", plan.scenario().toMap())
+                .with("definitions", definitions())
+                .with("state_sha256", rehearsal.stateHash())
+                .with("notice", Disclaimer.TEXT);
     }
 
     private Map<String, Object> access() {
         AccessMap map = rehearsal.map();
-        Map<String, Object> access = new LinkedHashMap<>(map.counts());
-        access.put("moments", map.cycle().size());
-        access.put("avoided", map.avoided().stream().map(NoGoZone::key).toList());
-        map.best(Rehearsal.SUFFICIENT_MARGIN_MM).ifPresent(v -> {
-            Map<String, Object> best = new LinkedHashMap<>();
-            best.put("vertex", v);
-            best.put("free_moments", map.freeMoments(v));
-            best.put("margin_mm", map.marginMm(v));
-            best.put("nearest", map.nearest(v));
-            best.put("length_mm", map.lengthMm(v));
+        OrderedValues access = map.counts()
+                .toMap()
+                .with("moments", map.cycle().size())
+                .with("avoided", map.avoided().stream().map(NoGoZone::key).toList());
+        map.best(AccessMap.SUFFICIENT_MARGIN_MM).ifPresent(v -> {
+            OrderedValues best = new OrderedValues()
+                    .with("vertex", v)
+                    .with("free_moments", map.freeMoments(v))
+                    .with("margin_mm", map.marginMm(v))
+                    .with("nearest", map.nearest(v))
+                    .with("length_mm", map.lengthMm(v));
             if (!Double.isNaN(map.angleDeg(v))) {
                 best.put("capsule_angle_deg", map.angleDeg(v));
             }
             access.put("best", best);
         });
-        access.put("by_space", AccessBySpace.plain(rehearsal.targetAccess().bySpace()));
-        return access;
+        return access.with(
+                "by_space",
+                rehearsal.targetAccess().bySpace().stream()
+                        .map(TargetAccess.SpaceCount::toMap)
+                        .toList());
     }
 
-    /** What words in a report mean, and what this body cannot show. */
+    /** Definitions of the words of the report, and what this body cannot show. */
     private List<String> definitions() {
         List<String> words = new ArrayList<>(List.of(
-                "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where the target's middle lies deeper; lateral: distance of the middle from the needle's line.",
+                "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where the"
+                        + " target's middle lies deeper; lateral: distance of the middle from the needle's line.",
                 "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by a path that enters the diaphragm more than "
                         + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM) + " mm above its lower rim.",
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
                         + " mm of the rib's lower border.",
-                "Capsule pulled: distance between the needle and where it went through the capsule, which moves with the liver. No force is worked out.",
-                "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels count only where the body has them.",
+                "Capsule pulled: distance between the needle and where it went through the capsule, which moves with the"
+                        + " liver. No force is worked out.",
+                "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels count"
+                        + " only where the body has them.",
                 AttemptRecord.NOT_VALIDATED));
         if (rehearsal.surfaces().stream().noneMatch(s -> s.kind() == StructureKind.LUNG)) {
             words.add("This body has no lungs: a path through them is not noticed.");
@@ -94,27 +103,29 @@ public final class RehearsalReport {
         return words;
     }
 
-    /** The report card. */
+    /** The report as a document. */
     public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures) {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
         goals(document);
         attempt(document);
-        if (!needlePictures.isEmpty()) {
-            document.figure(
-                    "The needle (blue) and the target (yellow) at the sample.", needlePictures.toArray(Picture[]::new));
-        }
-        path(document);
+        figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);
+        rehearsal.path().ifPresent(path -> path(document, path));
         accessTable(document);
-        if (!mapPictures.isEmpty()) {
-            document.figure(
-                    "Where on the skin the target can be reached by a straight path, in per cent of a breath.",
-                    mapPictures.toArray(Picture[]::new));
-        }
+        figure(
+                document,
+                "Where on the skin the target can be reached by a straight path, in per cent of a breath.",
+                mapPictures);
         document.section("What the words mean");
         document.points(definitions().toArray(String[]::new));
         return document;
+    }
+
+    private static void figure(ReportDocument document, String caption, List<Picture> pictures) {
+        if (!pictures.isEmpty()) {
+            document.figure(caption, pictures.toArray(Picture[]::new));
+        }
     }
 
     private String headline() {
@@ -132,47 +143,44 @@ public final class RehearsalReport {
     }
 
     private void goals(ReportDocument document) {
-        List<Goals.GoalResult> outcomes = rehearsal.plan().goals().evaluate(record);
-        if (outcomes.isEmpty()) {
+        List<Goals.GoalResult> results = rehearsal.plan().goals().evaluate(record);
+        if (results.isEmpty()) {
             return;
         }
         document.section(rehearsal.goalsReached() ? "Done" : "Not done");
         document.table(
                 "What counts as done; chosen, not validated.",
                 List.of(Column.text("Goal"), Column.number("Asked"), Column.number("Reached"), Column.text("")),
-                outcomes.stream()
-                        .map(o -> List.of(
-                                o.label(),
-                                number(o.limit()),
-                                Double.isFinite(o.value()) ? number(o.value()) : "no sample",
-                                o.reached() ? "yes" : "NO"))
+                results.stream()
+                        .map(r -> List.of(
+                                r.label(),
+                                number(r.limit()),
+                                Double.isFinite(r.value()) ? number(r.value()) : "no sample",
+                                r.reached() ? "yes" : "NO"))
                         .toList());
     }
 
     private void attempt(ReportDocument document) {
         document.section("The attempt");
         List<List<String>> rows = new ArrayList<>();
-        rows.add(row(
+        rows.add(List.of(
                 "Attempts, redirections, contacts with the skin",
                 record.count(AttemptEvent.Kind.SKIN_PUNCTURE)
                         + ", " + record.count(AttemptEvent.Kind.REDIRECTION) + ", "
                         + record.count(AttemptEvent.Kind.SKIN_CONTACT)));
-        rows.add(row("Time from the first contact, s", number(record.timeS())));
-        rows.add(row("Time in the body, s", number(record.insideS())));
-        rows.add(row("Way of the tip by hand, mm", number(record.tipTravelMm())));
-        rows.add(row("Time in what is to be avoided, s", number(record.inNoGoS())));
-        record.secondsIn()
-                .forEach((what, s) -> rows.add(row(
-                        "Time in " + what.label() + ", s"
-                                + (record.avoided().contains(what) ? "" : " (not to be avoided here)"),
-                        number(s))));
-        rows.add(row("Contacts with bone", "" + record.count(AttemptEvent.Kind.BONE_CONTACT)));
-        rows.add(row("Target moved meanwhile, mm", number(record.targetExcursionMm())));
-        rows.add(row(
-                "Capsule pulled aside at most, mm",
-                number(record.capsulePullMm())
-                        + (record.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : "")));
-        rows.add(row("Needle turned by the liver at most, degrees", number(record.rotationByLiverDeg())));
+        rows.add(List.of("Time from the first contact, s", number(record.timeS())));
+        rows.add(List.of("Time in the body, s", number(record.insideS())));
+        rows.add(List.of("Way of the tip by hand, mm", number(record.tipTravelMm())));
+        rows.add(List.of("Time in what is to be avoided, s", number(record.inNoGoS())));
+        record.secondsIn().forEach((zone, s) -> {
+            String note = record.avoided().contains(zone) ? "" : " (not to be avoided here)";
+            rows.add(List.of("Time in " + zone.label() + ", s" + note, number(s)));
+        });
+        rows.add(List.of("Contacts with bone", "" + record.count(AttemptEvent.Kind.BONE_CONTACT)));
+        rows.add(List.of("Target moved meanwhile, mm", number(record.targetExcursionMm())));
+        String warning = record.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : "";
+        rows.add(List.of("Capsule pulled aside at most, mm", number(record.capsulePullMm()) + warning));
+        rows.add(List.of("Needle turned by the liver at most, degrees", number(record.rotationByLiverDeg())));
         document.table("", List.of(Column.text("Measure"), Column.number("Value")), rows);
         document.table(
                 "In order",
@@ -183,65 +191,64 @@ public final class RehearsalReport {
                         Column.number("Breath"),
                         Column.number("Phase"),
                         Column.text("Breathing")),
-                record.events().stream()
-                        .map(e -> List.of(
-                                (e.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ') + " " + e.structure())
-                                        .strip(),
-                                mm(e.depthMm()),
-                                number(e.timeS()),
-                                "" + e.breath(),
-                                number(e.phase()),
-                                e.label().name().toLowerCase(Locale.ROOT)))
-                        .toList());
+                record.events().stream().map(RehearsalReport::row).toList());
         document.table(
                 "Closest approaches of the needle",
                 List.of(Column.text("Structure"), Column.number("Distance, mm")),
                 record.closest().stream()
-                        .sorted(java.util.Comparator.comparingDouble(Approach::distanceMm))
-                        .limit(CLOSEST)
+                        .sorted(Comparator.comparingDouble(Approach::distanceMm))
+                        .limit(MAX_APPROACHES)
                         .map(a -> List.of(a.label(), mm(a.distanceMm())))
                         .toList());
     }
 
-    private void path(ReportDocument document) {
-        rehearsal.path().ifPresent(path -> {
-            document.section("The path over a breath");
-            PathAnalysis rest = path.analyses().get(0);
-            document.paragraph("At end-expiration: "
-                    + rest.space().map(IntercostalSpace::label).orElse("no intercostal space") + ", "
-                    + mm(rest.lengthMm()) + " mm to the middle of the target, "
-                    + rest.crossings().stream()
-                            .map(c -> c.label() + " from " + mm(c.fromMm()) + " to " + mm(c.toMm()) + " mm")
-                            .collect(Collectors.joining(", "))
-                    + ". Free at " + path.freeMoments() + " of "
-                    + path.analyses().size() + " moments.");
-            List<List<String>> rows = new ArrayList<>();
-            for (int m = 0; m < path.analyses().size(); m++) {
-                rows.add(List.of(
-                        number(path.cycle().get(m).timeS()),
-                        path.cycle().get(m).label().name().toLowerCase(Locale.ROOT),
-                        path.isFree(m)
-                                ? "free"
-                                : String.join(", ", path.analyses().get(m).reasons(path.avoided())),
-                        mm(path.marginsMm()[m])));
-            }
-            document.table(
-                    "",
-                    List.of(
-                            Column.number("Time, s"),
-                            Column.text("Breathing"),
-                            Column.text("Path"),
-                            Column.number("Margin, mm")),
-                    rows);
-        });
+    private static List<String> row(AttemptEvent e) {
+        String kind = e.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        return List.of(
+                (kind + " " + e.structure()).strip(),
+                mm(e.depthMm()),
+                number(e.timeS()),
+                "" + e.breath(),
+                number(e.phase()),
+                e.label().name().toLowerCase(Locale.ROOT));
+    }
+
+    private static void path(ReportDocument document, PathOverBreath path) {
+        document.section("The path over a breath");
+        PathAnalysis rest = path.analyses().get(0);
+        document.paragraph("At end-expiration: "
+                + rest.space().map(IntercostalSpace::label).orElse("no intercostal space") + ", "
+                + mm(rest.lengthMm()) + " mm to the middle of the target, "
+                + rest.crossings().stream()
+                        .map(c -> c.label() + " from " + mm(c.fromMm()) + " to " + mm(c.toMm()) + " mm")
+                        .collect(Collectors.joining(", "))
+                + ". Free at " + path.freeMoments() + " of "
+                + path.analyses().size() + " moments.");
+        document.table(
+                "",
+                List.of(
+                        Column.number("Time, s"),
+                        Column.text("Breathing"),
+                        Column.text("Path"),
+                        Column.number("Margin, mm")),
+                IntStream.range(0, path.analyses().size())
+                        .mapToObj(m -> List.of(
+                                number(path.cycle().get(m).timeS()),
+                                path.cycle().get(m).label().name().toLowerCase(Locale.ROOT),
+                                path.isFree(m)
+                                        ? "free"
+                                        : String.join(
+                                                ", ", path.analyses().get(m).reasons(path.avoided())),
+                                mm(path.marginsMm()[m])))
+                        .toList());
     }
 
     private void accessTable(ReportDocument document) {
         document.section("Where the target can be reached from");
-        Map<String, Object> counts = rehearsal.map().counts();
-        document.paragraph("Of " + counts.get("skin_points") + " points of the skin the needle reaches the target from "
-                + counts.get("in_reach") + "; " + counts.get("free") + " are free over the whole breath, "
-                + counts.get("in_part") + " in part of it.");
+        AccessMap.Counts counts = rehearsal.map().counts();
+        document.paragraph("Of " + counts.points() + " points of the skin the needle reaches the target from "
+                + counts.inReach() + "; " + counts.free() + " are free over the whole breath, " + counts.part()
+                + " in part of it.");
         document.table(
                 "Points in reach, by where their path passes the cage at end-expiration",
                 List.of(Column.text("Where"), Column.number("Free"), Column.number("In part"), Column.number("Never")),
@@ -250,17 +257,12 @@ public final class RehearsalReport {
                         .toList());
     }
 
-    private static List<String> row(String what, String value) {
-        return List.of(what, value);
-    }
-
     private static String mm(double value) {
         return String.format(Locale.ROOT, "%.1f", value);
     }
 
     private static String number(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e6
-                ? String.format(Locale.ROOT, "%.0f", value)
-                : String.format(Locale.ROOT, "%.2f", value);
+        boolean whole = value == Math.rint(value) && Math.abs(value) < 1e6;
+        return String.format(Locale.ROOT, whole ? "%.0f" : "%.2f", value);
     }
 }

@@ -96,16 +96,16 @@ class NeedleInsertionTest {
         TargetingError first = session.targetingError();
         until(session, 2);
         // The tip goes down with the target: what it missed by stays, and the needle turns about the skin.
-        double[] tip = session.tipNow();
+        double[] tip = session.shaft().tip();
         assertThat(tip[0]).isCloseTo(90, within(TOLERANCE_MM));
         double moved = AMPLITUDE_MM - start;
         assertThat(tip[2]).isCloseTo(-moved, within(TOLERANCE_MM));
         assertThat(session.targetingError().distanceMm()).isCloseTo(first.distanceMm(), within(TOLERANCE_MM));
-        assertThat(session.rotationByLiverDeg())
+        assertThat(session.shaft().rotationByLiverDeg())
                 .isCloseTo(StrictMath.toDegrees(StrictMath.atan2(moved, 90)), within(TOLERANCE_MM));
         // The puncture went down by the same; the needle's line passes 40/90 of that below the axis there.
         double pull = moved * (1 - 40.0 / 90) * 90 / Math.hypot(90, moved);
-        assertThat(session.capsulePullMm()).isCloseTo(pull, within(TOLERANCE_MM));
+        assertThat(session.shaft().capsulePullMm()).isCloseTo(pull, within(TOLERANCE_MM));
         assertThat(session.warnings()).anyMatch(w -> w.contains("capsule"));
         assertThat(session.record().capsulePullMm()).isCloseTo(pull, within(TOLERANCE_MM));
     }
@@ -121,7 +121,7 @@ class NeedleInsertionTest {
         }
         session.sample();
         session.advance(0, 100);
-        while (session.isPlaced()) {
+        while (session.shaft().isPlaced()) {
             next(session);
         }
         AttemptRecord record = session.record();
@@ -150,7 +150,7 @@ class NeedleInsertionTest {
         session.place(new double[] {0, 0, 35}, new double[] {90, 0, 35});
         session.advance(90, 50);
         until(session, 2);
-        assertThat(session.depthMm()).isCloseTo(10, within(TOLERANCE_MM));
+        assertThat(session.shaft().depth()).isCloseTo(10, within(TOLERANCE_MM));
         assertThat(session.isMoving()).isFalse();
         assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isEqualTo(1);
         assertThat(session.record().inNoGoS()).isPositive();
@@ -183,7 +183,7 @@ class NeedleInsertionTest {
                 .hasMessageContaining("off the skin");
         assertThatThrownBy(() -> session.place(new double[] {0, 0, 0}, new double[] {190, 0, 0}))
                 .hasMessageContaining("expected a longer needle");
-        assertThat(session.isPlaced()).isFalse();
+        assertThat(session.shaft().isPlaced()).isFalse();
         assertThatThrownBy(() -> TargetLesion.at(scene, new double[] {20, 0, 0}, 20))
                 .hasMessageContaining("20.0 mm outside");
         assertThatThrownBy(() -> TargetLesion.at(scene, new double[] {90, 0, 0}, 200))

@@ -49,7 +49,7 @@ final class AccessMapBenchmark {
                 AccessMap map = AccessMap.of(scene, cycle, target, needle, plan.avoided(), workers);
                 double cpu = NANOS * (system.getProcessCpuTime() - cpuFrom);
                 double wall = NANOS * (System.nanoTime() - wallFrom);
-                int reached = ((Number) map.counts().get("in_reach")).intValue();
+                int reached = map.counts().inReach();
                 System.out.printf(
                         "%d points, %d in reach, %d moments, %d threads: wall %.2f s, cpu %.2f s; for 2,000 in reach %.2f s of"
                                 + " cpu%n",

@@ -176,26 +176,9 @@ class AccessMapTest {
                 free++;
                 assertThat(map.touched(INSPIRED, v)).contains(NoGoZone.LUNG);
                 assertThat(map.access(v)).isEqualTo(AccessMap.Access.PART);
-                assertThat(map.windows(v)).isNotEmpty();
             }
         }
         assertThat(free).isGreaterThan(5);
-    }
-
-    @Test
-    void aWindowRunsFromItsFirstToItsLastFreeMoment() {
-        AccessMap map = map(DOME, workers);
-        for (int v = 0; v < map.size(); v++) {
-            int counted = 0;
-            for (SafeWindow window : map.windows(v)) {
-                counted += window.length();
-                for (int i = 0; i < window.length(); i++) {
-                    assertThat(map.isFree((window.first() + i) % MOMENTS, v)).isTrue();
-                }
-                assertThat((window.first() + window.length() - 1) % MOMENTS).isEqualTo(window.last());
-            }
-            assertThat(counted).isEqualTo(map.freeMoments(v));
-        }
     }
 
     @Test

@@ -87,13 +87,13 @@ class PathAnalyzerTest {
         scene.update(body.frame(0, 0, new double[3], -100, 0));
         double[] from = {0, 3, -20};
         double[] to = {90, 3, -20};
-        assertThat(reader.margin(from, to, NoGoZone.defaults()))
+        assertThat(reader.margin(from, to, NoGoZone.defaults()).mm())
                 .isCloseTo(10 - Needle.standard().radiusMm(), within(TOLERANCE_MM));
-        assertThat(reader.nearestOfMargin()).isEqualTo("rib_09_R");
+        assertThat(reader.margin(from, to, NoGoZone.defaults()).nearest()).isEqualTo("rib_09_R");
         from[2] = 20;
         to[2] = 20;
-        assertThat(reader.margin(from, to, NoGoZone.defaults()))
+        assertThat(reader.margin(from, to, NoGoZone.defaults()).mm())
                 .isCloseTo(10 - CostalGroove.NEUROVASCULAR_ZONE_MM, within(TOLERANCE_MM));
-        assertThat(reader.nearestOfMargin()).isEqualTo("vessels_rib_08_R");
+        assertThat(reader.margin(from, to, NoGoZone.defaults()).nearest()).isEqualTo("vessels_rib_08_R");
     }
 }

@@ -83,7 +83,7 @@ class PlanPlayerTest {
                 + "  - advance: {speed_mm_per_s: 45}\n  - sample: now\n  - withdraw: {speed_mm_per_s: 90}\n"
                 + "  - hold_breath: false\n");
         assertThat(held).containsExactly(true, false);
-        assertThat(needle.isPlaced()).isFalse();
+        assertThat(needle.shaft().isPlaced()).isFalse();
         assertThat(needle.record().hit()).isTrue();
         // 90 mm in at 45 mm/s, out at 90 mm/s.
         assertThat(needle.timeS()).isBetween(3.0 - FRAME_S, 3.0 + 3 * FRAME_S);

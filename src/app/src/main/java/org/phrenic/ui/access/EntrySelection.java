@@ -1,11 +1,11 @@
 package org.phrenic.ui.access;
 
 import java.util.Optional;
+import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
-import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
@@ -63,8 +63,8 @@ public final class EntrySelection {
         if (rehearsal.stage() == RehearsalStage.READY) {
             TargetAccess study = rehearsal.study().orElseThrow();
             Optional<Integer> best = atEndExpiration
-                    ? study.map().bestAt(0, Rehearsal.SUFFICIENT_MARGIN_MM)
-                    : study.map().best(Rehearsal.SUFFICIENT_MARGIN_MM);
+                    ? study.map().bestAt(0, AccessMap.SUFFICIENT_MARGIN_MM)
+                    : study.map().best(AccessMap.SUFFICIENT_MARGIN_MM);
             if (best.isPresent()) {
                 select(study.map().pointAtRest(best.get()));
             } else {
@@ -87,7 +87,7 @@ public final class EntrySelection {
         if (!state.reasons().isEmpty()) {
             return PathAdvice.Level.BARRED;
         }
-        boolean close = state.marginMm() < Rehearsal.SUFFICIENT_MARGIN_MM;
+        boolean close = state.marginMm() < AccessMap.SUFFICIENT_MARGIN_MM;
         boolean partly = advice.filter(a -> a.level() != PathAdvice.Level.FREE).isPresent();
         return close || partly || !state.warnings().isEmpty() ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE;
     }

@@ -1,15 +1,20 @@
 package org.phrenic.fit.search;
 
 /**
- * What came of an evaluation.
+ * One evaluation of the objective.
  *
- * @param value what it is worth, smaller is better
- * @param shape places of all vertices that a fit looks at, x, y, z in turn, mm; without any where the body came apart
- *     or there is no body
+ * @param point where: parameter values, or coordinates in the unit cube
+ * @param value of the objective, smaller is better
+ * @param shape positions of all vertices that the objective compares, x, y, z in turn, mm; empty where the simulation
+ *     diverged or the shape is not kept
  */
-@SuppressWarnings("ArrayRecordComponent")
-public // never compared
-record Evaluation(double value, float[] shape) {
+@SuppressWarnings("ArrayRecordComponent") // never compared
+public record Evaluation(double[] point, double value, float[] shape) {
+    /** An evaluation without its shape. */
+    public Evaluation(double[] point, double value) {
+        this(point, value, new float[0]);
+    }
+
     boolean hasShape() {
         return shape.length > 0;
     }

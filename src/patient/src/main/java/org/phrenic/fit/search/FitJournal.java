@@ -1,8 +1,6 @@
 package org.phrenic.fit.search;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -16,38 +14,36 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
 
 /**
- * What a fit has tried, a line an evaluation, written through as each is done: a fit that was killed goes on from here.
- * A line carries the mark of its fit; a last line that was cut off is dropped. Shapes that the search learns from lie
- * in a file beside it.
+ * The evaluations of a fit, one line each, written as each is done, so that an interrupted fit resumes. A line carries
+ * the fingerprint of its fit; an incomplete last line is dropped. Shapes are in a {@link ShapeFile} beside it.
  */
-public final class FitJournal implements AutoCloseable {
+public final class FitJournal {
     private final Path file;
-    private final String mark;
-    private final List<String> columns = new ArrayList<>();
-    private final Map<Integer, EvaluatedPoint> known = new TreeMap<>();
+    private final String fingerprint;
+    private final List<String> columns = new ArrayList<>(List.of("evaluation", "fit", "distance_mm"));
+    private final Map<Integer, Evaluation> known = new TreeMap<>();
     private final ShapeFile shapes;
-    private BufferedWriter writer;
+    private boolean written;
 
     /**
-     * Reads what is there; writes nothing yet.
+     * Reads an existing journal; writes nothing.
      *
-     * @param mark of the fit: one that asks for other things has another
+     * @param fingerprint of the fit: fits with other inputs have another
      * @param parameters whose values stand in the columns
      * @throws BadInputException if the file is of another fit
      */
-    public FitJournal(Path file, String mark, List<FitParameter> parameters) {
+    public FitJournal(Path file, String fingerprint, List<FitParameter> parameters) {
         this.file = file;
-        this.mark = mark;
-        columns.addAll(List.of("evaluation", "fit", "distance_mm"));
+        this.fingerprint = fingerprint;
         parameters.forEach(p -> columns.add(p.parameter().key()));
         if (Files.exists(file)) {
-            read(parameters);
+            read();
         }
         String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
-        shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), mark);
+        shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), fingerprint);
     }
 
-    private void read(List<FitParameter> parameters) {
+    private void read() {
         String text;
         try {
             text = Files.readString(file);
@@ -59,86 +55,65 @@ public final class FitJournal implements AutoCloseable {
             return;
         }
         CsvTable table = CsvTable.parse(file.toString(), whole);
-        List<String> marks = table.has("fit") ? table.texts("fit") : List.of("");
-        if (!table.columnNames().equals(columns) || !marks.stream().allMatch(mark::equals)) {
+        if (!table.columnNames().equals(columns) || !table.texts("fit").stream().allMatch(fingerprint::equals)) {
             throw new BadInputException(
-                    file + ": found the evaluations of another fit, expected those of this one or" + " another folder");
+                    file + ": found the evaluations of another fit, expected those of this one or another folder");
         }
         double[] numbers = table.numbers("evaluation");
         double[] values = table.numbers("distance_mm");
-        double[][] given =
-                parameters.stream().map(p -> table.numbers(p.parameter().key())).toArray(double[][]::new);
+        double[][] given = columns.stream().skip(3).map(table::numbers).toArray(double[][]::new);
         for (int row = 0; row < numbers.length; row++) {
             double[] point = new double[given.length];
             for (int i = 0; i < point.length; i++) {
                 point[i] = given[i][row];
             }
-            known.put((int) numbers[row], new EvaluatedPoint(point, values[row]));
+            known.put((int) numbers[row], new Evaluation(point, values[row]));
         }
     }
 
-    /** What is known of an evaluation; null if it has not been made. */
-    synchronized EvaluatedPoint known(int number) {
+    /** An evaluation without its shape; null if it is not in the journal. */
+    synchronized Evaluation known(int number) {
         return known.get(number);
     }
 
-    /** Shape of an evaluation; null if it was not kept. */
+    /** Shape of an evaluation; null if it is not kept. */
     float[] shape(int number) {
         return shapes.shape(number);
     }
 
-    /** Writes an evaluation and its shape. */
-    void add(int number, EvaluatedPoint trial, float[] shape) {
-        // The shape first: an evaluation that is known has one.
-        shapes.add(number, shape);
-        add(number, trial);
-    }
-
-    /** How many evaluations are known. */
-    synchronized int size() {
-        return known.size();
-    }
-
-    /** Writes an evaluation. */
-    synchronized void add(int number, EvaluatedPoint trial) {
-        try {
-            if (writer == null) {
-                open();
-            }
-            writer.write(line(number, trial));
-            writer.flush();
-        } catch (IOException e) {
-            throw new OutputException(file + ": found no way to write, expected room for the journal", e);
+    /** Writes an evaluation, after its shape if that is kept. */
+    void add(int number, Evaluation evaluation, boolean withShape) {
+        if (withShape) {
+            shapes.add(number, evaluation.shape());
         }
-        known.put(number, trial);
-    }
-
-    private void open() throws IOException {
-        // Written anew first, so that a line that was cut off is gone.
-        StringBuilder text = new StringBuilder(String.join(",", columns)).append('\n');
-        known.forEach((number, trial) -> text.append(line(number, trial)));
-        AtomicFile.write(file, text.toString());
-        writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-    }
-
-    private String line(int number, EvaluatedPoint trial) {
-        StringBuilder text = new StringBuilder();
-        text.append(number).append(',').append(mark).append(',').append(trial.value());
-        for (double value : trial.point()) {
-            text.append(',').append(value);
-        }
-        return text.append('\n').toString();
-    }
-
-    @Override
-    public synchronized void close() {
-        shapes.close();
-        if (writer != null) {
+        synchronized (this) {
+            known.put(number, new Evaluation(evaluation.point(), evaluation.value()));
             try {
-                writer.close();
+                if (written) {
+                    Files.writeString(file, line(number), StandardOpenOption.APPEND);
+                } else {
+                    // Rewritten once, without an incomplete last line.
+                    StringBuilder text = new StringBuilder(String.join(",", columns)).append('\n');
+                    known.keySet().forEach(k -> text.append(line(k)));
+                    AtomicFile.write(file, text.toString());
+                    written = true;
+                }
             } catch (IOException e) {
                 throw new OutputException(file + ": found no way to write, expected room for the journal", e);
             }
         }
+    }
+
+    private String line(int number) {
+        StringBuilder text = new StringBuilder();
+        text.append(number)
+                .append(',')
+                .append(fingerprint)
+                .append(',')
+                .append(known.get(number).value());
+        for (double value : known.get(number).point()) {
+            text.append(',').append(value);
+        }
+        return text.append('\n').toString();
     }
 }

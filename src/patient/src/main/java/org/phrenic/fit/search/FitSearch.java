@@ -4,180 +4,223 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.BiPredicate;
 import java.util.function.Function;
 import org.phrenic.engine.parallel.BatchRunner;
 
 /**
- * A {@link CmaEsSearch} over parameters within bounds whose evaluations are done some at a time and kept in a journal,
- * with budgets.
+ * Searches parameters within bounds: {@link GaussNewtonSearch} from the start, then {@link CmaEsSearch} about the best
+ * point. Evaluations run in parallel, are kept in a journal, and are bounded in number and time. A search is run once.
  */
 public final class FitSearch {
-    /** A search that gained less than this in so many generations is at its end. */
-    private static final double GAIN_MM = 0.005;
+    /** The search ends when it gains less than this in {@link #PATIENCE} generations. */
+    private static final double MIN_GAIN_MM = 0.005;
 
     private static final int PATIENCE = 12;
     private static final int PATIENCE_AFTER_DESCENT = 2;
+
     /** Standard deviation of the first generation after a descent, as a share of the bounds. */
-    private static final double AFTER_DESCENT = 0.03;
+    private static final double SIGMA_AFTER_DESCENT = 0.03;
 
-    private final SearchSpace space;
-    private final FitJournal journal;
-    private final int threads;
-    private double best = Double.POSITIVE_INFINITY;
-    private int done;
+    private enum Ending {
+        CONVERGED("the search converged"),
+        EVALUATIONS("the evaluations were used up"),
+        TIME("the time was used up"),
+        NO_GAIN("nothing was gained any more");
 
-    /** Told of each evaluation, one at a time. */
+        private final String label;
+
+        Ending(String label) {
+            this.label = label;
+        }
+    }
+
+    /**
+     * Settings of CMA-ES, and the budget.
+     *
+     * @param seed of CMA-ES
+     * @param population points per generation; 0 for {@link CmaEsSearch#defaultPopulation}
+     * @param sigma standard deviation of the first generation, as a share of the bounds
+     * @param maxEvaluations at least 1
+     * @param budgetS no batch is begun after this time, s; infinite for no bound; the start is always evaluated
+     */
+    public record Settings(long seed, int population, double sigma, int maxEvaluations, double budgetS) {
+        private static final double SIGMA = 0.2;
+
+        public Settings {
+            if (maxEvaluations < 1) {
+                throw new IllegalArgumentException(
+                        "fit: found a budget of " + maxEvaluations + " evaluations, expected at least one");
+            }
+        }
+
+        /** The usual standard deviation. */
+        public Settings(long seed, int population, int maxEvaluations, double budgetS) {
+            this(seed, population, SIGMA, maxEvaluations, budgetS);
+        }
+
+        /** The usual population and standard deviation, without a bound in time. */
+        public Settings(long seed, int maxEvaluations) {
+            this(seed, 0, maxEvaluations, Double.POSITIVE_INFINITY);
+        }
+
+        /** Points per generation for a number of parameters. */
+        public int population(int parameters) {
+            return population > 0 ? population : CmaEsSearch.defaultPopulation(parameters);
+        }
+    }
+
+    /** Receives each evaluation, one at a time. */
     public interface Listener {
         void evaluated(int count, double best);
     }
 
     /**
-     * What a search found.
+     * The result of a search.
      *
-     * @param trials all that was tried, in order, in the unit cube
+     * @param trials all evaluations in order, points in the unit cube, without shapes
      * @param ended why it ended, in words
      */
-    public record Result(List<EvaluatedPoint> trials, String ended) {
-        /** The best of them, the first if several are. */
-        public EvaluatedPoint best() {
-            return trials.stream()
-                    .min(Comparator.comparingDouble(EvaluatedPoint::value))
-                    .orElseThrow();
+    public record Result(List<Evaluation> trials, String ended) {
+        /** The best evaluation, the first if several are equal. */
+        public Evaluation best() {
+            return FitSearch.best(trials);
         }
     }
 
-    public FitSearch(List<FitParameter> parameters, FitJournal journal, int threads) {
+    private final SearchSpace space;
+    private final FitJournal journal;
+    private final Settings settings;
+    private final int threads;
+    private final Function<double[], Evaluation> objective;
+    private final Listener listener;
+    private final long begunNs = System.nanoTime();
+    private Ending ending = Ending.CONVERGED;
+    private double best = Double.POSITIVE_INFINITY;
+    private int done;
+
+    /** @param objective of parameter values; called from several threads */
+    public FitSearch(
+            List<FitParameter> parameters,
+            FitJournal journal,
+            Settings settings,
+            int threads,
+            Function<double[], Evaluation> objective,
+            Listener listener) {
         space = new SearchSpace(parameters);
         this.journal = journal;
+        this.settings = settings;
         this.threads = threads;
+        this.objective = objective;
+        this.listener = listener;
     }
 
     /**
-     * Searches from the parameters' start: down by {@link GaussNewtonSearch}, then about the best place by
-     * {@link CmaEsSearch}; by that alone where there are no shapes.
+     * Searches from the start of the parameters.
      *
-     * @param work what values of the parameters come to; asked by several threads
-     * @param down looks for ways down; null for none
-     * @throws IllegalArgumentException if the evaluations allow none
+     * @param solver of the Gauss-Newton subproblem; null for CMA-ES alone
      */
-    public Result run(
-            int population,
-            double sigma,
-            long seed,
-            int maxEvaluations,
-            double budgetS,
-            Function<double[], Evaluation> work,
-            GaussNewtonSearch.SubproblemSolver down,
-            Listener told) {
-        if (maxEvaluations < 1) {
-            throw new IllegalArgumentException(
-                    "fit: found a budget of " + maxEvaluations + " evaluations, expected at least one");
+    public Result run(GaussNewtonSearch.SubproblemSolver solver) {
+        List<Evaluation> trials = solver == null
+                ? new ArrayList<>()
+                : new GaussNewtonSearch(
+                                space.parameters().size(),
+                                (first, points) ->
+                                        isAllowed(first, points.size()) ? evaluate(first, points, true) : List.of(),
+                                solver)
+                        .run(space.startPoint());
+        if (ending == Ending.CONVERGED) {
+            refine(trials);
         }
-        long begun = System.nanoTime();
-        String[] ended = {"the search converged"};
-        BiPredicate<Integer, Integer> allowed = (first, next) -> {
-            if (first + next > maxEvaluations) {
-                ended[0] = "the evaluations were used up";
-                return false;
-            }
-            // What is known costs no time and is always gone through; the start is always looked at.
-            if (first > 0 && journal.known(first) == null && (System.nanoTime() - begun) * 1e-9 > budgetS) {
-                ended[0] = "the time was used up";
-                return false;
-            }
-            return true;
-        };
-        double[] start = space.startPoint();
-        double[] spread = new double[start.length];
-        for (int i = 0; i < spread.length; i++) {
-            spread[i] = sigma * space.parameters().get(i).relativeSigma();
-        }
-        List<EvaluatedPoint> trials = new ArrayList<>();
-        if (down != null) {
-            boolean[] stopped = {false};
-            trials.addAll(new GaussNewtonSearch(
-                            start.length,
-                            (first, points) -> {
-                                stopped[0] = !allowed.test(first, points.size());
-                                return stopped[0] ? List.of() : evaluate(first, points, true, work, told);
-                            },
-                            down)
-                    .run(start));
-            if (stopped[0]) {
-                return new Result(trials, ended[0]);
-            }
-            start = new Result(trials, "").best().point();
-            Arrays.fill(spread, AFTER_DESCENT);
-        }
-        int before = trials.size();
-        int patience = (before > 1 ? PATIENCE_AFTER_DESCENT : PATIENCE) * population;
-        // The start of the generations is the best of the descent, whose value is known.
-        int shift = Math.max(0, before - 1);
-        List<EvaluatedPoint> later = new CmaEsSearch(start, population, spread, seed)
-                .run(
-                        (number, points) -> number == 0 && before > 0
-                                ? new double[] {new Result(trials, "").best().value()}
-                                : evaluate(shift + number, points, false, work, told).stream()
-                                        .mapToDouble(Evaluation::value)
-                                        .toArray(),
-                        (soFar, next) -> {
-                            if (soFar.isEmpty() && before > 0) {
-                                return true;
-                            }
-                            if (!allowed.test(shift + soFar.size(), next)) {
-                                return false;
-                            }
-                            if (soFar.size() > patience
-                                    && best(soFar.subList(0, soFar.size() - patience)) - best(soFar) < GAIN_MM) {
-                                ended[0] = "nothing was gained any more";
-                                return false;
-                            }
-                            return true;
-                        });
-        trials.addAll(before > 0 ? later.subList(1, later.size()) : later);
-        return new Result(trials, ended[0]);
+        return new Result(trials, ending.label);
     }
 
-    private static double best(List<EvaluatedPoint> trials) {
-        return trials.stream().mapToDouble(EvaluatedPoint::value).min().orElse(Double.POSITIVE_INFINITY);
+    /** Appends a CMA-ES search; its first point is the best of the descent, whose value is known. */
+    private void refine(List<Evaluation> trials) {
+        boolean descended = !trials.isEmpty();
+        int offset = descended ? trials.size() - 1 : 0;
+        int population = settings.population(space.parameters().size());
+        int patience = (trials.size() > 1 ? PATIENCE_AFTER_DESCENT : PATIENCE) * population;
+        double[] start = descended ? best(trials).point() : space.startPoint();
+        double[] sigma = new double[start.length];
+        Arrays.setAll(
+                sigma,
+                i -> descended
+                        ? SIGMA_AFTER_DESCENT
+                        : settings.sigma * space.parameters().get(i).relativeSigma());
+        List<Evaluation> generations = new ArrayList<>();
+        new CmaEsSearch(start, population, sigma, settings.seed).run((first, points) -> {
+            List<Evaluation> batch;
+            if (first == 0 && descended) {
+                batch = List.of(best(trials));
+            } else if (!isAllowed(offset + first, points.size())) {
+                return List.of();
+            } else if (first > patience
+                    && best(generations.subList(0, first - patience)).value()
+                                    - best(generations).value()
+                            < MIN_GAIN_MM) {
+                ending = Ending.NO_GAIN;
+                return List.of();
+            } else {
+                batch = evaluate(offset + first, points, false);
+            }
+            generations.addAll(batch);
+            return batch;
+        });
+        trials.addAll(descended ? generations.subList(1, generations.size()) : generations);
     }
 
-    /** What comes of a batch, from the journal or worked out. */
-    private List<Evaluation> evaluate(
-            int number, List<double[]> points, boolean shapes, Function<double[], Evaluation> work, Listener told) {
+    private boolean isAllowed(int first, int count) {
+        if (first + count > settings.maxEvaluations) {
+            ending = Ending.EVALUATIONS;
+            return false;
+        }
+        // Evaluations in the journal cost no time.
+        if (first > 0 && journal.known(first) == null && (System.nanoTime() - begunNs) * 1e-9 > settings.budgetS) {
+            ending = Ending.TIME;
+            return false;
+        }
+        return true;
+    }
+
+    private static Evaluation best(List<Evaluation> trials) {
+        return trials.stream()
+                .min(Comparator.comparingDouble(Evaluation::value))
+                .orElseThrow();
+    }
+
+    /** Evaluates a batch, or takes it from the journal. */
+    private List<Evaluation> evaluate(int first, List<double[]> points, boolean shapes) {
         List<BatchRunner.Job<Evaluation>> jobs = new ArrayList<>();
         for (int i = 0; i < points.size(); i++) {
-            int which = number + i;
-            double[] values = space.values(points.get(i));
+            int number = first + i;
+            double[] point = points.get(i);
             jobs.add(new BatchRunner.Job<>("evaluation", () -> {
-                Evaluation outcome = evaluate(which, values, shapes, work);
-                synchronized (told) {
-                    best = Math.min(best, outcome.value());
-                    told.evaluated(++done, best);
+                Evaluation evaluation = evaluate(number, space.values(point), shapes);
+                synchronized (listener) {
+                    best = Math.min(best, evaluation.value());
+                    listener.evaluated(++done, best);
                 }
-                return outcome;
+                return new Evaluation(point, evaluation.value(), evaluation.shape());
             }));
         }
         return BatchRunner.run(jobs, threads, (count, total, what) -> {});
     }
 
-    private Evaluation evaluate(int number, double[] values, boolean shapes, Function<double[], Evaluation> work) {
-        EvaluatedPoint known = journal.known(number);
+    private Evaluation evaluate(int number, double[] values, boolean shapes) {
+        Evaluation known = journal.known(number);
         if (known != null && !Arrays.equals(known.point(), values)) {
             throw new IllegalStateException(
                     "the journal holds other points than the search asks for, expected the same");
         }
-        float[] shape = known != null && shapes ? journal.shape(number) : null;
-        if (known != null && (!shapes || shape != null)) {
-            return new Evaluation(known.value(), shapes ? shape : new float[0]);
+        if (known != null && !shapes) {
+            return known;
         }
-        Evaluation outcome = work.apply(values);
-        if (shapes) {
-            journal.add(number, new EvaluatedPoint(values, outcome.value()), outcome.shape());
-        } else {
-            journal.add(number, new EvaluatedPoint(values, outcome.value()));
+        float[] shape = known == null ? null : journal.shape(number);
+        if (shape != null) {
+            return new Evaluation(values, known.value(), shape);
         }
-        return outcome;
+        Evaluation evaluation = objective.apply(values);
+        journal.add(number, shapes ? evaluation : new Evaluation(values, evaluation.value()), shapes);
+        return evaluation;
     }
 }

@@ -6,163 +6,139 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Goes down to where a body lies on its targets by what each parameter does to every vertex: a Gauss-Newton search in a
- * trust region, for the mean distance itself (iteratively reweighted least squares). One breath a parameter gives the
- * changes of the shape ({@link LinearShapeModel}); on that linear body the way down is looked for without breathing
- * ({@code ReweightedGaussNewton}), with several reaches; the places found are breathed side by side, and the linear
- * body learns from each. Where that gains nothing any more the changes are measured anew, to the other side.
+ * Gauss-Newton search in a trust region for the least mean distance (iteratively reweighted least squares). Finite
+ * differences, one evaluation per parameter, give the {@link LinearShapeModel}. On that model the subproblem is solved
+ * for several trust regions and dampings; the solutions are evaluated as one batch, and each updates the model. When a
+ * round gains too little, the finite differences are repeated in the opposite direction.
  *
- * <p>Asks for one batch after the other, each a function of what came of those before.
+ * <p>Each batch is a function of the results of the batches before it.
  */
 public final class GaussNewtonSearch {
-    /**
-     * Step of a parameter to see what it does: a share of the cube that moves the shape by more than what is uneven in
-     * it.
-     */
-    private static final double MEASURING_STEP = 0.08;
+    /** Step of the finite differences: a share of the cube that moves the shape by more than its unevenness. */
+    private static final double DIFFERENCE_STEP = 0.08;
 
-    private static final double FIRST_REACH = 0.3;
-    private static final double LARGEST_REACH = 0.6;
-    private static final double LEAST_REACH = 0.01;
-    /** Share of the reach and damping of each place of a batch. */
+    private static final double INITIAL_RADIUS = 0.3;
+    private static final double MAX_RADIUS = 0.6;
+    private static final double MIN_RADIUS = 0.01;
+
+    /** Share of the trust-region radius, and damping, of each point of a batch. */
     private static final double[][] TRIES = {{1, 1e-3}, {1, 3e-2}, {0.5, 1e-3}, {0.25, 1e-2}};
 
-    private static final double WIDER = 1.5;
-    private static final double NARROWER = 0.3;
-    /** A round that gains less than this share gains nothing; so many of them are enough. */
-    private static final double GAIN = 0.01;
+    private static final double RADIUS_GROWTH = 1.5;
+    private static final double RADIUS_SHRINKAGE = 0.3;
 
-    private static final int PATIENCE = 1;
-    private static final int MOST_MEASUREMENTS = 5;
+    /** Smallest relative gain of a round worth continuing. */
+    private static final double MIN_GAIN = 0.01;
 
-    /** Works out a batch. */
-    interface BatchEvaluator {
-        /**
-         * @param first number of the first of them
-         * @return none if the search is to end here
-         */
-        List<Evaluation> evaluate(int first, List<double[]> points);
-    }
+    private static final int MAX_LINEARISATIONS = 5;
 
-    /** Looks for ways down on a linear body, one for each share of a reach and damping. */
+    /** Solves the trust-region subproblem on a linear model. */
     public interface SubproblemSolver {
-        List<double[]> candidates(LinearShapeModel body, double reach, double[][] tries);
+        /** One point for each pair of a share of the radius and a damping. */
+        List<double[]> candidates(LinearShapeModel model, double radius, double[][] tries);
     }
 
-    private final BatchEvaluator work;
-    private final SubproblemSolver down;
-    private final List<EvaluatedPoint> trials = new ArrayList<>();
-    private final LinearShapeModel body;
+    private final BatchEvaluator evaluator;
+    private final SubproblemSolver solver;
+    private final List<Evaluation> trials = new ArrayList<>();
+    private final LinearShapeModel model;
     private final int dimension;
-    private double[] best;
-    private Evaluation bestOutcome;
+    private Evaluation best;
 
-    GaussNewtonSearch(int dimension, BatchEvaluator work, SubproblemSolver down) {
+    GaussNewtonSearch(int dimension, BatchEvaluator evaluator, SubproblemSolver solver) {
         this.dimension = dimension;
-        this.work = work;
-        this.down = down;
-        body = new LinearShapeModel(dimension);
+        this.evaluator = evaluator;
+        this.solver = solver;
+        model = new LinearShapeModel(dimension);
     }
 
-    /**
-     * Searches.
-     *
-     * @return all that was tried, in order; the start alone if it has no shape
-     */
-    List<EvaluatedPoint> run(double[] start) {
+    /** All evaluations in order, without shapes; the start alone if it has no shape. */
+    List<Evaluation> run(double[] start) {
         List<Evaluation> first = evaluate(List.of(start));
         if (first.isEmpty() || !first.get(0).hasShape()) {
             return trials;
         }
-        best = start.clone();
-        bestOutcome = first.get(0);
-        double reach = FIRST_REACH;
-        for (int measurement = 0; measurement < MOST_MEASUREMENTS; measurement++) {
-            double before = bestOutcome.value();
-            if (!finiteDifferences(measurement)) {
+        best = first.get(0);
+        double radius = INITIAL_RADIUS;
+        for (int round = 0; round < MAX_LINEARISATIONS; round++) {
+            double before = best.value();
+            if (!finiteDifferences(round)) {
                 return trials;
             }
-            reach = iterate(Math.max(reach, FIRST_REACH / (1 << measurement)));
-            if (reach < 0 || before - bestOutcome.value() < GAIN * before) {
+            radius = iterate(Math.max(radius, INITIAL_RADIUS / (1 << round)));
+            if (radius < 0 || isIdle(before)) {
                 return trials;
             }
         }
         return trials;
     }
 
-    /**
-     * Moves each parameter alone; to the side where there is more room, every second time to the other if there is
-     * room.
-     */
-    private boolean finiteDifferences(int time) {
-        body.recentre(best, bestOutcome.shape());
+    private boolean isIdle(double before) {
+        return before - best.value() < MIN_GAIN * before;
+    }
+
+    /** Moves each parameter alone, toward the larger room; in odd rounds the other way where there is room. */
+    private boolean finiteDifferences(int round) {
+        model.recentre(best.point(), best.shape());
         List<double[]> points = new ArrayList<>();
-        double[] ways = new double[dimension];
+        double[] steps = new double[dimension];
         for (int k = 0; k < dimension; k++) {
-            double room = best[k] < 0.5 ? 1 : -1;
-            boolean other = time % 2 == 1 && best[k] >= MEASURING_STEP && best[k] <= 1 - MEASURING_STEP;
-            ways[k] = (other ? -room : room) * MEASURING_STEP;
-            double[] moved = best.clone();
-            moved[k] += ways[k];
+            double u = best.point()[k];
+            double room = u < 0.5 ? 1 : -1;
+            boolean opposite = round % 2 == 1 && u >= DIFFERENCE_STEP && u <= 1 - DIFFERENCE_STEP;
+            steps[k] = (opposite ? -room : room) * DIFFERENCE_STEP;
+            double[] moved = best.point().clone();
+            moved[k] += steps[k];
             points.add(moved);
         }
-        List<Evaluation> outcomes = evaluate(points);
-        for (int k = 0; k < outcomes.size(); k++) {
-            if (outcomes.get(k).hasShape()) {
-                body.setFiniteDifference(k, ways[k], outcomes.get(k).shape());
+        List<Evaluation> batch = evaluate(points);
+        for (int k = 0; k < batch.size(); k++) {
+            if (batch.get(k).hasShape()) {
+                model.setFiniteDifference(k, steps[k], batch.get(k).shape());
             }
         }
-        update(points, outcomes, false);
-        return !outcomes.isEmpty();
+        accept(batch);
+        return !batch.isEmpty();
     }
 
-    /** Goes down round by round; the reach it ended with, -1 if the search is to end. */
-    private double iterate(double from) {
-        double reach = from;
-        int idle = 0;
-        while (idle < PATIENCE && reach > LEAST_REACH) {
-            double before = bestOutcome.value();
-            List<double[]> points = down.candidates(body, reach, TRIES);
-            List<Evaluation> outcomes = evaluate(points);
-            if (outcomes.isEmpty()) {
+    /** Descends batch by batch; the radius it ended with, -1 if the search is to end. */
+    private double iterate(double initialRadius) {
+        double radius = initialRadius;
+        while (radius > MIN_RADIUS) {
+            double before = best.value();
+            List<Evaluation> batch = evaluate(solver.candidates(model, radius, TRIES));
+            if (batch.isEmpty()) {
                 return -1;
             }
-            int winner = update(points, outcomes, true);
-            if (winner < 0) {
-                reach *= NARROWER;
-            } else {
-                reach = Math.min(LARGEST_REACH, reach * TRIES[winner][0] * WIDER);
+            batch.stream().filter(Evaluation::hasShape).forEach(e -> model.broydenUpdate(e.point(), e.shape()));
+            int winner = accept(batch);
+            radius = winner < 0
+                    ? radius * RADIUS_SHRINKAGE
+                    : Math.min(MAX_RADIUS, radius * TRIES[winner][0] * RADIUS_GROWTH);
+            if (isIdle(before)) {
+                return radius;
             }
-            idle = before - bestOutcome.value() < GAIN * before ? idle + 1 : 0;
         }
-        return reach;
+        return radius;
     }
 
-    /** Learns from a batch, and goes to its best place if that is better than any before. */
-    private int update(List<double[]> points, List<Evaluation> outcomes, boolean learn) {
-        for (int i = 0; learn && i < outcomes.size(); i++) {
-            if (outcomes.get(i).hasShape()) {
-                body.broydenUpdate(points.get(i), outcomes.get(i).shape());
-            }
-        }
-        int winner = IntStream.range(0, outcomes.size())
+    /** Recentres the model at the best of a batch if it improves on all before; its index, else -1. */
+    private int accept(List<Evaluation> batch) {
+        int winner = IntStream.range(0, batch.size())
                 .boxed()
-                .min(Comparator.comparingDouble(i -> outcomes.get(i).value()))
+                .min(Comparator.comparingDouble(i -> batch.get(i).value()))
                 .orElse(-1);
-        if (winner < 0 || !(outcomes.get(winner).value() < bestOutcome.value())) {
+        if (winner < 0 || !(batch.get(winner).value() < best.value())) {
             return -1;
         }
-        best = points.get(winner).clone();
-        bestOutcome = outcomes.get(winner);
-        body.recentre(best, bestOutcome.shape());
+        best = batch.get(winner);
+        model.recentre(best.point(), best.shape());
         return winner;
     }
 
     private List<Evaluation> evaluate(List<double[]> points) {
-        List<Evaluation> outcomes = work.evaluate(trials.size(), points);
-        for (int i = 0; i < outcomes.size(); i++) {
-            trials.add(new EvaluatedPoint(points.get(i), outcomes.get(i).value()));
-        }
-        return outcomes;
+        List<Evaluation> batch = evaluator.evaluate(trials.size(), points);
+        batch.forEach(e -> trials.add(new Evaluation(e.point(), e.value())));
+        return batch;
     }
 }

@@ -1,13 +1,13 @@
 package org.phrenic.fit.search;
 
 /**
- * Where the vertices of a body go near a place of the unit cube, as far as that is linear: the shape there, and its
- * change with each parameter. Learns from every breath (Broyden 1965, doi 10.1090/S0025-5718-1965-0198670-6, a vertex
- * coordinate a row).
+ * Linear model of the shape near a point of the unit cube: the shape there and its derivative by each parameter, from
+ * finite differences, updated by Broyden's rank-one formula (1965, doi 10.1090/S0025-5718-1965-0198670-6) with one row
+ * per vertex coordinate.
  */
 public final class LinearShapeModel {
-    /** What lies nearer teaches noise. */
-    private static final double LEAST_WAY = 0.01;
+    /** Shapes nearer to the centre than this do not update the derivatives, for they are mostly noise. */
+    private static final double MIN_UPDATE_DISTANCE = 0.01;
 
     private final double[][] derivative;
     private double[] centre;
@@ -17,19 +17,24 @@ public final class LinearShapeModel {
         derivative = new double[dimension][];
     }
 
-    /** Where it stands. */
+    /** The point about which the model is linear. */
     public double[] centre() {
         return centre;
     }
 
-    /** Change of the shape with a parameter. */
+    /** Derivative of the shape by a parameter, mm per unit of the cube. */
     public double[] derivative(int parameter) {
         return derivative[parameter];
     }
 
-    /** Moves to a place whose shape is known; what the shape changes by stays. */
-    void recentre(double[] place, float[] known) {
-        centre = place.clone();
+    /** Number of coordinates of a shape. */
+    public int length() {
+        return shape.length;
+    }
+
+    /** Moves the centre to a point of known shape; the derivatives stay. */
+    void recentre(double[] point, float[] known) {
+        centre = point.clone();
         shape = new double[known.length];
         for (int i = 0; i < shape.length; i++) {
             shape[i] = known[i];
@@ -41,52 +46,43 @@ public final class LinearShapeModel {
         }
     }
 
-    /** Takes the change with one parameter from a place where it alone differs. */
-    void setFiniteDifference(int parameter, double way, float[] other) {
+    /** Sets one derivative from the shape at a point that differs from the centre in this parameter only. */
+    void setFiniteDifference(int parameter, double step, float[] other) {
         for (int i = 0; i < shape.length; i++) {
-            derivative[parameter][i] = (other[i] - shape[i]) / way;
+            derivative[parameter][i] = (other[i] - shape[i]) / step;
         }
     }
 
-    /** Writes the shape expected at a place. */
-    public void predict(double[] place, double[] out) {
+    /** Writes the predicted shape at a point. */
+    public void predict(double[] point, double[] out) {
         System.arraycopy(shape, 0, out, 0, shape.length);
-        for (int k = 0; k < place.length; k++) {
-            double way = place[k] - centre[k];
-            if (way != 0) {
-                for (int i = 0; i < out.length; i++) {
-                    out[i] += way * derivative[k][i];
-                }
-            }
+        for (int k = 0; k < point.length; k++) {
+            addScaled(point[k] - centre[k], derivative[k], out);
         }
     }
 
-    /** Corrects the changes by the least that makes them explain the shape at another place. */
-    void broydenUpdate(double[] place, float[] other) {
+    /** Changes the derivatives by the least amount that makes the model exact at another point. */
+    void broydenUpdate(double[] point, float[] other) {
         double squared = 0;
-        for (int k = 0; k < place.length; k++) {
-            squared += (place[k] - centre[k]) * (place[k] - centre[k]);
+        for (int k = 0; k < point.length; k++) {
+            squared += (point[k] - centre[k]) * (point[k] - centre[k]);
         }
-        if (squared < LEAST_WAY * LEAST_WAY) {
+        if (squared < MIN_UPDATE_DISTANCE * MIN_UPDATE_DISTANCE) {
             return;
         }
-        double[] missed = new double[shape.length];
-        predict(place, missed);
-        for (int i = 0; i < missed.length; i++) {
-            missed[i] = other[i] - missed[i];
+        double[] residual = new double[shape.length];
+        predict(point, residual);
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] = other[i] - residual[i];
         }
-        for (int k = 0; k < place.length; k++) {
-            double share = (place[k] - centre[k]) / squared;
-            if (share != 0) {
-                for (int i = 0; i < missed.length; i++) {
-                    derivative[k][i] += share * missed[i];
-                }
-            }
+        for (int k = 0; k < point.length; k++) {
+            addScaled((point[k] - centre[k]) / squared, residual, derivative[k]);
         }
     }
 
-    /** Length of a shape. */
-    public int length() {
-        return shape.length;
+    private static void addScaled(double scale, double[] x, double[] y) {
+        for (int i = 0; i < y.length && scale != 0; i++) {
+            y[i] += scale * x[i];
+        }
     }
 }

@@ -24,10 +24,6 @@ public record SearchSpace(List<FitParameter> parameters) {
         parameters = List.copyOf(parameters);
     }
 
-    int dimension() {
-        return parameters.size();
-    }
-
     /** Where the search begins. */
     double[] startPoint() {
         double[] values = parameters.stream().mapToDouble(FitParameter::start).toArray();

@@ -1,72 +1,69 @@
 package org.phrenic.fit.search;
 
-import java.io.BufferedInputStream;
-import java.io.DataInputStream;
-import java.io.DataOutputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import org.phrenic.file.OutputException;
 
 /**
- * Shapes of the breaths that a fit learns from, beside its journal: for each the number of the evaluation, how many
- * numbers follow, and these (big-endian, 4 bytes each), all under the fit's mark. What a kill cut off, or is of another
- * fit, is not there.
+ * Shapes beside a journal: the fit's fingerprint, then for each shape the number of its evaluation, its length and its
+ * coordinates (big-endian, 4 bytes each). An incomplete last shape, and a file of another fit, are ignored and
+ * overwritten.
  */
-final class ShapeFile implements AutoCloseable {
-    private final Path file;
-    private final byte[] mark;
-    private final Map<Integer, Long> places = new TreeMap<>();
-    private long end;
-    private DataOutputStream writer;
+final class ShapeFile {
+    private static final int HEADER_BYTES = 2 * Integer.BYTES;
 
-    ShapeFile(Path file, String mark) {
+    private final Path file;
+    private final byte[] fingerprint;
+    private final Map<Integer, Long> offsets = new TreeMap<>();
+    private long end;
+
+    ShapeFile(Path file, String fingerprint) {
         this.file = file;
-        this.mark = mark.getBytes(java.nio.charset.StandardCharsets.US_ASCII);
+        this.fingerprint = fingerprint.getBytes(StandardCharsets.US_ASCII);
         if (Files.exists(file)) {
-            find();
+            index();
         }
     }
 
-    private void find() {
-        try (DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file)))) {
-            if (!java.util.Arrays.equals(in.readNBytes(mark.length), mark)) {
+    private void index() {
+        try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
+            byte[] start = new byte[fingerprint.length];
+            if (in.read(start) < start.length || !Arrays.equals(start, fingerprint)) {
                 return;
             }
-            long size = Files.size(file);
-            end = mark.length;
-            while (end + 2L * Integer.BYTES <= size) {
+            end = start.length;
+            while (end + HEADER_BYTES <= in.length()) {
+                in.seek(end);
                 int number = in.readInt();
-                long next = end + 2L * Integer.BYTES + (long) Float.BYTES * in.readInt();
-                if (next < end || next > size) {
+                int length = in.readInt();
+                long next = end + HEADER_BYTES + (long) Float.BYTES * length;
+                if (length < 0 || next > in.length()) {
                     return;
                 }
-                in.skipNBytes(next - end - 2L * Integer.BYTES);
-                places.put(number, end + Integer.BYTES);
+                offsets.put(number, end + Integer.BYTES);
                 end = next;
             }
-        } catch (EOFException cut) {
-            // what was found counts
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    /** The shape of an evaluation; null if it is not there. */
+    /** The shape of an evaluation; null if there is none. */
     synchronized float[] shape(int number) {
-        Long place = places.get(number);
-        if (place == null) {
+        Long offset = offsets.get(number);
+        if (offset == null) {
             return null;
         }
         try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
-            in.seek(place);
+            in.seek(offset);
             byte[] bytes = new byte[Float.BYTES * in.readInt()];
             in.readFully(bytes);
             float[] shape = new float[bytes.length / Float.BYTES];
@@ -77,48 +74,28 @@ final class ShapeFile implements AutoCloseable {
         }
     }
 
-    /** Writes a shape through, if it is not there. */
+    /** Appends a shape, unless the file has it. */
     synchronized void add(int number, float[] shape) {
-        if (places.containsKey(number)) {
+        if (offsets.containsKey(number)) {
             return;
         }
         try {
-            if (writer == null) {
-                open();
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            try (RandomAccessFile out = new RandomAccessFile(file.toFile(), "rw")) {
+                if (end == 0) {
+                    out.write(fingerprint);
+                    end = fingerprint.length;
+                }
+                ByteBuffer bytes = ByteBuffer.allocate(HEADER_BYTES + Float.BYTES * shape.length);
+                bytes.putInt(number).putInt(shape.length).asFloatBuffer().put(shape);
+                out.seek(end);
+                out.write(bytes.array());
+                out.setLength(out.getFilePointer());
+                offsets.put(number, end + Integer.BYTES);
+                end = out.getFilePointer();
             }
-            ByteBuffer bytes = ByteBuffer.allocate(2 * Integer.BYTES + Float.BYTES * shape.length);
-            bytes.putInt(number).putInt(shape.length).asFloatBuffer().put(shape);
-            writer.write(bytes.array());
-            writer.flush();
-            places.put(number, end + Integer.BYTES);
-            end += bytes.capacity();
         } catch (IOException e) {
             throw new OutputException(file + ": found no way to write, expected room for the shapes", e);
-        }
-    }
-
-    /** Behind what is whole. */
-    private void open() throws IOException {
-        if (end == 0) {
-            Files.createDirectories(file.toAbsolutePath().getParent());
-            Files.write(file, mark);
-            end = mark.length;
-        } else {
-            try (RandomAccessFile whole = new RandomAccessFile(file.toFile(), "rw")) {
-                whole.setLength(end);
-            }
-        }
-        writer = new DataOutputStream(Files.newOutputStream(file, StandardOpenOption.APPEND));
-    }
-
-    @Override
-    public synchronized void close() {
-        if (writer != null) {
-            try {
-                writer.close();
-            } catch (IOException e) {
-                throw new OutputException(file + ": found no way to write, expected room for the shapes", e);
-            }
         }
     }
 }

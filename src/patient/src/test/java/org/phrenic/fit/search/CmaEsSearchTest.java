@@ -60,17 +60,17 @@ class CmaEsSearchTest {
         return asked;
     }
 
-    private static double[] valuesBackwards(List<double[]> points) {
-        double[] values = new double[points.size()];
+    private static List<Evaluation> evaluateBackwards(List<double[]> points) {
+        Evaluation[] batch = new Evaluation[points.size()];
         for (int i = points.size() - 1; i >= 0; i--) {
-            values[i] = rosenbrock(points.get(i));
+            batch[i] = new Evaluation(points.get(i), rosenbrock(points.get(i)));
         }
-        return values;
+        return List.of(batch);
     }
 
-    private static List<EvaluatedPoint> search(int n, CmaEsSearch.Continuation going) {
+    private static List<Evaluation> search(int n, int evaluations) {
         return new CmaEsSearch(filled(n, 0.4), POPULATION, filled(n, SIGMA), SEED)
-                .run((first, points) -> valuesBackwards(points), going);
+                .run((first, points) -> first + points.size() > evaluations ? List.of() : evaluateBackwards(points));
     }
 
     @Test
@@ -78,7 +78,7 @@ class CmaEsSearchTest {
         for (int n : new int[] {2, 5}) {
             int evaluations = 1 + 40 * POPULATION;
             List<double[]> alone = alone(n, evaluations);
-            List<EvaluatedPoint> trials = search(n, (soFar, next) -> soFar.size() + next <= evaluations);
+            List<Evaluation> trials = search(n, evaluations);
             assertThat(trials).hasSize(evaluations);
             for (int i = 0; i < evaluations; i++) {
                 assertThat(trials.get(i).point()).containsExactly(alone.get(i));
@@ -88,9 +88,9 @@ class CmaEsSearchTest {
 
     @Test
     void findsTheMinimumWithinTheBoundsAndStopsThere() {
-        List<EvaluatedPoint> trials = search(2, (soFar, next) -> soFar.size() < 5000);
-        EvaluatedPoint best = trials.stream()
-                .min(java.util.Comparator.comparingDouble(EvaluatedPoint::value))
+        List<Evaluation> trials = search(2, 5000);
+        Evaluation best = trials.stream()
+                .min(java.util.Comparator.comparingDouble(Evaluation::value))
                 .orElseThrow();
         assertThat(trials.size()).isLessThan(2000);
         assertThat(best.point()[0]).isCloseTo(0.75, org.assertj.core.data.Offset.offset(1e-4));

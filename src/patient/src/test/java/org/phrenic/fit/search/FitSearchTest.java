@@ -34,18 +34,14 @@ class FitSearchTest {
     }
 
     private FitSearch.Result search(String file, int threads, int most, ToDoubleFunction<double[]> work) {
-        try (FitJournal journal = new FitJournal(folder.resolve(file), "mark", PARAMETERS)) {
-            return new FitSearch(PARAMETERS, journal, threads)
-                    .run(
-                            7,
-                            0.2,
-                            3,
-                            most,
-                            Double.POSITIVE_INFINITY,
-                            v -> new Evaluation(work.applyAsDouble(v), new float[0]),
-                            null,
-                            (count, best) -> {});
-        }
+        return new FitSearch(
+                        PARAMETERS,
+                        new FitJournal(folder.resolve(file), "mark", PARAMETERS),
+                        new FitSearch.Settings(3, 7, most, Double.POSITIVE_INFINITY),
+                        threads,
+                        v -> new Evaluation(v, work.applyAsDouble(v)),
+                        (count, best) -> {})
+                .run(null);
     }
 
     private static void assertSame(FitSearch.Result found, FitSearch.Result expected) {

@@ -66,17 +66,17 @@ class GaussNewtonSearchTest {
 
     @Test
     void comesDownInFewBreaths() {
-        List<EvaluatedPoint> trials = new GaussNewtonSearch(
+        List<Evaluation> trials = new GaussNewtonSearch(
                         3,
                         (first, points) -> points.stream()
-                                .map(p -> new Evaluation(distance(shape(p), shape(WHERE)), shape(p)))
+                                .map(p -> new Evaluation(p, distance(shape(p), shape(WHERE)), shape(p)))
                                 .toList(),
                         GaussNewtonSearchTest::ways)
                 .run(new double[] {0.9, 0.2, 0.9});
         assertThat(trials.get(0).value()).isGreaterThan(4);
         assertThat(trials.stream()
                         .limit(40)
-                        .mapToDouble(EvaluatedPoint::value)
+                        .mapToDouble(Evaluation::value)
                         .min()
                         .orElseThrow())
                 .isLessThan(0.05);
@@ -87,9 +87,7 @@ class GaussNewtonSearchTest {
         assertThat(new GaussNewtonSearch(3, (first, points) -> List.of(), GaussNewtonSearchTest::ways).run(WHERE))
                 .isEmpty();
         assertThat(new GaussNewtonSearch(
-                                3,
-                                (first, points) -> List.of(new Evaluation(1000, new float[0])),
-                                GaussNewtonSearchTest::ways)
+                                3, (first, points) -> List.of(new Evaluation(WHERE, 1000)), GaussNewtonSearchTest::ways)
                         .run(WHERE))
                 .hasSize(1);
     }

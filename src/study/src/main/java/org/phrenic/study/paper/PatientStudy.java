@@ -24,6 +24,7 @@ import org.phrenic.fit.FitTarget;
 import org.phrenic.fit.GroundTruth;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.search.FitParameter;
+import org.phrenic.fit.search.FitSearch;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.patient.MeshingSettings;
@@ -174,15 +175,8 @@ public final class PatientStudy {
                 body,
                 targets,
                 FitParameter.defaults(base),
-                false,
-                alignment,
-                1,
-                0,
-                FitSetup.SIGMA,
-                quick ? 1 : THREADS,
-                evaluations(),
-                Double.POSITIVE_INFINITY,
-                false);
+                new FitSetup.Options(
+                        false, alignment, new FitSearch.Settings(1, evaluations()), quick ? 1 : THREADS, false));
         try {
             // The journal is for long searches that are stopped; this one is short.
             Path journal = Files.createTempDirectory("phrenic").resolve("journal.csv");

@@ -1,13 +1,12 @@
 package org.phrenic.ui.access.panel;
 
-import java.util.Map;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
+import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
-import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
@@ -51,16 +50,15 @@ final class EntryPanel extends AccessPanel {
     private void showLegend() {
         Optional<TargetAccess> study = rehearsal.study();
         if (study.isPresent()) {
-            Map<String, Object> counts = study.get().map().counts();
-            legend.setPercentages(percent(counts, "free"), percent(counts, "in_part"));
+            AccessMap.Counts counts = study.get().map().counts();
+            legend.setPercentages(percent(counts.free(), counts), percent(counts.part(), counts));
         } else {
             legend.setPercentages(-1, -1);
         }
     }
 
-    private static long percent(Map<String, Object> counts, String key) {
-        int reach = Math.max(1, (Integer) counts.get("in_reach"));
-        return Math.round(100.0 * (Integer) counts.get(key) / reach);
+    private static long percent(int points, AccessMap.Counts counts) {
+        return Math.round(100.0 * points / Math.max(1, counts.inReach()));
     }
 
     private void showAdvice() {
@@ -98,7 +96,7 @@ final class EntryPanel extends AccessPanel {
             String margin = state.nearest().isEmpty()
                     ? "nothing near"
                     : NumberFormats.text("%.1f mm from %s", state.marginMm(), state.nearest());
-            boolean close = state.marginMm() < Rehearsal.SUFFICIENT_MARGIN_MM;
+            boolean close = state.marginMm() < AccessMap.SUFFICIENT_MARGIN_MM;
             currentAdvice.setAdvice(
                     close ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE, "Now free: " + margin, "");
         }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PlanStep;
@@ -145,7 +146,7 @@ class RehearsalInputTest {
         window.key("X");
         clinic.until("a sample", () -> state().samples() == 1);
         Rehearsal attempt = clinic.ended();
-        assertThat(attempt.plan().targetRestMm().orElseThrow()).containsExactly(set.restMm());
+        assertThat(attempt.plan().targetSpec().restMm().orElseThrow()).containsExactly(set.restMm());
         List<PlanStep> done = attempt.plan().steps().stream()
                 .filter(step -> !(step instanceof PlanStep.WaitSeconds))
                 .toList();
@@ -181,7 +182,7 @@ class RehearsalInputTest {
                 "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
         double[] best = WindowHarness.onEdt(() -> {
             var map = door().study().orElseThrow().map();
-            return map.pointAtRest(map.best(Rehearsal.SUFFICIENT_MARGIN_MM).orElseThrow());
+            return map.pointAtRest(map.best(AccessMap.SUFFICIENT_MARGIN_MM).orElseThrow());
         });
         assertThat(WindowHarness.onEdt(() -> door().entrySelection().entry().orElseThrow()))
                 .containsExactly(best);
