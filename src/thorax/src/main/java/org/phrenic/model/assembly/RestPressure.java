@@ -37,7 +37,7 @@ public final class RestPressure {
      * @param usual kPa, for which tensions are worked out where none acts at first
      * @param leans whether the sheet leans on the chest wall
      */
-    public RestPressure(SceneBuilder scene, FacePressure pressure, double atRest, double usual, boolean leans) {
+    public RestPressure(Scene scene, FacePressure pressure, double atRest, double usual, boolean leans) {
         DiaphragmPart diaphragm = scene.diaphragm();
         SpringList springs = scene.nodes().sheetSprings;
         // Where none acts at first, tensions are at hand for when it is turned on.
@@ -50,7 +50,7 @@ public final class RestPressure {
             free[diaphragm.firstNode + i] = !diaphragm.diaphragm.isInserted(i);
         }
         Prestress solver = new Prestress(
-                scene.positions(), springs.nodeA(), springs.nodeB(), free, wallNormals(scene, diaphragm, leans));
+                scene.restPositions(), springs.nodeA(), springs.nodeB(), free, wallNormals(scene, diaphragm, leans));
         tension = new double[springs.count()];
         double spacing = Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices);
         // Laplace's law for a dome shared by two faces, times the width of tissue that an edge stands for.
@@ -68,7 +68,7 @@ public final class RestPressure {
     }
 
     /** Forces of the nominal pressure, caller's order, mN. */
-    private double[] load(SceneBuilder scene, FacePressure pressure) {
+    private double[] load(Scene scene, FacePressure pressure) {
         NodeLayout layout = scene.layout();
         double[] internal = new double[3 * layout.nodeCount()];
         pressure.setPressure(nominal);
@@ -106,7 +106,7 @@ public final class RestPressure {
     }
 
     /** Normals of the wall at nodes that lean on it at rest, zero elsewhere. */
-    private static double[] wallNormals(SceneBuilder scene, DiaphragmPart diaphragm, boolean leans) {
+    private static double[] wallNormals(Scene scene, DiaphragmPart diaphragm, boolean leans) {
         double[] normals = new double[3 * scene.layout().nodeCount()];
         if (!leans) {
             return normals;

@@ -1,73 +1,135 @@
 package org.phrenic.model.assembly;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleConsumer;
+import java.util.function.Supplier;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.anatomy.cage.RibCagePose;
+import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.Springs;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.LiverPart;
 import org.phrenic.model.organ.LungPart;
+import org.phrenic.model.organ.MassSpringBuilder;
+import org.phrenic.model.organ.RecessTracks;
 import org.phrenic.model.organ.SternumPart;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.RampedValues;
+import org.phrenic.parameter.SettingValues;
+import org.phrenic.parameter.SwitchSetting;
 
-/** A thorax put together for a run: the nodes and what pulls on them, and which nodes belong to which organ. */
+/**
+ * A thorax put together for a run: the nodes and what acts on them, and which nodes belong to which organ. The assembly
+ * puts the nodes in place; then the parts of the material add what acts on them.
+ */
 public final class Scene {
-    private final SceneBuilder parts;
-    private final Optional<SternumPart> sternum;
-    private final Optional<LiverPart> liver;
-    private final List<Structure> embeddedLungs;
-    private final double massAddedPercent;
+    private final SettingValues settings;
+    private final Thorax thorax;
+    private final RampedValues values;
+    private final BreathDrive drive;
+    private final RibCagePose pose;
+    private final Workers workers;
+    private MassSpringBuilder nodes = new MassSpringBuilder();
+    private int springCount;
+    private final SceneTuning tuning;
+    private final List<double[]> actionLines = new ArrayList<>();
+    private DiaphragmPart diaphragm;
+    private Optional<LungPart> lungs = Optional.empty();
+    private SkinningWeights bones;
+    private Optional<MovingChestWall> wall = Optional.empty();
+    private Optional<Supplier<RecessTracks>> tracks = Optional.empty();
+    private double[] positions;
+    private double refreshS;
+    private ParticleSystem system;
+    private SlidingSheet slidingSheet;
+    private RestPressure restPressure;
+    private Springs sheet;
+    private Springs passive;
+    private RigidLinks links;
+    private Attachments lungBase;
+    private int[] heldNodes = {};
+    private Optional<SternumPart> sternum = Optional.empty();
+    private Optional<LiverPart> liver = Optional.empty();
+    private List<Structure> embeddedLungs = List.of();
+    private double massAddedPercent;
 
-    /** @param parts with all parts added */
     public Scene(
-            SceneBuilder parts,
-            Optional<SternumPart> sternum,
-            Optional<LiverPart> liver,
-            List<Structure> embeddedLungs,
-            double massAddedPercent) {
-        this.parts = parts;
-        this.sternum = sternum;
-        this.liver = liver;
-        this.embeddedLungs = embeddedLungs;
-        this.massAddedPercent = massAddedPercent;
+            SettingValues settings,
+            Thorax thorax,
+            RampedValues values,
+            BreathDrive drive,
+            RibCagePose pose,
+            Workers workers) {
+        this.settings = settings;
+        this.thorax = thorax;
+        this.values = values;
+        this.drive = drive;
+        this.pose = pose;
+        this.workers = workers;
+        tuning = new SceneTuning(values);
     }
 
-    /** As it was loaded or generated. */
+    public SettingValues settings() {
+        return settings;
+    }
+
     public Thorax thorax() {
-        return parts.thorax();
+        return thorax;
     }
 
-    /** The nodes. */
-    public ParticleSystem system() {
-        return parts.system();
-    }
-
-    /** Positions of all nodes at end-expiration, caller's order, mm; written once, when the scene has settled. */
-    public double[] restPositions() {
-        return parts.positions();
-    }
-
-    /** The rib cage. */
     public RibCagePose pose() {
-        return parts.pose();
+        return pose;
     }
 
-    /** The breathing. */
     public BreathDrive drive() {
-        return parts.drive();
+        return drive;
     }
 
-    /** What can be changed while it runs. */
-    public SceneTuning tuning() {
-        return parts.tuning();
+    public Workers workers() {
+        return workers;
+    }
+
+    /** Nodes, springs and attachments as they are collected. */
+    public MassSpringBuilder nodes() {
+        return nodes;
     }
 
     public DiaphragmPart diaphragm() {
-        return parts.diaphragm();
+        return diaphragm;
+    }
+
+    public void setDiaphragm(DiaphragmPart part) {
+        diaphragm = part;
+    }
+
+    public Optional<LungPart> lungs() {
+        return lungs;
+    }
+
+    public void setLungs(Optional<LungPart> part) {
+        lungs = part;
+    }
+
+    /** Sets the organs that are added last. */
+    public void setOrgans(
+            Optional<SternumPart> sternumPart, Optional<LiverPart> liverPart, List<Structure> carriedLungs) {
+        sternum = sternumPart;
+        liver = liverPart;
+        embeddedLungs = carriedLungs;
+    }
+
+    public Optional<LiverPart> liver() {
+        return liver;
     }
 
     /** Where sternum and cartilages are a mass-spring system. */
@@ -75,72 +137,233 @@ public final class Scene {
         return sternum;
     }
 
-    /** Where the lungs are a mass-spring system. */
-    public Optional<LungPart> lungs() {
-        return parts.lungs();
-    }
-
-    /** Where the lungs are carried instead. */
+    /** Where the lungs are carried instead of stepped. */
     public List<Structure> embeddedLungs() {
         return embeddedLungs;
     }
 
-    public Optional<LiverPart> liver() {
-        return liver;
+    public SkinningWeights bones() {
+        return bones;
     }
 
-    /** Springs of the diaphragm. */
-    public Springs sheetSprings() {
-        return parts.sheet();
+    public void setBones(SkinningWeights weights) {
+        bones = weights;
     }
 
-    /** All other springs between nodes. */
-    public Optional<Springs> passiveSprings() {
-        return Optional.ofNullable(parts.passive());
+    /** The wall on which diaphragm and lungs slide; empty where attachments alone hold them. */
+    public Optional<MovingChestWall> wall() {
+        return wall;
     }
 
-    /** What holds the base of the lungs to the diaphragm, where they are a mass-spring system. */
-    public Optional<Attachments> lungBase() {
-        return Optional.ofNullable(parts.lungBase());
+    public void setWall(Optional<MovingChestWall> chestWall) {
+        wall = chestWall;
     }
 
-    /** The tendon's rigid links, on or off. */
-    public Optional<RigidLinks> links() {
-        return Optional.ofNullable(parts.links());
+    /** The paths of the lungs' border; empty without lungs or wall. */
+    public Optional<RecessTracks> recessTracks() {
+        return tracks.map(Supplier::get);
     }
 
-    /** The tendon's rigid links, while they are switched on. */
-    public Optional<RigidLinks> activeLinks() {
-        return links().filter(system()::isEnabled);
+    public void setRecessTracks(Optional<Supplier<RecessTracks>> supplier) {
+        tracks = supplier;
     }
 
-    /** Places x, y of vertical action lines, mm. */
-    public List<double[]> actionLines() {
-        return List.copyOf(parts.actionLines());
+    /** Number of the first node of the lungs; greater than all nodes where they are not stepped. */
+    public int firstLungNode() {
+        return lungs.map(l -> l.firstNodes.get(0)).orElse(Integer.MAX_VALUE);
     }
 
-    /** How many springs there are between nodes. */
-    public int springCount() {
-        return parts.springCount();
+    /** Puts the nodes in place, after which forces can be added. */
+    public void setSystem(
+            ParticleSystem particles, double[] positionsAtRest, double refreshIntervalS, double massAdded) {
+        massAddedPercent = massAdded;
+        system = particles;
+        positions = positionsAtRest;
+        refreshS = refreshIntervalS;
     }
 
-    /** Nodes that bone holds, exactly or by springs. */
-    public int[] heldNodes() {
-        return parts.heldNodes();
+    public ParticleSystem system() {
+        return system;
     }
 
-    /** How many nodes bone holds. */
-    public int attachmentCount() {
-        return heldNodes().length;
+    public NodeLayout layout() {
+        return system.layout();
+    }
+
+    /** Positions of all nodes at end-expiration, caller's order, mm; written again when the scene has settled. */
+    public double[] restPositions() {
+        return positions;
+    }
+
+    /** Time after which anchors and wall planes are taken anew, s. */
+    public double refreshS() {
+        return refreshS;
+    }
+
+    /** The vertices of the sheet that the wall stops; worked out once. Only where there is a wall. */
+    public SlidingSheet slidingSheet() {
+        if (slidingSheet == null) {
+            slidingSheet = SlidingSheet.of(diaphragm, wall.orElseThrow(), positions);
+        }
+        return slidingSheet;
+    }
+
+    public RestPressure restPressure() {
+        return restPressure;
     }
 
     /** Share of the load at rest that the sheet's tensions do not carry. */
     public double prestressResidual() {
-        return parts.restPressure() == null ? 0 : parts.restPressure().residual();
+        return restPressure == null ? 0 : restPressure.residual();
+    }
+
+    public void balancePressure(RestPressure balance) {
+        restPressure = balance;
+    }
+
+    /** Adds the springs of the diaphragm. */
+    public void addSheet(Springs springs) {
+        sheet = springs;
+        system.add(springs);
+    }
+
+    /** The springs of the diaphragm. */
+    public Springs sheetSprings() {
+        return sheet;
+    }
+
+    /** Adds all other springs between nodes. */
+    public void addPassive(Springs springs) {
+        passive = springs;
+        system.add(springs);
+    }
+
+    /** All other springs between nodes. */
+    public Optional<Springs> passiveSprings() {
+        return Optional.ofNullable(passive);
+    }
+
+    /** Adds the rigid links of the tendon. */
+    public void addLinks(RigidLinks tendon) {
+        links = tendon;
+        system.add(tendon);
+    }
+
+    /** The tendon's rigid links, on or off. */
+    public Optional<RigidLinks> links() {
+        return Optional.ofNullable(links);
+    }
+
+    /** The tendon's rigid links, while they are switched on. */
+    public Optional<RigidLinks> activeLinks() {
+        return links().filter(system::isEnabled);
+    }
+
+    /** Adds what holds the base of the lungs. */
+    public void addLungBase(Attachments springs) {
+        lungBase = springs;
+        system.add(springs);
+    }
+
+    /** What holds the base of the lungs to the diaphragm, where they are a mass-spring system. */
+    public Optional<Attachments> lungBase() {
+        return Optional.ofNullable(lungBase);
+    }
+
+    /** Says which nodes bone holds, exactly or by springs. */
+    public void holdNodes(int[] held) {
+        heldNodes = held;
+    }
+
+    public int[] heldNodes() {
+        return heldNodes;
+    }
+
+    /** How many nodes bone holds. */
+    public int attachmentCount() {
+        return heldNodes.length;
+    }
+
+    /** Shows a vertical action line at x and y, mm. */
+    public void drawActionLine(double[] place) {
+        actionLines.add(place);
+    }
+
+    /** Places x, y of vertical action lines, mm. */
+    public List<double[]> actionLines() {
+        return List.copyOf(actionLines);
+    }
+
+    /** The value of a parameter in the run. */
+    public RampedValue ramped(Parameter parameter) {
+        return values.of(parameter);
+    }
+
+    /** A switch in the run: 1 on, 0 off. */
+    public RampedValue ramped(SwitchSetting setting) {
+        return values.of(setting);
+    }
+
+    /** Has something set before every evaluation of the forces. */
+    public void beforeForces(BreathDrive.Action action) {
+        drive.beforeForces(action);
+    }
+
+    /** Says what the pressure on the abdominal face is. */
+    public void measurePressure(BreathDrive.Quantity pressure) {
+        drive.measurePressure(pressure);
+    }
+
+    /** Has something set step by step while a setting of {@link org.phrenic.parameter.Effect#SCENE} is on its way. */
+    public void whileRamping(DoubleConsumer atTimeS) {
+        tuning.whileRamping(atTimeS);
+    }
+
+    /** Has a constraint switched on and off. */
+    public void switches(SwitchedConstraint constraint) {
+        tuning.switches(constraint);
+        constraint.restart(system);
+    }
+
+    /**
+     * Has springs, attachments or masses tuned whenever one of some parameters has another value.
+     *
+     * @param action makes what tunes them, when the scene has settled
+     */
+    public void tunes(List<Parameter> parameters, Supplier<TissueTuner.Action> action) {
+        RampedValue[] ramped = parameters.stream().map(values::of).toArray(RampedValue[]::new);
+        tuning.whenSettled(() -> new TissueTuner(ramped, action.get()));
+    }
+
+    /** Springs whose numbers can be tuned, at rest where the scene has settled. */
+    public TunableSprings tunable(Springs springs) {
+        return new TunableSprings(springs, layout(), positions);
+    }
+
+    /** Attachments whose numbers can be tuned. */
+    public TunableAttachments tunable(Attachments springs) {
+        return new TunableAttachments(springs, positions, firstLungNode());
+    }
+
+    /** Told that all parts are added: what was collected for them is let go. */
+    public void close() {
+        springCount = nodes.sheetSprings.count() + nodes.passiveSprings.count();
+        nodes = null;
+        tracks = Optional.empty();
+    }
+
+    /** How many springs there are between nodes. */
+    public int springCount() {
+        return springCount;
     }
 
     /** What mass scaling added to the mass of all nodes, per cent. */
     public double massAddedPercent() {
         return massAddedPercent;
+    }
+
+    /** What can be changed while it runs. */
+    public SceneTuning tuning() {
+        return tuning;
     }
 }

@@ -34,5 +34,5 @@ public interface ScenePart {
     }
 
     /** Adds what acts to a scene whose nodes are in place; nothing for a part that only declares parameters. */
-    default void addTo(SceneBuilder scene) {}
+    default void addTo(Scene scene) {}
 }

@@ -72,13 +72,13 @@ public abstract class TissueMaterial {
     public abstract double lungToMuscleStiffness(SettingValues values);
 
     /** The diaphragm's nodes and springs. */
-    public abstract DiaphragmPart diaphragm(SceneBuilder scene, Diaphragm diaphragm, TissueLaw law);
+    public abstract DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law);
 
     /** The wall on which diaphragm and lungs slide; empty where attachments alone hold them. */
-    public abstract Optional<MovingChestWall> chestWall(SceneBuilder scene, List<Structure> lungs);
+    public abstract Optional<MovingChestWall> chestWall(Scene scene, List<Structure> lungs);
 
     /** Makes nodes heavier that alone would shorten the time step; returns the mass added, per cent. */
-    public abstract double scaleMasses(SceneBuilder scene, double[] positions, double[] masses);
+    public abstract double scaleMasses(Scene scene, double[] positions, double[] masses);
 
     @Override
     public String toString() {

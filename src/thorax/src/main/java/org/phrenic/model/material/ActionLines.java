@@ -2,7 +2,7 @@ package org.phrenic.model.material;
 
 import java.util.List;
 import org.phrenic.engine.force.ActionLine;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -39,7 +39,7 @@ public final class ActionLines implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         DiaphragmPart diaphragm = scene.diaphragm();
         int[] nodes = MassSpringBuilder.offset(diaphragm.freeVertices(), diaphragm.firstNode);
         RampedValue force = scene.ramped(MUSCLE_FORCE);
@@ -47,7 +47,7 @@ public final class ActionLines implements ScenePart {
         for (int side = -1; side <= 1; side += 2) {
             double[] place = diaphragm.actionLinePosition(side);
             ActionLine line =
-                    new ActionLine(scene.layout(), nodes, scene.positions(), place[0], place[1], radius.target());
+                    new ActionLine(scene.layout(), nodes, scene.restPositions(), place[0], place[1], radius.target());
             scene.system().add(line);
             scene.drawActionLine(place);
             scene.beforeForces((time, breath) -> line.setForce(force.at(time) * breath.activation));

@@ -9,7 +9,7 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.file.BadInputException;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TunableAttachments;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -61,7 +61,7 @@ public final class BoneAttachments implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         int[] inserted = prescribeInsertion(scene);
         if (besideInsertion) {
             attachBesideInsertion(scene);
@@ -71,7 +71,7 @@ public final class BoneAttachments implements ScenePart {
         scene.holdNodes(MassSpringBuilder.concatenate(inserted, attached));
     }
 
-    private static int[] prescribeInsertion(SceneBuilder scene) {
+    private static int[] prescribeInsertion(Scene scene) {
         DiaphragmPart diaphragm = scene.diaphragm();
         int[] inserted = diaphragm.insertedVertices();
         if (inserted.length == 0) {
@@ -79,17 +79,17 @@ public final class BoneAttachments implements ScenePart {
                     + ": the diaphragm has no border that bone could hold, expected a"
                     + " sheet whose two faces meet at its insertion");
         }
-        double[] rim = MassSpringBuilder.positionsOf(scene.positions(), diaphragm.firstNode, inserted);
+        double[] rim = MassSpringBuilder.positionsOf(scene.restPositions(), diaphragm.firstNode, inserted);
         int[] nodes = MassSpringBuilder.offset(inserted, diaphragm.firstNode);
         scene.system().prescribe(nodes, onBone(scene, rim));
         return nodes;
     }
 
-    private static PrescribedMotion onBone(SceneBuilder scene, double[] points) {
+    private static PrescribedMotion onBone(Scene scene, double[] points) {
         return new LinearBlendSkinning(scene.pose(), points, scene.bones().weightsAt(points), scene.workers());
     }
 
-    private void attachBesideInsertion(SceneBuilder scene) {
+    private void attachBesideInsertion(Scene scene) {
         Diaphragm sheet = scene.diaphragm().diaphragm;
         for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
             double fade = FallOff.at(sheet.distanceFromInsertion(i), INSERTION_MM);
@@ -103,11 +103,11 @@ public final class BoneAttachments implements ScenePart {
     }
 
     /** The crura hang on the spine, which stands still. */
-    private static void addCrura(SceneBuilder scene) {
+    private static void addCrura(Scene scene) {
         int[] crural = scene.diaphragm().cruralNodes;
         if (crural.length > 0) {
             PrescribedMotion still =
-                    PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.positions(), 0, crural));
+                    PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.restPositions(), 0, crural));
             scene.system().add(new Attachments(scene.layout(), crural, scene.diaphragm().cruralStiffnesses, 0, still));
         }
     }
@@ -116,7 +116,7 @@ public final class BoneAttachments implements ScenePart {
      * Returns the nodes that springs hold to bone, in the order of memory, so that anchors need not be sorted at every
      * refresh.
      */
-    private int[] addAnchoredSprings(SceneBuilder scene) {
+    private int[] addAnchoredSprings(Scene scene) {
         int[] listed = scene.nodes().attachedNodes();
         int[] order = scene.layout().inMemoryOrder(listed);
         int[] attached = Arrays.stream(order).map(i -> listed[i]).toArray();
@@ -124,7 +124,7 @@ public final class BoneAttachments implements ScenePart {
             return attached;
         }
         double[] each = scene.nodes().attachedStiffnesses();
-        double[] anchors = MassSpringBuilder.positionsOf(scene.positions(), 0, attached);
+        double[] anchors = MassSpringBuilder.positionsOf(scene.restPositions(), 0, attached);
         Attachments springs = new Attachments(
                 scene.layout(),
                 attached,

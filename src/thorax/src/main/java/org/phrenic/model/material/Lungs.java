@@ -6,7 +6,7 @@ import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.Attachments;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TunableAttachments;
 import org.phrenic.model.organ.LungBaseMotion;
@@ -46,7 +46,7 @@ public final class Lungs implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         scene.lungs().ifPresent(lungs -> {
             attachBase(scene, lungs);
             scene.wall().ifPresent(wall -> holdToPleura(scene, lungs, wall));
@@ -54,9 +54,9 @@ public final class Lungs implements ScenePart {
     }
 
     /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */
-    private void attachBase(SceneBuilder scene, LungPart lungs) {
+    private void attachBase(Scene scene, LungPart lungs) {
         int[] nodes = lungs.baseSprings.node();
-        double[] points = MassSpringBuilder.positionsOf(scene.positions(), 0, nodes);
+        double[] points = MassSpringBuilder.positionsOf(scene.restPositions(), 0, nodes);
         PrescribedMotion places = scene.recessTracks()
                 .<PrescribedMotion>map(tracks -> new LungBaseMotion(
                         scene.system(), scene.diaphragm(), scene.wall().orElseThrow(), points, tracks))
@@ -77,13 +77,13 @@ public final class Lungs implements ScenePart {
         });
     }
 
-    private static void holdToPleura(SceneBuilder scene, LungPart lungs, MovingChestWall wall) {
+    private static void holdToPleura(Scene scene, LungPart lungs, MovingChestWall wall) {
         int[] pleural = lungs.pleuralNodes();
         scene.system()
                 .add(SlidingContact.adhering(
                         scene.layout(),
                         pleural,
-                        wall.slidingContact(MassSpringBuilder.positionsOf(scene.positions(), 0, pleural)),
+                        wall.slidingContact(MassSpringBuilder.positionsOf(scene.restPositions(), 0, pleural)),
                         scene.refreshS()));
     }
 }

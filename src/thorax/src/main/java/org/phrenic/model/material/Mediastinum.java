@@ -2,7 +2,7 @@ package org.phrenic.model.material;
 
 import java.util.List;
 import org.phrenic.engine.force.ConstantLoad;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.organ.LungPart;
 import org.phrenic.parameter.Parameter;
@@ -35,7 +35,7 @@ public final class Mediastinum implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         scene.lungs().ifPresent(lungs -> {
             addLoad(scene, lungs, false, MEDIASTINUM_RIGHT);
             addLoad(scene, lungs, true, MEDIASTINUM_LEFT);
@@ -43,7 +43,7 @@ public final class Mediastinum implements ScenePart {
     }
 
     /** The load is that of tethers which are neither stiffer nor multiplied, for 1 mm. */
-    private static void addLoad(SceneBuilder scene, LungPart lungs, boolean left, Parameter parameter) {
+    private static void addLoad(Scene scene, LungPart lungs, boolean left, Parameter parameter) {
         double[] load = lungs.outwardLoad(left, scene.layout().nodeCount());
         double assembled = scene.settings().get(Lungs.LUNG_STIFFNESS);
         for (int i = 0; i < load.length; i++) {

@@ -2,7 +2,7 @@ package org.phrenic.model.material;
 
 import java.util.List;
 import org.phrenic.engine.force.Springs;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Group;
@@ -51,8 +51,8 @@ public final class Muscle implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
-        Springs sheet = scene.sheet();
+    public void addTo(Scene scene) {
+        Springs sheet = scene.sheetSprings();
         RampedValue activation = scene.ramped(MUSCLE_ACTIVATION);
         scene.beforeForces((time, breath) -> sheet.setActivation(activation.at(time) * breath.activation));
     }

@@ -7,7 +7,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.model.assembly.Breathing;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.TissueLaw;
@@ -78,7 +78,7 @@ final class PaperMaterial extends TissueMaterial {
     }
 
     @Override
-    public DiaphragmPart diaphragm(SceneBuilder scene, Diaphragm diaphragm, TissueLaw law) {
+    public DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law) {
         return DiaphragmPart.builder(diaphragm, law)
                 .tendonRatio(scene.settings().get(SheetSprings.TENDON_RATIO))
                 .linksPerNode(scene.settings().get(RigidTendon.LINKS_PER_NODE))
@@ -86,12 +86,12 @@ final class PaperMaterial extends TissueMaterial {
     }
 
     @Override
-    public Optional<MovingChestWall> chestWall(SceneBuilder scene, List<Structure> lungs) {
+    public Optional<MovingChestWall> chestWall(Scene scene, List<Structure> lungs) {
         return Optional.empty();
     }
 
     @Override
-    public double scaleMasses(SceneBuilder scene, double[] positions, double[] masses) {
+    public double scaleMasses(Scene scene, double[] positions, double[] masses) {
         return 0;
     }
 }

@@ -2,7 +2,7 @@ package org.phrenic.model.material;
 
 import java.util.List;
 import org.phrenic.engine.force.Springs;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueTuner;
 import org.phrenic.model.assembly.TunableSprings;
@@ -24,7 +24,7 @@ final class PassiveSprings implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         SpringList list = scene.nodes().passiveSprings;
         if (list.count() == 0) {
             return;
@@ -37,7 +37,7 @@ final class PassiveSprings implements ScenePart {
         scene.tunes(stiffness, () -> tuning(scene, springs));
     }
 
-    private static TissueTuner.Action tuning(SceneBuilder scene, Springs springs) {
+    private static TissueTuner.Action tuning(Scene scene, Springs springs) {
         TunableSprings tunable = scene.tunable(springs);
         int firstLungNode = scene.firstLungNode();
         return (value, assembled, asAssembled) -> {

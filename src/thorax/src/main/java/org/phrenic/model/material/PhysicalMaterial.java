@@ -10,7 +10,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.mesh.query.SurfaceSamples;
 import org.phrenic.model.assembly.Breathing;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -83,7 +83,7 @@ final class PhysicalMaterial extends TissueMaterial {
     }
 
     @Override
-    public DiaphragmPart diaphragm(SceneBuilder scene, Diaphragm diaphragm, TissueLaw law) {
+    public DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law) {
         SettingValues values = scene.settings();
         return DiaphragmPart.builder(diaphragm, law)
                 .crura(CruralOrigin.attachmentShares(scene.thorax(), diaphragm))
@@ -95,7 +95,7 @@ final class PhysicalMaterial extends TissueMaterial {
     }
 
     @Override
-    public Optional<MovingChestWall> chestWall(SceneBuilder scene, List<Structure> lungs) {
+    public Optional<MovingChestWall> chestWall(Scene scene, List<Structure> lungs) {
         Diaphragm sheet = scene.diaphragm().diaphragm;
         SurfaceSamples contents = new SurfaceSamples(MovingChestWall.MAX_SPACING_MM);
         for (int t = 0; t < sheet.sheet().triangleCount(); t++) {
@@ -115,7 +115,7 @@ final class PhysicalMaterial extends TissueMaterial {
     }
 
     @Override
-    public double scaleMasses(SceneBuilder scene, double[] positions, double[] masses) {
+    public double scaleMasses(Scene scene, double[] positions, double[] masses) {
         MassSpringBuilder nodes = scene.nodes();
         MassScaling scaling = new MassScaling(positions, masses);
         scaling.addSprings(nodes.sheetSprings);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.force.Attachments;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TunableAttachments;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -24,7 +24,7 @@ final class RestoringSprings implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         DiaphragmPart diaphragm = scene.diaphragm();
         int[] free = MassSpringBuilder.offset(diaphragm.freeVertices(), diaphragm.firstNode);
         double[] stiffness = new double[free.length];
@@ -34,7 +34,7 @@ final class RestoringSprings implements ScenePart {
                 free,
                 stiffness,
                 0,
-                PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.positions(), 0, free)));
+                PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.restPositions(), 0, free)));
         scene.system().add(springs);
         scene.tunes(List.of(SheetSprings.SPRING_STIFFNESS, BoneAttachments.STERNUM_COUPLING), () -> {
             TunableAttachments tunable = scene.tunable(springs);

@@ -1,7 +1,7 @@
 package org.phrenic.model.material;
 
 import org.phrenic.engine.constraint.RigidLinks;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.SwitchedConstraint;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -33,7 +33,7 @@ public final class RigidTendon implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         DiaphragmPart diaphragm = scene.diaphragm();
         if (diaphragm.links.isEmpty()) {
             return;
@@ -41,7 +41,7 @@ public final class RigidTendon implements ScenePart {
         int first = diaphragm.firstNode;
         int[] a = diaphragm.links.stream().mapToInt(p -> first + p.a()).toArray();
         int[] b = diaphragm.links.stream().mapToInt(p -> first + p.b()).toArray();
-        RigidLinks links = RigidLinks.gaussSeidel(scene.layout(), a, b, scene.positions(), TOLERANCE, SWEEPS);
+        RigidLinks links = RigidLinks.gaussSeidel(scene.layout(), a, b, scene.restPositions(), TOLERANCE, SWEEPS);
         scene.addLinks(links);
         RampedValue on = scene.ramped(TENSEGRITY);
         scene.switches(new SwitchedConstraint(on, links, () -> links.captureLengths(scene.system())));

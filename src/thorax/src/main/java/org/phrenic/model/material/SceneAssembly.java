@@ -4,6 +4,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Resolution;
@@ -24,7 +26,6 @@ import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.BreathDrive;
 import org.phrenic.model.assembly.Scene;
-import org.phrenic.model.assembly.SceneBuilder;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.organ.LiverPart;
@@ -51,9 +52,9 @@ public final class SceneAssembly {
     private final TissueMaterial material;
     private final Resolution resolution;
     private final Thorax thorax;
-    private final SceneBuilder scene;
+    private final Scene scene;
 
-    private SceneAssembly(SettingValues settings, SceneBuilder scene) {
+    private SceneAssembly(SettingValues settings, Scene scene) {
         this.settings = settings;
         this.scene = scene;
         thorax = scene.thorax();
@@ -70,7 +71,7 @@ public final class SceneAssembly {
             RibCage cage,
             Workers workers) {
         RibCagePose pose = new RibCagePose(cage, RibRotation.drive(values, drive));
-        return new SceneAssembly(settings, new SceneBuilder(settings, thorax, values, drive, pose, workers)).build();
+        return new SceneAssembly(settings, new Scene(settings, thorax, values, drive, pose, workers)).build();
     }
 
     private Scene build() {
@@ -91,48 +92,43 @@ public final class SceneAssembly {
         // The liver hangs on the diaphragm alone and is wanted last.
         Optional<CompletableFuture<LiverPart>> liver = liver();
         Optional<SternumPart> sternum = sternumModel == SternumModel.SPRINGS
-                ? Optional.of(new SternumPart(scene.nodes(), SceneBuilder.join(sternumMeshed), cage, law))
+                ? Optional.of(new SternumPart(scene.nodes(), join(sternumMeshed), cage, law))
                 : Optional.empty();
-        List<Structure> lungs = SceneBuilder.join(lungsMeshed);
-        scene.setBones(SceneBuilder.join(weights));
+        List<Structure> lungs = join(lungsMeshed);
+        scene.setBones(join(weights));
         scene.setWall(material.chestWall(scene, lungs));
         scene.setLungs(face.filter(f -> !lungs.isEmpty())
                 .map(f -> new LungPart(
                         scene.nodes(),
                         lungs,
-                        SceneBuilder.join(f),
+                        join(f),
                         scene.bones(),
                         scene.wall().orElse(null),
                         law,
                         material.lungToMuscleStiffness(settings))));
-        double massAdded = placeNodes(face);
+        placeNodes(face);
         addParts();
+        scene.setOrgans(sternum, liver.map(SceneAssembly::join), lungModel == LungModel.EMBEDDED ? lungs : List.of());
         scene.close();
-        return new Scene(
-                scene,
-                sternum,
-                liver.map(SceneBuilder::join),
-                lungModel == LungModel.EMBEDDED ? lungs : List.of(),
-                massAdded);
+        return scene;
     }
 
-    /** Puts the nodes in place; returns the mass added to the lightest of them, per cent. */
-    private double placeNodes(Optional<CompletableFuture<ThoracicFace>> face) {
+    /** Puts the nodes in place. */
+    private void placeNodes(Optional<CompletableFuture<ThoracicFace>> face) {
         double[] positions = scene.nodes().positions();
         // The lines down the sheet are drawn while the system of nodes is put together.
         scene.setRecessTracks(scene.lungs()
                 .filter(l -> scene.wall().isPresent())
                 .map(l -> MassSpringBuilder.positionsOf(positions, 0, l.baseSprings.node()))
-                .map(points -> CompletableFuture.supplyAsync(
-                        () -> new RecessTracks(SceneBuilder.join(face.orElseThrow()), points))));
+                .map(points -> CompletableFuture.supplyAsync(() -> new RecessTracks(join(face.orElseThrow()), points)))
+                .<Supplier<RecessTracks>>map(future -> () -> join(future)));
         NodeLayout layout = NodeLayout.morton(positions);
         double[] masses = scene.nodes().masses();
         double massAdded = material.scaleMasses(scene, positions, masses);
         ParticleSystem system = new ParticleSystem(layout, positions, masses, scene.workers());
         system.setProjectionSweeps(settings.get(Numerics.PROJECTION_SWEEPS));
         system.add(scene.drive());
-        scene.setSystem(system, positions, settings.get(Numerics.REFRESH));
-        return massAdded;
+        scene.setSystem(system, positions, settings.get(Numerics.REFRESH), massAdded);
     }
 
     private void addParts() {
@@ -144,6 +140,21 @@ public final class SceneAssembly {
                     part.addTo(scene);
                 }
             }
+        }
+    }
+
+    /** Waits for a result; what the work threw is thrown here. */
+    private static <T> T join(CompletableFuture<T> future) {
+        try {
+            return future.join();
+        } catch (CompletionException e) {
+            if (e.getCause() instanceof RuntimeException cause) {
+                throw cause;
+            }
+            if (e.getCause() instanceof Error cause) {
+                throw cause;
+            }
+            throw e;
         }
     }
 

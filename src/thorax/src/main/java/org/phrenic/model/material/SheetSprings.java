@@ -3,7 +3,7 @@ package org.phrenic.model.material;
 import java.util.List;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.model.assembly.RestPressure;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueTuner;
 import org.phrenic.model.assembly.TunableSprings;
@@ -56,7 +56,7 @@ public final class SheetSprings implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         SpringList list = scene.nodes().sheetSprings;
         Springs.Builder builder = Springs.between(scene.layout(), list.nodeA(), list.nodeB())
                 .stiffness(list.stiffness())
@@ -79,8 +79,8 @@ public final class SheetSprings implements ScenePart {
         }
     }
 
-    private static TissueTuner.Action contractileTuning(SceneBuilder scene) {
-        TunableSprings springs = scene.tunable(scene.sheet());
+    private static TissueTuner.Action contractileTuning(Scene scene) {
+        TunableSprings springs = scene.tunable(scene.sheetSprings());
         RestPressure pressure = scene.restPressure();
         return (value, assembled, asAssembled) -> {
             pressure.scaleLoad(value[2]);
@@ -96,8 +96,8 @@ public final class SheetSprings implements ScenePart {
         };
     }
 
-    private static TissueTuner.Action passiveTuning(SceneBuilder scene) {
-        TunableSprings springs = scene.tunable(scene.sheet());
+    private static TissueTuner.Action passiveTuning(Scene scene) {
+        TunableSprings springs = scene.tunable(scene.sheetSprings());
         return (value, assembled, asAssembled) -> {
             if (asAssembled) {
                 springs.restoreAssembled();

@@ -3,7 +3,7 @@ package org.phrenic.model.material;
 import java.util.List;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueTuner;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -118,12 +118,12 @@ public abstract class TissueMass implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         setDamping(scene.system(), scene.settings().get(damping));
         scene.tunes(tuningParameters(), () -> tuning(scene));
     }
 
-    private TissueTuner.Action tuning(SceneBuilder scene) {
+    private TissueTuner.Action tuning(Scene scene) {
         ParticleSystem system = scene.system();
         NodeLayout layout = system.layout();
         DiaphragmPart sheet = scene.diaphragm();

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.force.FacePressure;
 import org.phrenic.model.assembly.RestPressure;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.parameter.Effect;
@@ -59,7 +59,7 @@ public final class TransdiaphragmaticPressure implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         DiaphragmPart diaphragm = scene.diaphragm();
         int[] pressed = diaphragm.abdominalTriangles();
         double[] weight = new double[pressed.length / 3];

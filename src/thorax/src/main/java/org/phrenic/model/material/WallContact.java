@@ -1,7 +1,7 @@
 package org.phrenic.model.material;
 
 import org.phrenic.engine.constraint.SlidingContact;
-import org.phrenic.model.assembly.SceneBuilder;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.SlidingSheet;
 import org.phrenic.model.assembly.SwitchedConstraint;
@@ -27,7 +27,7 @@ public final class WallContact implements ScenePart {
     }
 
     @Override
-    public void addTo(SceneBuilder scene) {
+    public void addTo(Scene scene) {
         scene.system().add(scene.diaphragm().orderedPairs(scene.layout(), scene.refreshS()));
         SlidingSheet sheet = scene.slidingSheet();
         int[] nodes = MassSpringBuilder.offset(sheet.vertices(), scene.diaphragm().firstNode);

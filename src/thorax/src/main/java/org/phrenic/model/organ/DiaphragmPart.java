@@ -1,6 +1,5 @@
 package org.phrenic.model.organ;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
@@ -27,15 +26,6 @@ public final class DiaphragmPart {
     private static final int STRUTS = 2;
     private static final double MIDLINE_MM = 20;
     private static final double FRONT_MM = 50;
-    /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
-    private static final double MIN_SEPARATION_SHARE = 0.4;
-
-    private static final double MIN_SEPARATION_MM = 1.5;
-    /**
-     * A pair that leans more than this cosine, as at the rim of an opening, says nothing of inside and outside: kept in
-     * order, such pairs threw nodes to and fro by millimetres.
-     */
-    private static final double UPRIGHT = 0.5;
     /** Depth below the wall at rest up to which the abdominal face is apposed. */
     private static final double APPOSED_MM = 15;
     /** Something more than half of the sheet's 2 to 5 mm. */
@@ -61,8 +51,8 @@ public final class DiaphragmPart {
      * held alike.
      */
     public final double[] cruralStiffnesses;
-    /** Muscle's pairs across the sheet, each vertex in one at most. */
-    private final List<OrderedPair> uprightPairs;
+
+    private final FaceOrder faceOrder;
     /**
      * Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across
      * the midline and from back (0) to front (1).
@@ -107,9 +97,11 @@ public final class DiaphragmPart {
             }
         }
         links = across.greedyMatching(diaphragm::isTendon, from.linksPerNode);
-        uprightPairs = from.struts
-                ? uprightPairs(across.greedyMatching(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1))
-                : List.of();
+        faceOrder = new FaceOrder(
+                diaphragm,
+                from.struts
+                        ? across.greedyMatching(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1)
+                        : List.of());
     }
 
     private void addEdges(SpringList springs, Builder from) {
@@ -240,53 +232,7 @@ public final class DiaphragmPart {
 
     /** What keeps the thoracic face outside the abdominal one in muscle. */
     public NonInversionPairs orderedPairs(NodeLayout layout, double refresh) {
-        int[] t = diaphragm.sheet().triangles();
-        return new NonInversionPairs(
-                layout,
-                uprightPairs.stream().mapToInt(p -> firstNode + p.outer).toArray(),
-                uprightPairs.stream().mapToInt(p -> firstNode + p.inner).toArray(),
-                uprightPairs.stream()
-                        .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
-                        .map(c -> firstNode + t[c])
-                        .toArray(),
-                uprightPairs.stream().mapToDouble(p -> p.minSeparation).toArray(),
-                refresh);
-    }
-
-    /**
-     * Vertices on the two faces that may not change places.
-     *
-     * @param triangle of the outer face, whose normal says where outside is
-     * @param minSeparation distance along it, mm
-     */
-    private record OrderedPair(int outer, int inner, int triangle, double minSeparation) {}
-
-    /** Of pairs across muscle those that stand upright on the sheet. */
-    private List<OrderedPair> uprightPairs(List<OpposingVertices.Pair> pairs) {
-        TriangleMesh s = diaphragm.sheet();
-        MeshTopology topology = diaphragm.topology();
-        double[] p = s.positions();
-        double[] normals = MeshMeasure.triangleNormals(s);
-        List<OrderedPair> out = new ArrayList<>();
-        for (OpposingVertices.Pair pair : pairs) {
-            int a = diaphragm.isThoracic(pair.a()) ? pair.a() : pair.b();
-            int b = a == pair.a() ? pair.b() : pair.a();
-            int t = topology.vertexTriangles()[topology.vertexTriangleStart()[a]];
-            double along = distanceAlongNormal(p, normals, a, b, t);
-            if (along > UPRIGHT * MassSpringBuilder.distance(p, a, p, b)) {
-                out.add(new OrderedPair(a, b, t, Math.min(MIN_SEPARATION_MM, MIN_SEPARATION_SHARE * along)));
-            }
-        }
-        return out;
-    }
-
-    /** Distance of a from b along the normal of a triangle. */
-    private static double distanceAlongNormal(double[] p, double[] normals, int a, int b, int triangle) {
-        double sum = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            sum += normals[3 * triangle + axis] * (p[3 * a + axis] - p[3 * b + axis]);
-        }
-        return sum;
+        return faceOrder.constraint(layout, firstNode, refresh);
     }
 
     /**

@@ -1,0 +1,87 @@
+package org.phrenic.model.organ;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.OpposingVertices;
+import org.phrenic.engine.constraint.NonInversionPairs;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+
+/** Pairs of vertices on the two faces of a diaphragm that may not change places. */
+final class FaceOrder {
+    /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
+    private static final double MIN_SEPARATION_SHARE = 0.4;
+
+    private static final double MIN_SEPARATION_MM = 1.5;
+    /**
+     * A pair that leans more than this cosine, as at the rim of an opening, says nothing of inside and outside: kept in
+     * order, such pairs threw nodes to and fro by millimetres.
+     */
+    private static final double UPRIGHT = 0.5;
+
+    private final Diaphragm diaphragm;
+    private final List<OrderedPair> uprightPairs;
+
+    /**
+     * @param pairs of opposing vertices, each vertex in one at most; those that stand upright on the sheet are taken
+     */
+    FaceOrder(Diaphragm diaphragm, List<OpposingVertices.Pair> pairs) {
+        this.diaphragm = diaphragm;
+        uprightPairs = uprightPairs(pairs);
+    }
+
+    /** The constraint on the nodes of a scene of which {@code firstNode} is the first vertex. */
+    NonInversionPairs constraint(NodeLayout layout, int firstNode, double refresh) {
+        int[] t = diaphragm.sheet().triangles();
+        return new NonInversionPairs(
+                layout,
+                uprightPairs.stream().mapToInt(p -> firstNode + p.outer).toArray(),
+                uprightPairs.stream().mapToInt(p -> firstNode + p.inner).toArray(),
+                uprightPairs.stream()
+                        .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
+                        .map(c -> firstNode + t[c])
+                        .toArray(),
+                uprightPairs.stream().mapToDouble(p -> p.minSeparation).toArray(),
+                refresh);
+    }
+
+    /**
+     * Vertices on the two faces that may not change places.
+     *
+     * @param triangle of the outer face, whose normal says where outside is
+     * @param minSeparation distance along it, mm
+     */
+    private record OrderedPair(int outer, int inner, int triangle, double minSeparation) {}
+
+    /** Of pairs across muscle those that stand upright on the sheet. */
+    private List<OrderedPair> uprightPairs(List<OpposingVertices.Pair> pairs) {
+        TriangleMesh s = diaphragm.sheet();
+        MeshTopology topology = diaphragm.topology();
+        double[] p = s.positions();
+        double[] normals = MeshMeasure.triangleNormals(s);
+        List<OrderedPair> out = new ArrayList<>();
+        for (OpposingVertices.Pair pair : pairs) {
+            int a = diaphragm.isThoracic(pair.a()) ? pair.a() : pair.b();
+            int b = a == pair.a() ? pair.b() : pair.a();
+            int t = topology.vertexTriangles()[topology.vertexTriangleStart()[a]];
+            double along = distanceAlongNormal(p, normals, a, b, t);
+            if (along > UPRIGHT * MassSpringBuilder.distance(p, a, p, b)) {
+                out.add(new OrderedPair(a, b, t, Math.min(MIN_SEPARATION_MM, MIN_SEPARATION_SHARE * along)));
+            }
+        }
+        return out;
+    }
+
+    /** Distance of a from b along the normal of a triangle. */
+    private static double distanceAlongNormal(double[] p, double[] normals, int a, int b, int triangle) {
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            sum += normals[3 * triangle + axis] * (p[3 * a + axis] - p[3 * b + axis]);
+        }
+        return sum;
+    }
+}
