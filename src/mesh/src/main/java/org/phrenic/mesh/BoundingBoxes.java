@@ -3,9 +3,8 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * Boxes along the axes, six numbers each in a longer array: least x, y, z, greatest x, y, z, mm. Numbers are compared
- * by hand: the library's minimum and maximum, which mind the sign of zero, are calls until the optimizing compiler has
- * come by, and were 4 % of a program's start.
+ * Boxes along the axes, six numbers each in a longer array: least x, y, z, greatest x, y, z, mm. Comparisons are
+ * written out: Math.min and Math.max, which order signed zeros, are slow until compiled.
  */
 public final class BoundingBoxes {
     private BoundingBoxes() {}
@@ -50,7 +49,13 @@ public final class BoundingBoxes {
      * @param relative slack of the comparison, relative to the ray parameter; {@code padding} is added to it
      */
     public static boolean meetsRay(
-            double[] boxes, int at, double[] origin, double[] direction, double limit, double padding, double relative) {
+            double[] boxes,
+            int at,
+            double[] origin,
+            double[] direction,
+            double limit,
+            double padding,
+            double relative) {
         double near = 0;
         double far = limit;
         for (int axis = 0; axis < 3; axis++) {

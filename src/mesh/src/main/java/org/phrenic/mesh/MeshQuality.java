@@ -3,7 +3,8 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * What a mesh is like for springs: without slivers its smallest angles are far from 0 and its edges of one length.
+ * Quality figures of a mesh for mass-spring models: the smallest angles are far from 0 without slivers, and edges of
+ * equal length have a ratio of 1.
  *
  * @param vertices count
  * @param triangles count

@@ -7,7 +7,7 @@ import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Takes a mesh apart into the pieces that hang together by triangles. */
+/** Connected components of a mesh as meshes. */
 public final class ConnectedComponents {
     private ConnectedComponents() {}
 

@@ -1,17 +1,13 @@
 package org.phrenic.mesh.edit;
 
-
-/** Collapses short edges where neither topology nor shape suffers: link condition, no turned and no thin triangle. */
+/** Collapses short edges under the link condition, without flipped or thin triangles. */
 final class EdgeCollapser {
-    /** Cosine between a triangle's normal before and after: a turn of up to 75 degrees. */
-    static final double CAREFUL = 0.26;
-    /** A turn of up to 110 degrees, for edges so short that they are worse than what their loss does. */
-    static final double BOLD = -0.34;
-    /**
-     * No heed of sides and shapes, for folds of the original so fine that their sides mean nothing; topology is still
-     * kept.
-     */
-    static final double RECKLESS = Double.NEGATIVE_INFINITY;
+    /** Least cosine between the normals of a triangle before and after a collapse: a turn of up to 75 degrees. */
+    static final double UP_TO_75_DEG = 0.26;
+    /** A turn of up to 110 degrees. */
+    static final double UP_TO_110_DEG = -0.34;
+    /** Any turn and any shape, for very fine folds; the topology is kept. */
+    static final double ANY_TURN = Double.NEGATIVE_INFINITY;
 
     /**
      * Twice the area over the squared longest side, which a collapse may not undercut; an equilateral triangle has
@@ -245,7 +241,7 @@ final class EdgeCollapser {
             double after = moved.shapeAfter();
             // A triangle without area has no orientation to keep.
             double cosine = before < 1e-6 ? 1 : moved.dot / (Math.sqrt(moved.before) * Math.sqrt(moved.after));
-            if (cosine < leastCosine || (leastCosine > RECKLESS && after < LEAST_SHAPE && after < before)) {
+            if (cosine < leastCosine || (leastCosine > ANY_TURN && after < LEAST_SHAPE && after < before)) {
                 return false;
             }
         }

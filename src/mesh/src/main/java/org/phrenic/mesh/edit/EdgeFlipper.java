@@ -4,14 +4,14 @@ import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Turns edges until the surface is Delaunay: an edge whose opposite angles sum to more than 180 degrees gives way to
- * the other diagonal, unless that would fold the surface or bend it more sharply than it was.
+ * Flips edges until the surface is Delaunay: an edge whose opposite angles sum to more than 180 degrees is replaced by
+ * the other diagonal, unless that folds the surface or bends it more sharply.
  */
 final class EdgeFlipper {
     private static final int MOST_PASSES = 5;
     /** Below this cosine between its triangles (100 degrees) an edge is a rim of the surface and stays. */
     private static final double RIM = -0.17;
-    /** A bend below 30 degrees is no bend. */
+    /** Bends below 30 degrees count as flat. */
     private static final double FLAT_ENOUGH = 0.87;
 
     private final HalfEdgeMesh mesh;
@@ -34,7 +34,7 @@ final class EdgeFlipper {
                 }
             }
             total += flipped;
-            // The last few in a hundred thousand are worth no further pass.
+            // Fewer than one flip in 1,000 vertices is not worth another pass.
             if (flipped * 1000 < mesh.vertexCount()) {
                 break;
             }
@@ -49,7 +49,7 @@ final class EdgeFlipper {
             return 0;
         }
         if (!mayFlip(h)) {
-            // Neighbours farther off decide: it is looked at again.
+            // The topology of the neighbourhood forbids it; the next pass checks it again.
             return 0;
         }
         mesh.flip(h);

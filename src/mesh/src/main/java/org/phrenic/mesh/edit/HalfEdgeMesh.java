@@ -1,5 +1,7 @@
 package org.phrenic.mesh.edit;
 
+import java.util.Arrays;
+import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.TriangleMesh;
 
 /** A triangle surface that can be edited: edges split, collapsed and flipped in place. */
@@ -172,11 +174,11 @@ final class HalfEdgeMesh extends HalfEdges {
             g = twin[previous(g)];
         } while (g != NONE && g != out[a]);
         int fromB = NONE;
-        // One call for both sides: compilers copy what is called to each place.
+        // A single call site keeps the inlined code small.
         for (int side = h; side != NONE; side = side == h ? o : NONE) {
             fromB = closeSide(side);
         }
-        // Only now: a turn about b must not enter a triangle that is going.
+        // After both triangles are removed, so that fanStart does not pass through them.
         out[b] = fanStart(fromB);
         removeVertex(a);
         setPosition(b, x, y, z);
@@ -208,7 +210,7 @@ final class HalfEdgeMesh extends HalfEdges {
         }
         int t = h - h % 3;
         removeTriangle(t);
-        // Of the sides beyond, each runs either from c to b or from b to c: one start for each end.
+        // The half-edges beyond run from c to b or from b to c: one start for each end.
         int fromC = NONE;
         int fromB = NONE;
         for (int side = 0; side < 2; side++) {
@@ -220,5 +222,55 @@ final class HalfEdgeMesh extends HalfEdges {
         }
         out[c] = fanStart(fromC);
         return fromB;
+    }
+
+    /**
+     * Half-edges of the edges between two squared lengths, exclusive, by length in single precision; in the low 32
+     * bits.
+     */
+    long[] sortedEdges(double aboveSquare, double belowSquare, boolean longestFirst) {
+        long[] keys = new long[3 * triangleEnd];
+        int length = 0;
+        for (int h = 0; h < keys.length; h++) {
+            if (isPrimary(h)) {
+                double square = squareLength(h);
+                if (square > aboveSquare && square < belowSquare) {
+                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
+                    int bits = Float.floatToRawIntBits((float) square);
+                    keys[length++] = (long) (longestFirst ? -bits : bits) << 32 | h;
+                }
+            }
+        }
+        RadixSort.sort(keys, length);
+        return Arrays.copyOf(keys, length);
+    }
+
+    boolean areNeighbours(int a, int b) {
+        int h = out[a];
+        do {
+            int back = previous(h);
+            if (end(h) == b || start[back] == b) {
+                return true;
+            }
+            h = twin[back];
+        } while (h != NONE && h != out[a]);
+        return false;
+    }
+
+    TriangleMesh toMesh() {
+        int[] name = new int[vertexEnd];
+        double[] p = new double[3 * vertexCount()];
+        int n = 0;
+        for (int v = 0; v < vertexEnd; v++) {
+            if (out[v] != NONE) {
+                System.arraycopy(position, 3 * v, p, 3 * n, 3);
+                name[v] = n++;
+            }
+        }
+        int[] t = Arrays.stream(start, 0, 3 * triangleEnd)
+                .filter(v -> v != NONE)
+                .map(v -> name[v])
+                .toArray();
+        return new TriangleMesh(p, t);
     }
 }

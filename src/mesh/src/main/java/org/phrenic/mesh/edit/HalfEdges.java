@@ -1,20 +1,19 @@
 package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
-import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A triangle surface as half-edges (Botsch et al. 2010, Polygon Mesh Processing, section 2.3) in flat arrays. Half-edge {@code 3t + i}
- * runs from corner i to corner i + 1 of triangle t; {@code twin} is the opposite half-edge of the same edge, {@link #NONE} on a
- * boundary; {@code out} is one half-edge that starts at a vertex, at a boundary vertex the one on the boundary. Slots of removed
- * triangles and vertices are used again.
+ * A triangle surface as half-edges (Botsch et al. 2010, Polygon Mesh Processing, section 2.3) in flat arrays. Half-edge
+ * {@code 3t + i} runs from corner i to corner i + 1 of triangle t; {@code twin} is the opposite half-edge of the same
+ * edge, {@link #NONE} on a boundary; {@code out} is one half-edge that starts at a vertex, at a boundary vertex the one
+ * on the boundary. Slots of removed triangles and vertices are used again.
  *
- * <p>A surface that is not manifold, or not consistently oriented, is cut open there: along such edges, and at vertices of several
- * fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
+ * <p>A surface that is not manifold, or not consistently oriented, is cut open there: along such edges, and at vertices
+ * of several fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
  */
 abstract class HalfEdges {
     static final int NONE = -1;
@@ -159,24 +158,6 @@ abstract class HalfEdges {
         return Vectors.squaredDistance(position, start[h], end(h));
     }
 
-    /** Half-edges of the edges between two squared lengths, exclusive, by length in single precision; in the low 32 bits. */
-    long[] sortedEdges(double aboveSquare, double belowSquare, boolean longestFirst) {
-        long[] keys = new long[3 * triangleEnd];
-        int length = 0;
-        for (int h = 0; h < keys.length; h++) {
-            if (isPrimary(h)) {
-                double square = squareLength(h);
-                if (square > aboveSquare && square < belowSquare) {
-                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
-                    int bits = Float.floatToRawIntBits((float) square);
-                    keys[length++] = (long) (longestFirst ? -bits : bits) << 32 | h;
-                }
-            }
-        }
-        RadixSort.sort(keys, length);
-        return Arrays.copyOf(keys, length);
-    }
-
     void markCrease(int h) {
         hasCreases = true;
         crease[h] = true;
@@ -191,9 +172,9 @@ abstract class HalfEdges {
     }
 
     /**
-     * What feature lines (boundary edges and creases) do at a vertex: {@link #SMOOTH} if none meets it, {@link #ON_FEATURE_LINE} if
-     * one runs through it, {@link #CORNER} if it ends, branches or turns sharply. For the second, {@link #previousOnLine} and
-     * {@link #nextOnLine} are the neighbours along the line.
+     * What feature lines (boundary edges and creases) do at a vertex: {@link #SMOOTH} if none meets it,
+     * {@link #ON_FEATURE_LINE} if one runs through it, {@link #CORNER} if it ends, branches or turns sharply. For the
+     * second, {@link #previousOnLine} and {@link #nextOnLine} are the neighbours along the line.
      */
     int featureKind(int v) {
         if (!hasCreases && twin[out[v]] != NONE) {
@@ -286,18 +267,6 @@ abstract class HalfEdges {
         return false;
     }
 
-    boolean areNeighbours(int a, int b) {
-        int h = out[a];
-        do {
-            int back = previous(h);
-            if (end(h) == b || start[back] == b) {
-                return true;
-            }
-            h = twin[back];
-        } while (h != NONE && h != out[a]);
-        return false;
-    }
-
     /** A new triangle without neighbours; returns its first half-edge. */
     final int newTriangle(int a, int b, int c) {
         int t = freeTriangles.isEmpty() ? 3 * triangleEnd++ : freeTriangles.removeLast();
@@ -360,22 +329,5 @@ abstract class HalfEdges {
         out[v] = NONE;
         freeVertices.add(v);
         vertexCount--;
-    }
-
-    TriangleMesh toMesh() {
-        int[] name = new int[vertexEnd];
-        double[] p = new double[3 * vertexCount];
-        int n = 0;
-        for (int v = 0; v < vertexEnd; v++) {
-            if (out[v] != NONE) {
-                System.arraycopy(position, 3 * v, p, 3 * n, 3);
-                name[v] = n++;
-            }
-        }
-        int[] t = Arrays.stream(start, 0, 3 * triangleEnd)
-                .filter(v -> v != NONE)
-                .map(v -> name[v])
-                .toArray();
-        return new TriangleMesh(p, t);
     }
 }

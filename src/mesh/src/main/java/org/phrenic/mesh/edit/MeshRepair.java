@@ -3,14 +3,15 @@ package org.phrenic.mesh.edit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Makes a usable surface of what a file or a segmentation holds: welds vertices, drops what has no area or stands
- * twice, turns triangles to one side, closes seams and holes. Every step keeps the order of what it keeps, so that the
- * same input gives the same output.
+ * Repair of surfaces from files and segmentations: welds vertices, removes degenerate and duplicate triangles, orients
+ * triangles consistently, closes seams. Every step keeps the order of what remains, so that equal input gives equal
+ * output.
  */
 public final class MeshRepair {
     /** Twice the area over the square of the longest side, below which a triangle is a line: an angle of 1e-12 rad. */
@@ -59,12 +60,12 @@ public final class MeshRepair {
     }
 
     /**
-     * {@link #weld}, {@link #clean}, {@link #orient} in turn, and before the last of them the seams between the patches
-     * of the surface closed ({@link SeamStitcher}): a file's patches may differ along their common rim by more than two
-     * vertices may inside one of them.
+     * {@link #weld}, closing of seams, {@link #clean} and {@link #orient} in turn. Vertices on open edges are welded
+     * within a larger distance than all others: patches of one surface may differ along their common boundary by more
+     * than vertices inside a patch are apart.
      *
      * @param tolerance of all vertices, mm
-     * @param seam of those on open edges, mm; not above the tolerance nothing more is done
+     * @param seam welding distance on open edges, mm; not used unless above the tolerance
      */
     public static Result repair(TriangleMesh mesh, double tolerance, double seam) {
         Result joined = weld(mesh, tolerance);
@@ -72,11 +73,11 @@ public final class MeshRepair {
         TriangleMesh welded = joined.mesh();
         EdgeTable edges = new EdgeTable(welded);
         if (seam > tolerance && !edges.isClosed()) {
-            joined = SeamStitcher.stitch(welded, edges, seam);
+            joined = weldBoundaries(welded, edges, seam);
             report = report.plus(joined.report());
         }
         Result cleaned = clean(joined.mesh());
-        // Most meshes need nothing: what changes nothing hands its mesh on.
+        // A step that changes nothing returns the same mesh.
         if (cleaned.mesh() != welded) {
             edges = new EdgeTable(cleaned.mesh());
         }
@@ -86,7 +87,7 @@ public final class MeshRepair {
 
     /**
      * Replaces each vertex by the nearest earlier kept vertex within {@code tolerance} (mm), the earliest of equals; a
-     * vertex that has none is kept. Vertices that lose their place are dropped.
+     * vertex that has none is kept. Replaced vertices are removed.
      *
      * @param tolerance mm, at least 0; 0 welds equal coordinates only
      */
@@ -97,7 +98,36 @@ public final class MeshRepair {
         return merge(mesh, new VertexWelder(mesh.positions(), tolerance).representatives());
     }
 
-    /** Lets each vertex's keeper stand for it. */
+    /** Welds vertices on open edges within a distance, mm; vertices inside a patch stay, however near to each other. */
+    private static Result weldBoundaries(TriangleMesh mesh, EdgeTable edges, double distance) {
+        int[] rim = boundaryVertices(mesh, edges);
+        double[] p = mesh.positions();
+        double[] places = new double[3 * rim.length];
+        for (int i = 0; i < rim.length; i++) {
+            System.arraycopy(p, 3 * rim[i], places, 3 * i, 3);
+        }
+        int[] keeperOfRim = new VertexWelder(places, distance).representatives();
+        int[] keeper = new int[mesh.vertexCount()];
+        Arrays.setAll(keeper, v -> v);
+        for (int i = 0; i < rim.length; i++) {
+            keeper[rim[i]] = rim[keeperOfRim[i]];
+        }
+        return merge(mesh, keeper);
+    }
+
+    /** The vertices that have an edge with one triangle, in their order. */
+    private static int[] boundaryVertices(TriangleMesh mesh, EdgeTable edges) {
+        boolean[] open = new boolean[mesh.vertexCount()];
+        for (int e = 0; e < edges.edgeCount(); e++) {
+            if (edges.faceCount(e) == 1) {
+                open[edges.edges()[2 * e]] = true;
+                open[edges.edges()[2 * e + 1]] = true;
+            }
+        }
+        return IntStream.range(0, open.length).filter(v -> open[v]).toArray();
+    }
+
+    /** Replaces each vertex by its representative. */
     static Result merge(TriangleMesh mesh, int[] keeper) {
         int welded = 0;
         for (int v = 0; v < keeper.length; v++) {
@@ -173,9 +203,9 @@ public final class MeshRepair {
     }
 
     /**
-     * Turns triangles so that neighbours across every manifold edge agree. A piece that is closed then faces outward
-     * (positive signed volume); of an open piece the side that more of its triangles already showed is kept. A
-     * one-sided surface cannot agree everywhere and keeps a seam.
+     * Orients triangles so that neighbours across every manifold edge agree. A piece that is closed then faces outward
+     * (positive signed volume); an open piece keeps the orientation of the majority of its triangles. A one-sided
+     * surface keeps a seam.
      */
     public static Result orient(TriangleMesh mesh) {
         return MeshOrienter.orient(mesh, new EdgeTable(mesh));

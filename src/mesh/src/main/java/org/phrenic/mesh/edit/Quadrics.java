@@ -8,13 +8,14 @@ package org.phrenic.mesh.edit;
 final class Quadrics {
     private static final int WIDTH = 10;
     /**
-     * Pull towards the middle of the edge, as a share of the trace: where planes leave a direction open, it decides.
+     * Regularization towards the midpoint of the edge, relative to the trace, for directions that the planes leave
+     * undetermined.
      */
     private static final double PULL = 1e-3;
 
     private final double[] q;
     private final double[] origin;
-    /** The best place found last. */
+    /** The point found by the last {@link #minimize}. */
     double x;
 
     double y;

@@ -25,11 +25,11 @@ public final class Remesher {
     /** Below this cosine between its triangles (a bend of 60 degrees) an edge is a crease. */
     private static final double CREASE = 0.5;
 
-    /** Edges below this part of the target length are taken out at the end, more boldly than the rest. */
-    private static final double SPLINTER = 0.4;
+    /** Edges below this part of the target length may turn triangles by 110 degrees as they collapse at the end. */
+    private static final double SHORT_AT_END = 0.4;
 
-    /** Edges below this part of it are taken out whatever side their triangles then show. */
-    private static final double CRUMB = 0.25;
+    /** Edges below this part of it collapse at the end however triangles turn. */
+    private static final double TINY_AT_END = 0.25;
 
     private static final int LEAST_VERTICES = 12;
     private static final int MOST_VERTICES = 20_000_000;
@@ -108,8 +108,8 @@ public final class Remesher {
         for (int round = 0; round < FINAL_ROUNDS; round++) {
             flipper.flipAll();
             relaxer.relax(REACH * length);
-            collapser.collapse(CRUMB * length, 2 * length, 4, EdgeCollapser.RECKLESS);
-            collapser.collapse(SPLINTER * length, 2 * length, 4, EdgeCollapser.BOLD);
+            collapser.collapse(TINY_AT_END * length, 2 * length, 4, EdgeCollapser.ANY_TURN);
+            collapser.collapse(SHORT_AT_END * length, 2 * length, 4, EdgeCollapser.UP_TO_110_DEG);
             meetCount();
         }
         flipper.flipAll();
@@ -211,7 +211,7 @@ public final class Remesher {
     private void collapseShort() {
         for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
             int before = mesh.vertexCount();
-            collapser.collapse(SHORT * length, LONG * length, 4, EdgeCollapser.CAREFUL);
+            collapser.collapse(SHORT * length, LONG * length, 4, EdgeCollapser.UP_TO_75_DEG);
             if (before - mesh.vertexCount() <= before / 100) {
                 return;
             }
@@ -227,7 +227,7 @@ public final class Remesher {
             } else {
                 double reach = 1 + 0.25 * sweep;
                 collapser.collapse(
-                        SHORT * reach * length, LONG * reach * reach * length, vertices, EdgeCollapser.CAREFUL);
+                        SHORT * reach * length, LONG * reach * reach * length, vertices, EdgeCollapser.UP_TO_75_DEG);
             }
             flipper.flipAll();
         }

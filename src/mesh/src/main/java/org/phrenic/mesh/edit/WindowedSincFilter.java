@@ -14,11 +14,11 @@ import org.phrenic.mesh.TriangleMesh;
  * </pre>
  *
  * where k_pb is the pass band, w a {@link Window} and sigma chosen by Newton's method so that the filter lets k_pb
- * through. It does not shrink, and cuts off what changes from vertex to vertex.
+ * through. The surface does not shrink; detail of the size of single edges is removed.
  */
 public final class WindowedSincFilter {
     private static final int MOST_NEWTON_STEPS = 500;
-    /** VTK stops there; a finer one would not agree with it. */
+    /** As in VTK. */
     private static final double NEWTON_TOLERANCE = 1e-3;
     /** A boundary that turns by more than 15 degrees at a vertex holds it. */
     private static final double STRAIGHT = StrictMath.cos(Math.toRadians(15));

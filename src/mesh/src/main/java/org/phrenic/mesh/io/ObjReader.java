@@ -94,7 +94,7 @@ final class ObjReader {
                 return index;
             }
         } catch (NumberFormatException notWhole) {
-            // Told below, like zero.
+            // Reported below, like zero.
         }
         throw cursor.badInput("found face corner " + Numbers.quote(corner)
                 + ", expected vertex indices as v, v/vt, v//vn or v/vt/vn, counted from 1 or backwards from -1");

@@ -108,7 +108,7 @@ record PlyHeader(List<Element> elements) {
         try {
             count = Integer.parseInt(words[2]);
         } catch (NumberFormatException notWhole) {
-            // Told below, like a negative count.
+            // Reported below, like a negative count.
         }
         if (count < 0) {
             throw cursor.badInput("found " + Numbers.quote(words[2]) + ", expected the number of elements '" + words[1]

@@ -7,8 +7,8 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Vertices and polygons as a reader meets them; in the end a triangle mesh. Refuses coordinates that are no finite
- * numbers, polygons of fewer than three corners, and corners that name no vertex. A polygon may come before its
+ * Vertices and polygons collected by a reader, and the triangle mesh made of them. Refuses coordinates that are no
+ * finite numbers, polygons of fewer than three corners, and corners that name no vertex. A polygon may come before its
  * vertices.
  */
 final class PolygonSoup {
@@ -71,7 +71,9 @@ final class PolygonSoup {
         closePolygon(source);
     }
 
-    /** The triangle strip {@code points[from..to)}; every second triangle is reversed, so that all face the same way. */
+    /**
+     * The triangle strip {@code points[from..to)}; every second triangle is reversed, so that all face the same way.
+     */
     void strip(InputLocator source, long[] points, int from, int to) {
         if (to - from < 3) {
             throw source.badInput("found a strip of " + (to - from) + " points, expected 3 or more");

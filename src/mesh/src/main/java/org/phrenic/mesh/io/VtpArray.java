@@ -57,8 +57,7 @@ final class VtpArray implements InputLocator {
                 String word = words[i];
                 int at = i;
                 values[i] = Numbers.parse(word)
-                        .orElseThrow(
-                                () -> badInput(at, "found " + Numbers.quote(word) + ", expected a finite number"));
+                        .orElseThrow(() -> badInput(at, "found " + Numbers.quote(word) + ", expected a finite number"));
             }
             return values;
         }
@@ -101,27 +100,27 @@ final class VtpArray implements InputLocator {
 
     private ByteBuffer content(byte[] bytes) {
         ByteBuffer encoded = encoded(bytes);
-        byte[] content = document.compressed() ? inflated(encoded) : take(encoded, headerNumber(encoded));
+        byte[] content = document.compressed ? inflated(encoded) : take(encoded, headerNumber(encoded));
         if (content.length % array.type().size() != 0) {
             throw badArray("found " + content.length + " bytes, expected a multiple of "
                     + array.type().size());
         }
-        return ByteBuffer.wrap(content).order(document.order());
+        return ByteBuffer.wrap(content).order(document.order);
     }
 
     private ByteBuffer encoded(byte[] bytes) {
         if (array.format().equals("binary")) {
             return base64(array.text().getBytes(StandardCharsets.ISO_8859_1), 0);
         }
-        if (document.appended() < 0) {
+        if (document.appended < 0) {
             throw badArray("found format 'appended', expected the file to hold AppendedData");
         }
-        long from = document.appended() + array.offset();
+        long from = document.appended + array.offset();
         if (from < 0 || from >= bytes.length) {
             throw badArray("found offset " + array.offset() + ", expected one within the "
-                    + (bytes.length - document.appended()) + " bytes of appended data");
+                    + (bytes.length - document.appended) + " bytes of appended data");
         }
-        return document.appendedRaw()
+        return document.appendedRaw
                 ? ByteBuffer.wrap(bytes, (int) from, (int) (bytes.length - from))
                 : base64(bytes, (int) from);
     }
@@ -134,7 +133,7 @@ final class VtpArray implements InputLocator {
         if (blocks == 0) {
             return new byte[0];
         }
-        if (blocks < 0 || blocks > encoded.remaining() / document.headerType().size()) {
+        if (blocks < 0 || blocks > encoded.remaining() / document.headerType.size()) {
             throw badArray("found " + blocks + " compressed blocks promised, expected what the file can hold");
         }
         long[] packed = new long[(int) blocks];
@@ -190,8 +189,8 @@ final class VtpArray implements InputLocator {
     }
 
     private long headerNumber(ByteBuffer encoded) {
-        byte[] number = take(encoded, document.headerType().size());
-        return document.headerType().readLong(ByteBuffer.wrap(number).order(document.order()), 0);
+        byte[] number = take(encoded, document.headerType.size());
+        return document.headerType.readLong(ByteBuffer.wrap(number).order(document.order), 0);
     }
 
     private byte[] take(ByteBuffer encoded, long count) {
@@ -204,8 +203,9 @@ final class VtpArray implements InputLocator {
     }
 
     /**
-     * Decodes base64 (RFC 4648) from a place on, up to the first character that is not part of it; white space is skipped. Padding
-     * does not end the content: VTK encodes the header of compressed data separately from the data that follows it.
+     * Decodes base64 (RFC 4648) from a place on, up to the first character that is not part of it; white space is
+     * skipped. Padding does not end the content: VTK encodes the header of compressed data separately from the data
+     * that follows it.
      */
     private static ByteBuffer base64(byte[] content, int from) {
         ByteArrayOutputStream decoded = new ByteArrayOutputStream();

@@ -16,12 +16,12 @@ final class VtpReader {
     private VtpReader(String file, byte[] bytes) {
         this.file = file;
         this.bytes = bytes;
-        this.document = VtpXml.read(file, bytes);
+        this.document = VtpDocument.read(file, bytes);
     }
 
     static TriangleMesh read(String file, byte[] bytes) {
         VtpReader reader = new VtpReader(file, bytes);
-        for (VtpDocument.Piece piece : reader.document.pieces()) {
+        for (VtpDocument.Piece piece : reader.document.pieces) {
             int base = reader.soup.vertexCount();
             reader.readPoints(piece);
             reader.readCells(piece, "Polys", piece.polys(), base);

@@ -5,8 +5,8 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Points spread over surfaces so that none of their triangles has a gap: each triangle is ruled like graph paper along
- * two of its edges. Corners and edges that triangles share come more than once.
+ * Points on surfaces at no more than a given spacing: a regular barycentric grid on each triangle. Points on shared
+ * corners and edges are repeated.
  */
 public final class SurfaceSamples {
     private final double spacing;

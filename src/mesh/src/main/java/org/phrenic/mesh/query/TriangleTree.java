@@ -1,40 +1,17 @@
 package org.phrenic.mesh.query;
 
-import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * A tree of axis-aligned boxes over the triangles of a mesh: nearest point, rays, inside or outside. Boxes are halved
- * at the median triangle along their longest axis, down to four triangles; nodes lie in flat arrays, the left child
- * after its parent. The corners are copied in leaf order, so a query reads memory in a row.
+ * Nearest points, rays and inside or outside of a surface, by a tree of axis-aligned boxes (bounding volume hierarchy,
+ * {@link TriangleBoxes}).
  *
  * <p>Queries allocate nothing and may run on several threads, each with a {@link Hit} of its own; {@link #refit} may
  * not run beside them.
  */
-public final class TriangleTree {
-    private static final int LEAF_TRIANGLES = 4;
+public final class TriangleTree extends TriangleBoxes {
     private static final int NONE = -1;
-
-    private final TriangleMesh mesh;
-    /** Triangle numbers in leaf order. */
-    final int[] order;
-    /** Nine corner coordinates a triangle, in leaf order. */
-    final double[] corners;
-
-    private final double[] normal = new double[3];
-    /** Unit normal a triangle, in leaf order. */
-    private final double[] normals;
-
-    private final boolean[] flat;
-    /** Six numbers a node: minimum, then maximum. */
-    final double[] boxes;
-    /** Right child of an inner node; -1 - (first place in leaf order) of a leaf. */
-    final int[] child;
-    /** Triangles below the node, counted from its first place. */
-    final int[] count;
-
-    final int nodes;
 
     /** The answer to a query, and its working memory: make one a thread and use it again. */
     public static final class Hit {
@@ -86,64 +63,7 @@ public final class TriangleTree {
     }
 
     public TriangleTree(TriangleMesh mesh) {
-        this.mesh = mesh;
-        int n = mesh.triangleCount();
-        TriangleTreeBuilder builder = new TriangleTreeBuilder(mesh, LEAF_TRIANGLES);
-        order = builder.order();
-        child = builder.child();
-        count = builder.count();
-        nodes = builder.nodes();
-        boxes = new double[6 * nodes];
-        corners = new double[9 * n];
-        normals = new double[3 * n];
-        flat = new boolean[n];
-        refit(mesh.positions());
-    }
-
-    public TriangleMesh mesh() {
-        return mesh;
-    }
-
-    /** Moves the vertices: boxes are drawn again about the same triangles, in one pass. */
-    public void refit(double[] positions) {
-        if (positions.length != 3 * mesh.vertexCount()) {
-            throw new IllegalArgumentException(
-                    "positions: " + positions.length + " numbers, expected " + 3 * mesh.vertexCount());
-        }
-        int[] t = mesh.triangles();
-        for (int place = 0; place < order.length; place++) {
-            int o = 9 * place;
-            for (int k = 0; k < 3; k++) {
-                int v = 3 * t[3 * order[place] + k];
-                corners[o + 3 * k] = positions[v];
-                corners[o + 3 * k + 1] = positions[v + 1];
-                corners[o + 3 * k + 2] = positions[v + 2];
-            }
-            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
-            double scale = length > 0 ? 1 / length : 0;
-            for (int k = 0; k < 3; k++) {
-                normals[3 * place + k] = normal[k] * scale;
-            }
-            flat[place] = PointTriangleDistance.isDegenerate(corners, o);
-        }
-        for (int node = nodes - 1; node >= 0; node--) {
-            if (child[node] < 0) {
-                boxOfLeaf(node);
-            } else {
-                int right = 6 * child[node];
-                System.arraycopy(boxes, 6 * (node + 1), boxes, 6 * node, 6);
-                BoundingBoxes.include(boxes, 6 * node, boxes, right);
-                BoundingBoxes.include(boxes, 6 * node, boxes, right + 3);
-            }
-        }
-    }
-
-    private void boxOfLeaf(int node) {
-        BoundingBoxes.setEmpty(boxes, 6 * node);
-        int from = 9 * (-1 - child[node]);
-        for (int i = from; i < from + 9 * count[node]; i += 3) {
-            BoundingBoxes.include(boxes, 6 * node, corners, i);
-        }
+        super(mesh);
     }
 
     /** The point of the surface nearest to (x, y, z). True if the mesh has a triangle. */
@@ -151,14 +71,17 @@ public final class TriangleTree {
         return closest(x, y, z, Double.POSITIVE_INFINITY, out);
     }
 
-    /** As {@link #closest(double, double, double, Hit)} within {@code maximumDistance} mm; false if nothing is that near. */
+    /**
+     * As {@link #closest(double, double, double, Hit)} within {@code maximumDistance} mm; false if nothing is that
+     * near.
+     */
     public boolean closest(double x, double y, double z, double maximumDistance, Hit out) {
         return closest(x, y, z, maximumDistance, 0, 0, 0, Double.NaN, out);
     }
 
     /**
-     * As {@link #closest(double, double, double, double, Hit)}, among triangles whose unit normal n has n . (nx, ny, nz) &gt;
-     * {@code minimumCosine}: on a thin sheet this keeps to the side that faces along the normal.
+     * As {@link #closest(double, double, double, double, Hit)}, among triangles whose unit normal n has n . (nx, ny,
+     * nz) &gt; {@code minimumCosine}: on a thin sheet this keeps to the side that faces along the normal.
      *
      * @param minimumCosine NaN for all triangles
      */
@@ -234,7 +157,10 @@ public final class TriangleTree {
                 > out.leastCosine;
     }
 
-    /** The nearer child of a node, or the next node on the stack; the farther child goes onto the stack if it is within the limit. */
+    /**
+     * The nearer child of a node, or the next node on the stack; the farther child goes onto the stack if it is within
+     * the limit.
+     */
     private int descend(int node, double limit, Hit out) {
         int near = node + 1;
         int far = child[node];
@@ -267,8 +193,8 @@ public final class TriangleTree {
     }
 
     /**
-     * Whether a point of the surface lies within {@code distance} mm, as {@link #closest(double, double, double, double, Hit)}
-     * answers, but the first triangle so near is enough; the one of the previous query is tried first.
+     * Whether a point of the surface lies within {@code distance} mm, as {@link #closest(double, double, double,
+     * double, Hit)} answers, but the first triangle so near is enough; the one of the previous query is tried first.
      *
      * @param working memory between queries; receives no answer
      */
@@ -322,8 +248,9 @@ public final class TriangleTree {
     }
 
     /**
-     * The first triangle that the ray from (ox, oy, oz) along (dx, dy, dz) meets, from either side (Moeller and Trumbore
-     * 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.rayParameter} is in lengths of the direction.
+     * The first triangle that the ray from (ox, oy, oz) along (dx, dy, dz) meets, from either side (Moeller and
+     * Trumbore 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.rayParameter} is in lengths of the
+     * direction.
      */
     public boolean nearestAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit out) {
         out.start(ox, oy, oz, dx, dy, dz);
@@ -347,32 +274,11 @@ public final class TriangleTree {
 
     /**
      * Generalized winding number at (x, y, z): the sum of the triangles' solid angles over 4 pi, exact, over all
-     * triangles (Jacobson et al. 2013, doi 10.1145/2461912.2461916; solid angle after Van Oosterom and Strackee 1983).
-     * 1 inside and 0 outside a closed surface that faces outward; in between near the holes of an open one.
+     * triangles (Jacobson et al. 2013, doi 10.1145/2461912.2461916). 1 inside and 0 outside a closed surface that faces
+     * outward; in between near the holes of an open one.
      */
     public double windingNumber(double x, double y, double z) {
-        double sum = 0;
-        for (int o = 0; o < corners.length; o += 9) {
-            double ax = corners[o] - x;
-            double ay = corners[o + 1] - y;
-            double az = corners[o + 2] - z;
-            double bx = corners[o + 3] - x;
-            double by = corners[o + 4] - y;
-            double bz = corners[o + 5] - z;
-            double cx = corners[o + 6] - x;
-            double cy = corners[o + 7] - y;
-            double cz = corners[o + 8] - z;
-            double a = Math.sqrt(ax * ax + ay * ay + az * az);
-            double b = Math.sqrt(bx * bx + by * by + bz * bz);
-            double c = Math.sqrt(cx * cx + cy * cy + cz * cz);
-            double determinant = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-            double divisor = a * b * c
-                    + (ax * bx + ay * by + az * bz) * c
-                    + (bx * cx + by * cy + bz * cz) * a
-                    + (cx * ax + cy * ay + cz * az) * b;
-            sum += StrictMath.atan2(determinant, divisor);
-        }
-        return sum / (2 * Math.PI);
+        return SolidAngles.sum(corners, x, y, z) / (2 * Math.PI);
     }
 
     /**
@@ -380,6 +286,8 @@ public final class TriangleTree {
      * bounding box are answered at once. The cost is one pass over all triangles.
      */
     public boolean isInside(double x, double y, double z) {
-        return nodes > 0 && BoundingBoxes.squaredDistance(boxes, 0, x, y, z) == 0 && Math.abs(windingNumber(x, y, z)) > 0.5;
+        return nodes > 0
+                && BoundingBoxes.squaredDistance(boxes, 0, x, y, z) == 0
+                && Math.abs(windingNumber(x, y, z)) > 0.5;
     }
 }

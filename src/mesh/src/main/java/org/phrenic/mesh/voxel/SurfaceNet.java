@@ -42,7 +42,7 @@ public final class SurfaceNet {
         }
         startOfPart = new int[most + 2];
         for (short side : sides) {
-            // Nobody asks for the background.
+            // The background has no surface.
             startOfPart[side + 1] += side > 0 ? 1 : 0;
         }
         for (int part = 0; part <= most; part++) {

@@ -55,18 +55,18 @@ final class MetaImageReader {
                     "elementnumberofchannels",
                     "found " + header.text("elementnumberofchannels") + " values a voxel, expected 1");
         }
-        if (!truth("binarydata", true)) {
+        if (!flag("binarydata", true)) {
             throw header.badInput("binarydata", "found False, expected binary data");
         }
         VoxelDecoder voxels = new VoxelDecoder(new int[] {sizes[0], sizes[1], sizes[2]}, type(), order());
-        double[] affine = place(dimensions).affine(file);
-        boolean packed = truth("compresseddata", false);
+        double[] affine = axes(dimensions).affine(file);
+        boolean packed = flag("compresseddata", false);
         if (header.text("elementdatafile").equals("LOCAL")) {
             return volume(path, in, voxels, affine, packed);
         }
         Path data = header.fileBeside(path, "elementdatafile");
         try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
-            apart.skipNBytes(skipped(data, voxels, packed));
+            apart.skipNBytes(bytesToSkip(data, voxels, packed));
             return volume(data, apart, voxels, affine, packed);
         }
     }
@@ -95,13 +95,13 @@ final class MetaImageReader {
     }
 
     /** Bytes before the voxels in a file of their own; -1 says that they are its last. */
-    private long skipped(Path data, VoxelDecoder voxels, boolean packed) {
+    private long bytesToSkip(Path data, VoxelDecoder voxels, boolean packed) {
         int stated = header.has("headersize") ? header.integers("headersize")[0] : 0;
         long bytes = stated < 0 && !packed ? InputBytes.size(data) - voxels.bytes() : stated;
         return Math.max(0, bytes);
     }
 
-    private boolean truth(String key, boolean absent) {
+    private boolean flag(String key, boolean absent) {
         String word = header.text(key, Boolean.toString(absent)).toLowerCase(Locale.ROOT);
         return switch (word) {
             case "true", "1" -> true;
@@ -130,11 +130,11 @@ final class MetaImageReader {
     }
 
     private ByteOrder order() {
-        boolean big = truth("binarydatabyteordermsb", truth("elementbyteordermsb", false));
+        boolean big = flag("binarydatabyteordermsb", flag("elementbyteordermsb", false));
         return big ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
     }
 
-    private VolumeAxes place(int dimensions) {
+    private VolumeAxes axes(int dimensions) {
         String spacingKey = header.has("elementspacing") ? "elementspacing" : "elementsize";
         double[] spacing = {1, 1, 1};
         if (header.has(spacingKey)) {

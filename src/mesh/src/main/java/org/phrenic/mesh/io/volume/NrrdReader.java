@@ -52,7 +52,7 @@ final class NrrdReader {
         int[] sizes = sizes();
         ScalarType type = type();
         VoxelDecoder voxels = new VoxelDecoder(sizes, type, order(type));
-        double[] affine = place().affine(file);
+        double[] affine = volumeAxes().affine(file);
         Map<Integer, String> names = names();
         boolean packed = isPacked();
         if (attached) {
@@ -162,7 +162,7 @@ final class NrrdReader {
         return endian.equals("big") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
     }
 
-    private VolumeAxes place() {
+    private VolumeAxes volumeAxes() {
         String space = header.text("space", "").toLowerCase(Locale.ROOT);
         if (header.has("space directions")) {
             List<String> vectors = vectors("space directions");

@@ -126,7 +126,7 @@ final class VolumeHeader {
                 return beside;
             }
         } catch (InvalidPathException none) {
-            // Told below, like a name that no file has.
+            // Reported below, like a name that no file has.
         }
         throw badInput(key, "found " + Numbers.quote(name) + ", a file that is not there, expected the voxels' file");
     }

@@ -1,0 +1,186 @@
+package org.phrenic.mesh.query;
+
+import java.util.Arrays;
+import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.BoundingBoxes;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * A bounding volume hierarchy: axis-aligned boxes over the triangles of a mesh. Boxes are halved at the median centroid
+ * along their longest axis, down to four triangles; nodes are in flat arrays, the left child after its parent. The
+ * corners are copied in leaf order, so that a query reads memory in a row.
+ */
+abstract class TriangleBoxes {
+    private static final int LEAF_TRIANGLES = 4;
+
+    private final TriangleMesh mesh;
+    /** Triangle numbers in leaf order. */
+    final int[] order;
+    /** Nine corner coordinates a triangle, in leaf order. */
+    final double[] corners;
+    /** Unit normal a triangle, in leaf order. */
+    final double[] normals;
+    /** Whether a triangle is degenerate, in leaf order. */
+    final boolean[] flat;
+    /** Six numbers a node: minimum, then maximum. */
+    final double[] boxes;
+    /** Right child of an inner node; -1 - (first place in leaf order) of a leaf. */
+    final int[] child;
+    /** Triangles below the node, counted from its first place. */
+    final int[] count;
+
+    int nodes;
+
+    private final double[] normal = new double[3];
+
+    TriangleBoxes(TriangleMesh mesh) {
+        this.mesh = mesh;
+        int n = mesh.triangleCount();
+        order = new int[n];
+        Arrays.setAll(order, i -> i);
+        // Halving down to the leaf size makes leaves of more than half of it.
+        int most = Math.max(1, 4 * n / LEAF_TRIANGLES + 2);
+        child = new int[most];
+        count = new int[most];
+        if (n > 0) {
+            build(0, n, centroids(mesh));
+        }
+        boxes = new double[6 * nodes];
+        corners = new double[9 * n];
+        normals = new double[3 * n];
+        flat = new boolean[n];
+        refit(mesh.positions());
+    }
+
+    /** Three times the centroid of each triangle. */
+    private static double[] centroids(TriangleMesh mesh) {
+        int[] t = mesh.triangles();
+        double[] p = mesh.positions();
+        double[] centroids = new double[t.length];
+        for (int i = 0; i < t.length; i++) {
+            int first = i - i % 3;
+            int axis = i % 3;
+            centroids[i] = p[3 * t[first] + axis] + p[3 * t[first + 1] + axis] + p[3 * t[first + 2] + axis];
+        }
+        return centroids;
+    }
+
+    public TriangleMesh mesh() {
+        return mesh;
+    }
+
+    /** Moves the vertices: boxes are drawn again about the same triangles, in one pass. */
+    public void refit(double[] positions) {
+        if (positions.length != 3 * mesh.vertexCount()) {
+            throw new IllegalArgumentException(
+                    "positions: " + positions.length + " numbers, expected " + 3 * mesh.vertexCount());
+        }
+        int[] t = mesh.triangles();
+        for (int place = 0; place < order.length; place++) {
+            int o = 9 * place;
+            for (int k = 0; k < 3; k++) {
+                int v = 3 * t[3 * order[place] + k];
+                corners[o + 3 * k] = positions[v];
+                corners[o + 3 * k + 1] = positions[v + 1];
+                corners[o + 3 * k + 2] = positions[v + 2];
+            }
+            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
+            double scale = length > 0 ? 1 / length : 0;
+            for (int k = 0; k < 3; k++) {
+                normals[3 * place + k] = normal[k] * scale;
+            }
+            flat[place] = PointTriangleDistance.isDegenerate(corners, o);
+        }
+        for (int node = nodes - 1; node >= 0; node--) {
+            if (child[node] < 0) {
+                boxOfLeaf(node);
+            } else {
+                int right = 6 * child[node];
+                System.arraycopy(boxes, 6 * (node + 1), boxes, 6 * node, 6);
+                BoundingBoxes.include(boxes, 6 * node, boxes, right);
+                BoundingBoxes.include(boxes, 6 * node, boxes, right + 3);
+            }
+        }
+    }
+
+    private void boxOfLeaf(int node) {
+        BoundingBoxes.setEmpty(boxes, 6 * node);
+        int from = 9 * (-1 - child[node]);
+        for (int i = from; i < from + 9 * count[node]; i += 3) {
+            BoundingBoxes.include(boxes, 6 * node, corners, i);
+        }
+    }
+
+    private void build(int from, int to, double[] centroids) {
+        int node = nodes++;
+        count[node] = to - from;
+        if (to - from <= LEAF_TRIANGLES) {
+            child[node] = -1 - from;
+            return;
+        }
+        int middle = (from + to) >>> 1;
+        select(from, to - 1, middle, longestAxis(from, to, centroids), centroids);
+        build(from, middle, centroids);
+        child[node] = nodes;
+        build(middle, to, centroids);
+    }
+
+    private int longestAxis(int from, int to, double[] centroids) {
+        int longest = 0;
+        double extent = -1;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = from; i < to; i++) {
+                double value = centroids[3 * order[i] + axis];
+                low = value < low ? value : low;
+                high = value > high ? value : high;
+            }
+            if (high - low > extent) {
+                extent = high - low;
+                longest = axis;
+            }
+        }
+        return longest;
+    }
+
+    /** Hoare's selection: afterwards no centroid before {@code k} lies beyond one from {@code k} on. */
+    private void select(int first, int last, int k, int axis, double[] centroids) {
+        int from = first;
+        int to = last;
+        while (from < to) {
+            double pivot = medianOfThree(from, (from + to) >>> 1, to, axis, centroids);
+            int i = from;
+            int j = to;
+            while (i <= j) {
+                while (centroids[3 * order[i] + axis] < pivot) {
+                    i++;
+                }
+                while (centroids[3 * order[j] + axis] > pivot) {
+                    j--;
+                }
+                if (i <= j) {
+                    int swap = order[i];
+                    order[i] = order[j];
+                    order[j] = swap;
+                    i++;
+                    j--;
+                }
+            }
+            if (k <= j) {
+                to = j;
+            } else if (k >= i) {
+                from = i;
+            } else {
+                return;
+            }
+        }
+    }
+
+    private double medianOfThree(int i, int j, int k, int axis, double[] centroids) {
+        double a = centroids[3 * order[i] + axis];
+        double b = centroids[3 * order[j] + axis];
+        double c = centroids[3 * order[k] + axis];
+        return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
+    }
+}
