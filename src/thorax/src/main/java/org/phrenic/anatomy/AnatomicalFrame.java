@@ -6,10 +6,10 @@ import java.util.Optional;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Which way is up: the axes and the unit in which a thorax was given, and the way from there to LPS millimetres. Axes
- * are three letters, the directions of +x, +y and +z (L or R, P or A, S or I). Where nobody states them they are read
- * off the body: the spine and sternum tell front from back, the ribs up from down, the sides named in the structures
- * left from right.
+ * The axes and the unit in which a thorax is given, and the transform to LPS millimetres. Axes are three letters, the
+ * directions of +x, +y and +z (L or R, P or A, S or I). Where they are not stated they are detected from the
+ * structures: the spine and sternum tell front from back, the ribs up from down, the sides named in the structures left
+ * from right.
  *
  * @param axes three letters, such as {@code LSA}
  * @param millimetresPerUnit millimetres a unit
@@ -106,7 +106,7 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
         return new AnatomicalFrame(axes, detectUnit(structures, axes));
     }
 
-    /** A sentence where the structures' places say that these axes are not theirs; empty too where they say nothing. */
+    /** A sentence if the axes detected from the structures differ from these; empty where none can be detected. */
     Optional<String> axesMismatch(List<Structure> structures) {
         String seen = detectedAxes(structures);
         return determinant(seen) == 0 || seen.equals(axes)

@@ -6,9 +6,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Where the crura come from: the first three lumbar vertebrae and the discs between them, by tendons that blend with
- * the ligament there; and above them the front of the last thoracic one, where the median arcuate ligament joins the
- * two. What of the sheet lies there does not slide, and the less of it is muscle the nearer it is.
+ * The origin of the crura: the first three lumbar vertebrae and the discs between them, by tendons that blend with the
+ * ligament there; and above them the front of the last thoracic one, where the median arcuate ligament joins the two.
+ * What of the sheet lies there does not slide, and the less of it is muscle the nearer it is.
  */
 public final class CruralOrigin {
     /** T12, and the disc below it. */

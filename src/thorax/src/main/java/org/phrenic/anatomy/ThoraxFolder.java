@@ -63,7 +63,7 @@ public final class ThoraxFolder {
         Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
         List<String> notes = new ArrayList<>();
         List<Found> found = new ArrayList<>();
-        // Keys are lists: to hash a record the machine makes forty classes when it first does.
+        // Lists as keys: the first hash of a record makes the JVM generate some forty classes.
         Map<List<Object>, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
@@ -113,8 +113,8 @@ public final class ThoraxFolder {
     }
 
     /**
-     * Reads the files one after the other: side by side, threads that count how often new code runs hinder each other
-     * more than they help.
+     * Reads the files one after the other: in parallel, threads contend on the profile counters of code not yet
+     * compiled.
      */
     private static List<Structure> read(List<Found> found) {
         return found.stream().map(ThoraxFolder::read).toList();
@@ -163,7 +163,9 @@ public final class ThoraxFolder {
         return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
     }
 
-    /** Only a closed sheet can breathe; of loose crura and the like the reader is told that they are left out. */
+    /**
+     * Notes the shells of a diaphragm that are left out, such as loose crura: only the largest closed one is simulated.
+     */
     private static void noteExtraShells(TriangleMesh diaphragm, List<String> notes) {
         List<TriangleMesh> shells = ConnectedComponents.of(diaphragm);
         if (shells.size() > 1) {

@@ -1,5 +1,7 @@
 package org.phrenic.breathing;
 
+import org.phrenic.document.Key;
+
 /**
  * How a person breathes. The presets in {@code data/breathing} give a source for each number.
  *
@@ -13,13 +15,13 @@ package org.phrenic.breathing;
  *     diaphragm alone, 1 with the ribs alone
  */
 public record BreathingParameters(
-        double ratePerMin,
+        @Key(above = 0, max = 150) double ratePerMin,
         double inspiratoryFraction,
         double pauseFraction,
-        double activation,
-        double pressure,
-        double ribTurn,
-        double chestShare) {
+        @Key(min = 0, max = 1) double activation,
+        @Key(min = 0, max = 1) double pressure,
+        @Key(min = 0, max = 1) double ribTurn,
+        @Key(min = 0, max = 1) double chestShare) {
     /** Leaves both drives as they stand. */
     public static final double BALANCED_SHARE = 0.5;
 

@@ -1,8 +1,8 @@
 package org.phrenic.breathing;
 
 /**
- * The step from 0 to 1 without a jerk: {@code s(u) = u^3 (10 - 15 u + 6 u^2)}, 0 before {@code u = 0} and 1 after
- * {@code u = 1}; its first and second derivatives are 0 at both ends (K. Perlin 2002, doi 10.1145/566654.566636).
+ * The smoother step from 0 to 1: {@code s(u) = u^3 (10 - 15 u + 6 u^2)}, 0 before {@code u = 0} and 1 after {@code u =
+ * 1}; its first and second derivatives are 0 at both ends (K. Perlin 2002, doi 10.1145/566654.566636).
  */
 public final class Smootherstep {
     private Smootherstep() {}

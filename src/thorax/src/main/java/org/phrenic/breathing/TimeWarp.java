@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The clock of a breath that can be held: it goes with the time, is slowed smoothly to a stop and let go again.
+ * The time of a breath that can be held: it runs with simulated time, slows smoothly to a stop and starts again.
  *
  * <p>{@code tau(t) = tau_0 + r_0 (t - t_0) + (r_1 - r_0) D I((t - t_0) / D)}, {@code r} its rate (1 goes, 0 stands),
  * {@code D} the ramp and {@code I} the integral of the smooth step; so tau and its rate are continuous, and tau is a

@@ -1,2 +1,5 @@
-/** What breathing asks of muscle, pressure and ribs at a time, and what breathing parameters mean. */
+/**
+ * What a breath is: its parameters, its waveform, the state that a pattern writes at a time, and recorded traces. No
+ * anatomy and no simulation.
+ */
 package org.phrenic.breathing;

@@ -54,11 +54,17 @@ public final class CsvTable {
      * @param name what to call it in messages
      */
     public static CsvTable parse(String name, String text) {
+        return parse(name, text, null);
+    }
+
+    /** As the other; lines that begin with {@code comment} are not read, null for none. */
+    public static CsvTable parse(String name, String text, Character comment) {
         String content = text.startsWith("\uFEFF") ? text.substring(1) : text;
-        char delimiter = delimiter(content);
+        char delimiter = comment == null ? delimiter(content) : ',';
         CSVFormat format = CSVFormat.RFC4180
                 .builder()
                 .setDelimiter(delimiter)
+                .setCommentMarker(comment)
                 .setIgnoreEmptyLines(false)
                 .setIgnoreSurroundingSpaces(true)
                 .get();
@@ -151,23 +157,10 @@ public final class CsvTable {
      * @throws BadInputException if there is no such column or a cell is no number
      */
     public double[] numbers(String column) {
-        return numbers(column, false);
-    }
-
-    /** Like {@link #numbers(String)}, with NaN where a cell is empty. */
-    public double[] numbersOrNaN(String column) {
-        return numbers(column, true);
-    }
-
-    private double[] numbers(String column, boolean gaps) {
         int at = index(column);
         double[] numbers = new double[rows.size()];
         for (int row = 0; row < numbers.length; row++) {
             String cell = rows.get(row)[at].strip();
-            if (gaps && cell.isEmpty()) {
-                numbers[row] = Double.NaN;
-                continue;
-            }
             OptionalDouble value = Numbers.parse(decimalComma ? cell.replace(',', '.') : cell);
             if (value.isEmpty()) {
                 throw badCell(row, column, "found " + Numbers.quote(cell) + ", expected a number");

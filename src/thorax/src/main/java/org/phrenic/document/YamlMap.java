@@ -69,6 +69,11 @@ public final class YamlMap {
         return has(key) ? integer(key) : absent;
     }
 
+    /** A whole number that an {@code int} holds. */
+    public int wholeInt(String key) {
+        return get(key, "a whole number").wholeInt();
+    }
+
     /** True or false. */
     public boolean flag(String key) {
         return get(key, "true or false").flag();
@@ -167,7 +172,7 @@ public final class YamlMap {
 
     /** An exception about this mapping as a whole. */
     public BadInputException bad(String problem) {
-        return place.bad(problem);
+        return place.path().isEmpty() ? new BadInputException(place.file() + ": " + problem) : place.bad(problem);
     }
 
     Map<String, YamlValue> values() {

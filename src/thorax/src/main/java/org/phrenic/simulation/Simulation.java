@@ -1,7 +1,5 @@
 package org.phrenic.simulation;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -86,15 +84,10 @@ public final class Simulation implements AutoCloseable {
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
         BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
-        RibCage cage;
-        try {
-            cage = RibCage.of(
-                    thorax,
-                    RibAxisTable.preset(RibAxisTable.WILSON_CT),
-                    scenario.get(OrganSettings.STERNUM) != SternumModel.OFF);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        RibCage cage = RibCage.of(
+                thorax,
+                RibAxisTable.preset(RibAxisTable.WILSON_CT),
+                scenario.get(OrganSettings.STERNUM) != SternumModel.OFF);
         Workers workers = Workers.of(scenario.threads());
         try {
             Scene scene = SceneAssembly.assemble(scenario, thorax, new RampedValues(scenario), drive, cage, workers);

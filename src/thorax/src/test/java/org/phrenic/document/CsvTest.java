@@ -82,12 +82,6 @@ class CsvTest {
     }
 
     @Test
-    void aGapIsNaNWhereGapsAreAskedFor() {
-        CsvTable table = CsvTable.parse("t.csv", "a,b\n1,\n2,3\n");
-        assertThat(table.numbersOrNaN("b")).containsExactly(Double.NaN, 3);
-    }
-
-    @Test
     void whatIsWrittenIsReadBackBitForBit() {
         double[] values = {Math.PI, -1e-300, 1e300, 0.1 + 0.2, -0.0};
         Path file = folder.resolve("o/curves.csv");

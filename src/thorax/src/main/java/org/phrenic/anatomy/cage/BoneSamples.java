@@ -40,7 +40,7 @@ final class BoneSamples {
                 case STERNUM -> all.addRigid(s.mesh(), cage.sternum());
                 case VERTEBRA -> all.addRigid(s.mesh(), RibCage.TRUNK);
                 default -> {
-                    // Soft parts carry nothing.
+                    // Soft parts move no point.
                 }
             }
         }

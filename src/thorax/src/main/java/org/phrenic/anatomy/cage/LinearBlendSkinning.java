@@ -4,8 +4,8 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Points carried by bones: each by up to {@value SkinningWeights#MAX_BODIES} bodies, x = Σ w T_k X with weights that
- * sum to 1 (linear blending: exact for a point on one bone, smooth between two).
+ * Linear blend skinning of points by bones: each by up to {@value SkinningWeights#MAX_BODIES} bodies, x = Σ w T_k X
+ * with weights that sum to 1 (linear blending: exact for a point on one bone, smooth between two).
  */
 public final class LinearBlendSkinning implements PrescribedMotion {
     private static final int POINTS_PER_BLOCK = 512;

@@ -2,19 +2,14 @@ package org.phrenic.anatomy.cage;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import org.apache.commons.csv.CSVFormat;
-import org.apache.commons.csv.CSVParser;
-import org.apache.commons.csv.CSVRecord;
 import org.phrenic.anatomy.Side;
+import org.phrenic.document.CsvTable;
 import org.phrenic.engine.kinematics.HelicalAxis;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -72,105 +67,63 @@ public final class RibAxisTable {
      * A table that comes with the program.
      *
      * @param name {@link #WILSON_CT} or {@link #NECK}
-     * @throws IOException if there is none of that name
+     * @throws BadInputException if there is none of that name
      */
-    public static RibAxisTable preset(String name) throws IOException {
-        String resource = "/org/phrenic/data/ribs/" + name + ".csv";
-        try (InputStream in = RibAxisTable.class.getResourceAsStream(resource)) {
+    public static RibAxisTable preset(String name) {
+        try (InputStream in = RibAxisTable.class.getResourceAsStream("/org/phrenic/data/ribs/" + name + ".csv")) {
             if (in == null) {
-                throw new IOException(
+                throw new BadInputException(
                         "rib axes: no table '" + name + "', expected '" + WILSON_CT + "' or '" + NECK + "'");
             }
-            return read(new InputStreamReader(in, StandardCharsets.UTF_8), name + ".csv");
+            return parse(name + ".csv", new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
     /**
-     * Reads a table of the same columns from a file.
+     * Reads a table; lines that begin with # are comments.
      *
-     * @throws IOException if it cannot be read or a value is missing or out of range; the message names the line
+     * @throws BadInputException naming line and column for a value that is missing or out of range
      */
-    public static RibAxisTable read(Path file) throws IOException {
-        try (Reader reader = Files.newBufferedReader(file)) {
-            return read(reader, file.toString());
-        }
-    }
-
-    static RibAxisTable read(Reader reader, String name) throws IOException {
-        CSVFormat format = CSVFormat.DEFAULT
-                .builder()
-                .setCommentMarker('#')
-                .setHeader()
-                .setSkipHeaderRecord(true)
-                .setTrim(true)
-                .get();
-        Row[] found = new Row[LEVELS + 1];
-        try (CSVParser parser = CSVParser.parse(reader, format)) {
-            for (CSVRecord csv : parser) {
-                String place = name + " line " + parser.getCurrentLineNumber();
-                Row row = row(csv, place);
-                if (found[row.level()] != null) {
-                    throw new IOException(place + ": rib " + row.level() + " for a second time, expected it once");
-                }
-                found[row.level()] = row;
+    static RibAxisTable parse(String name, String text) {
+        CsvTable table = CsvTable.parse(name, text, '#');
+        double[] level = table.numbers("rib");
+        double[] pump = table.numbers("pump_deg");
+        double[] bucket = table.numbers("bucket_deg");
+        double[] swing = table.numbers("swing_deg");
+        double[] slide = table.numbers("slide_mm");
+        double[] angle = table.numbers("angle_deg");
+        List<String> confidence = table.texts("confidence");
+        List<String> source = table.texts("source");
+        Row[] rows = new Row[LEVELS];
+        for (int i = 0; i < level.length; i++) {
+            int at = (int) level[i] - 1;
+            if (at + 1 != level[i] || at < 0 || at >= LEVELS) {
+                throw table.badCell(i, "rib", "found " + level[i] + ", expected 1 to " + LEVELS);
             }
-        } catch (UncheckedIOException e) {
-            // how the parser passes on what its reader throws
-            throw new IOException(name + ": " + e.getCause().getMessage() + ", expected a CSV file in UTF-8", e);
-        }
-        List<Row> rows = new ArrayList<>();
-        for (int level = 1; level <= LEVELS; level++) {
-            if (found[level] == null) {
-                throw new IOException(name + ": no line for rib " + level + ", expected ribs 1 to " + LEVELS);
+            if (rows[at] != null) {
+                throw table.badCell(i, "rib", "found rib " + (at + 1) + " a second time, expected it once");
             }
-            rows.add(found[level]);
-        }
-        return new RibAxisTable(rows);
-    }
-
-    private static Row row(CSVRecord csv, String place) throws IOException {
-        double level = number(csv, "rib", place);
-        if (level != Math.rint(level) || level < 1 || level > LEVELS) {
-            throw new IOException(place + ": rib " + text(csv, "rib", place) + ", expected 1 to " + LEVELS);
-        }
-        Row row = new Row(
-                (int) level,
-                number(csv, "pump_deg", place),
-                number(csv, "bucket_deg", place),
-                number(csv, "swing_deg", place),
-                number(csv, "slide_mm", place),
-                text(csv, "confidence", place),
-                text(csv, "source", place));
-        double angle = number(csv, "angle_deg", place);
-        if (Math.abs(angle - row.angleDeg()) > ANGLE_TOLERANCE_DEG) {
-            throw new IOException(place + ": angle_deg " + angle + ", expected the length of pump, bucket and swing, "
-                    + row.angleDeg());
-        }
-        if (angle > LARGEST_DEG || angle <= 0) {
-            throw new IOException(place + ": angle_deg " + angle + ", expected more than 0, at most " + LARGEST_DEG);
-        }
-        return row;
-    }
-
-    private static String text(CSVRecord csv, String column, String place) throws IOException {
-        if (!csv.isMapped(column) || !csv.isSet(column)) {
-            throw new IOException(place + ": no column '" + column
-                    + "', expected rib, pump_deg, bucket_deg, swing_deg, " + "slide_mm, angle_deg, confidence, source");
-        }
-        return csv.get(column);
-    }
-
-    private static double number(CSVRecord csv, String column, String place) throws IOException {
-        String text = text(csv, column, place);
-        try {
-            double value = Double.parseDouble(text);
-            if (Double.isFinite(value)) {
-                return value;
+            rows[at] = new Row(at + 1, pump[i], bucket[i], swing[i], slide[i], confidence.get(i), source.get(i));
+            if (Math.abs(angle[i] - rows[at].angleDeg()) > ANGLE_TOLERANCE_DEG) {
+                throw table.badCell(
+                        i,
+                        "angle_deg",
+                        "found " + angle[i] + ", expected the length of pump, bucket and swing, "
+                                + rows[at].angleDeg());
             }
-        } catch (NumberFormatException e) {
-            // said below, with its place
+            if (angle[i] > LARGEST_DEG || angle[i] <= 0) {
+                throw table.badCell(
+                        i, "angle_deg", "found " + angle[i] + ", expected more than 0, at most " + LARGEST_DEG);
+            }
         }
-        throw new IOException(place + ": " + column + " '" + text + "', expected a number");
+        int missing = Arrays.asList(rows).indexOf(null);
+        if (missing >= 0) {
+            throw new BadInputException(
+                    name + ": found no line for rib " + (missing + 1) + ", expected ribs 1 to " + LEVELS);
+        }
+        return new RibAxisTable(Arrays.asList(rows));
     }
 
     /** Ribs 1 to 12. */

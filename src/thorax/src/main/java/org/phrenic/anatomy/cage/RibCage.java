@@ -12,10 +12,9 @@ import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.engine.kinematics.RigidMotion;
 
 /**
- * The bones that breathing moves, each a rigid body on a helical axis with one common amplitude: the ribs by a
- * {@link RibAxisTable}, the sternum by the rigid motion that best follows the anterior ends of ribs 1 to 7, and the
- * trunk (spine), which stays. Costal cartilages are no bodies: they blend between the rib and the sternum
- * ({@link SkinningWeights}).
+ * The moving bones, each a rigid body on a helical axis with one common amplitude: the ribs by a {@link RibAxisTable},
+ * the sternum by the rigid motion that best follows the anterior ends of ribs 1 to 7, and the trunk (spine), which
+ * stays. Costal cartilages are no bodies: they blend between the rib and the sternum ({@link SkinningWeights}).
  */
 public final class RibCage {
     /** The body that does not move. */
@@ -107,8 +106,7 @@ public final class RibCage {
 
     /**
      * Motion of every body, null for one that stays, if each rib's turn about the antero-posterior axis (the bucket
-     * handle) is multiplied and the rest of its turn is not; its head stays on the axis. The sternum is led by the ribs
-     * as ever.
+     * handle) is multiplied and the rest of its turn is not; its head stays on the axis. The sternum follows the ribs.
      */
     HelicalBody[] motions(double bucket) {
         if (bucket == 1) {

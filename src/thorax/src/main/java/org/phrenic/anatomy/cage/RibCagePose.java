@@ -2,7 +2,7 @@ package org.phrenic.anatomy.cage;
 
 import org.phrenic.engine.kinematics.HelicalBody;
 
-/** Where the bodies of a rib cage are at a time, and how they move; asked for many times at one time, computed once. */
+/** Poses and twists of the bodies of a rib cage at a time, computed once for each time. */
 public final class RibCagePose {
 
     /** How far the rib cage is inspired at a time. */
@@ -15,10 +15,10 @@ public final class RibCagePose {
         void at(double time, double[] amplitudeAndRate);
 
         /**
-         * How much farther or less far than all some ribs turn.
+         * Factors on the rotation of groups of ribs.
          *
          * @param gains where to write it
-         * @return false if all turn alike; then nothing is written
+         * @return false if all factors are 1; then nothing is written
          */
         default boolean gains(double time, RibGains gains) {
             return false;

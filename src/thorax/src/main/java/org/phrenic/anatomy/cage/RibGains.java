@@ -3,10 +3,10 @@ package org.phrenic.anatomy.cage;
 import org.phrenic.anatomy.Side;
 
 /**
- * How much farther or less far than all the bodies of a rib cage turn, by group and side: {@code (1 + u (upper - 1) + l
- * (lower - 1)) w}. u is 1 for ribs 1 to 3 and falls to 0 at rib 6, l rises from 0 at rib 6 to 1 for ribs 9 to 12, both
- * by thirds; w is 1 on the side that turns farther and the ratio of the sides on the other. The sternum has the mean of
- * ribs 1 to 7. Rates are derivatives, 1/s.
+ * Factors on the rotation of the bodies of a rib cage, by group and side: {@code (1 + u (upper - 1) + l (lower - 1))
+ * w}. u is 1 for ribs 1 to 3 and falls to 0 at rib 6, l rises from 0 at rib 6 to 1 for ribs 9 to 12, both by thirds; w
+ * is 1 on the side that turns farther and the ratio of the sides on the other. The sternum has the mean of ribs 1 to 7.
+ * Rates are derivatives, 1/s.
  */
 public final class RibGains {
     private static final int MIDDLE = 6;

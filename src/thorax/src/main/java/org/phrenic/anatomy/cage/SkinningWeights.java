@@ -11,8 +11,9 @@ import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * Which bones carry a point, and by how much. A point takes the mean of the {@link BoneSamples} around it, which fades
- * smoothly with distance, so that a row of points along the costal margin moves as one smooth band.
+ * Skinning weights: the bones that move a point, and their shares. A point takes the mean of the {@link BoneSamples}
+ * around it, which fades smoothly with distance, so that a row of points along the costal margin moves as one smooth
+ * band.
  */
 public final class SkinningWeights {
     /** Bodies that may carry one point. */
@@ -130,7 +131,7 @@ public final class SkinningWeights {
         int n = where.length / 3;
         long[] order = new long[n];
         for (int i = 0; i < n; i++) {
-            // Two points far apart may share a cube's number: their search is slower then, and as right.
+            // Two points far apart may share a cube's number, which makes their search slower and no less exact.
             order[i] = key(where, 3 * i, BATCH_CELL_MM) << 32 | i;
         }
         RadixSort.sort(order);

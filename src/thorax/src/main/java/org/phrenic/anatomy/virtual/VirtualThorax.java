@@ -18,7 +18,7 @@ import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** Grows a thorax at end-expiration from its measures. The same measures give the same bits. */
+/** Generates a thorax at end-expiration from its measures. The same measures give the same bits. */
 public final class VirtualThorax {
     private static final double VERTEBRA_GRID_MM = 4.0;
     private static final double RIGHT_LUNG_SHARE = 0.53;
@@ -47,7 +47,7 @@ public final class VirtualThorax {
     }
 
     /**
-     * Grows the thorax.
+     * Generates the thorax.
      *
      * @param resolution how finely what springs move is meshed; rigid parts are the same at every resolution
      * @throws IllegalStateException if the measures do not fit together, such as a dome above the lung's apex
@@ -56,12 +56,11 @@ public final class VirtualThorax {
         return new VirtualThorax(parameters, resolution).build();
     }
 
-    /** Grows the parts side by side, and puts them together in the order bones, spine, organs. */
+    /** Generates the parts in parallel and lists them in the order bones, spine, organs. */
     private Thorax build() {
         int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
         int left = resolution.lungVertices() - right;
-        // What is forked first another thread takes first, and this one begins at the other end: the long ones go
-        // ahead.
+        // Other threads steal the oldest task, this one runs the newest: the longest are forked first.
         var diaphragm = fork(() -> structureList(
                 "diaphragm",
                 StructureKind.DIAPHRAGM,
@@ -81,7 +80,7 @@ public final class VirtualThorax {
         }
         List<Structure> structures = new ArrayList<>(bones());
         spineParts.forEach(part -> structures.addAll(part.join()));
-        // Waited for in the reverse order of forking: what nobody has begun yet this thread then does itself.
+        // Joined in the reverse order of forking, so that this thread runs what no other has begun.
         for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
             part.join();
         }

@@ -1,9 +1,10 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.List;
+import org.phrenic.document.Key;
 
 /**
- * The measures a virtual thorax is grown from, at end-expiration. Lengths in mm, angles in degrees, volumes in ml;
+ * The measures a virtual thorax is generated from, at end-expiration. Lengths in mm, angles in degrees, volumes in ml;
  * arrays run from the first rib or from T1 down. The files in {@code data/thorax} say where each number comes from.
  *
  * @param name what the body is called
@@ -44,14 +45,14 @@ public record VirtualThoraxParameters(
             double kyphosisApexMm,
             double apexYMm,
             double lordosisRadiusMm,
-            ImmutableDoubleArray bodyHeightMm,
-            ImmutableDoubleArray bodyWidthMm,
-            ImmutableDoubleArray bodyDepthMm,
-            ImmutableDoubleArray discHeightMm,
-            ImmutableDoubleArray transverseReachMm,
-            ImmutableDoubleArray transverseBackMm,
-            ImmutableDoubleArray spinousLengthMm,
-            ImmutableDoubleArray spinousDropDeg) {}
+            @Key(count = VERTEBRAE) ImmutableDoubleArray bodyHeightMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray bodyWidthMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray bodyDepthMm,
+            @Key(count = VERTEBRAE - 1) ImmutableDoubleArray discHeightMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray transverseReachMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray transverseBackMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray spinousLengthMm,
+            @Key(count = VERTEBRAE) ImmutableDoubleArray spinousDropDeg) {}
 
     /**
      * The inner surface of the chest wall.
@@ -68,7 +69,11 @@ public record VirtualThoraxParameters(
             double exponentFront,
             double exponentBack,
             double leftBreadthFactor,
-            List<ImmutableDoubleArray> sections) {}
+            @Key(count = 5) List<ImmutableDoubleArray> sections) {
+        public ChestWall {
+            requireRising("sections", sections);
+        }
+    }
 
     /**
      * The twelve pairs of ribs.
@@ -81,9 +86,9 @@ public record VirtualThoraxParameters(
      * @param thicknessMm its thickness
      */
     public record Ribs(
-            ImmutableDoubleArray arcMm,
-            ImmutableDoubleArray pumpDeg,
-            ImmutableDoubleArray bucketDeg,
+            @Key(count = 12) ImmutableDoubleArray arcMm,
+            @Key(count = 12) ImmutableDoubleArray pumpDeg,
+            @Key(count = 12) ImmutableDoubleArray bucketDeg,
             double leftArcFactor,
             double heightMm,
             double thicknessMm) {}
@@ -96,7 +101,7 @@ public record VirtualThoraxParameters(
      * @param heightMm height of the section
      * @param thicknessMm its thickness
      */
-    public record Cartilages(ImmutableDoubleArray joinFraction, double heightMm, double thicknessMm) {}
+    public record Cartilages(@Key(count = 3) ImmutableDoubleArray joinFraction, double heightMm, double thicknessMm) {}
 
     /**
      * The sternum.
@@ -117,10 +122,10 @@ public record VirtualThoraxParameters(
             double xiphoidMm,
             double angleDeg,
             double bodyLeanDeg,
-            double jointY,
+            @Key("joint_y_mm") double jointY,
             int jointLevel,
             double thicknessMm,
-            ImmutableDoubleArray notchFraction) {}
+            @Key(count = 7) ImmutableDoubleArray notchFraction) {}
 
     /**
      * The diaphragm.
@@ -143,9 +148,9 @@ public record VirtualThoraxParameters(
      *     to 180
      */
     public record Diaphragm(
-            ImmutableDoubleArray right,
-            ImmutableDoubleArray left,
-            ImmutableDoubleArray heart,
+            @Key(value = "right_dome_mm", count = 3) ImmutableDoubleArray right,
+            @Key(value = "left_dome_mm", count = 3) ImmutableDoubleArray left,
+            @Key(value = "heart_plateau_mm", count = 3) ImmutableDoubleArray heart,
             double domeRadiusXMm,
             double domeRadiusYMm,
             double heartRadiusXMm,
@@ -157,7 +162,11 @@ public record VirtualThoraxParameters(
             double muscleMm,
             double tendonMm,
             double tendonAreaCm2,
-            List<ImmutableDoubleArray> rim) {}
+            @Key(count = 2) List<ImmutableDoubleArray> rim) {
+        public Diaphragm {
+            requireRising("rim", rim);
+        }
+    }
 
     /**
      * The lungs and the space for the heart.
@@ -178,16 +187,16 @@ public record VirtualThoraxParameters(
     public record Lungs(
             double wallInsetMm,
             double diaphragmGapMm,
-            ImmutableDoubleArray apexRight,
-            ImmutableDoubleArray apexLeft,
+            @Key(value = "apex_right_mm", count = 3) ImmutableDoubleArray apexRight,
+            @Key(value = "apex_left_mm", count = 3) ImmutableDoubleArray apexLeft,
             double apexRadiusMm,
-            ImmutableDoubleArray baseRight,
-            ImmutableDoubleArray baseLeft,
-            ImmutableDoubleArray mediastinumMm,
-            ImmutableDoubleArray heartMm,
-            ImmutableDoubleArray heartCentre,
-            ImmutableDoubleArray heartRadiiMm,
-            ImmutableDoubleArray heartFrontShare) {}
+            @Key(value = "base_right_mm", count = 2) ImmutableDoubleArray baseRight,
+            @Key(value = "base_left_mm", count = 2) ImmutableDoubleArray baseLeft,
+            @Key(count = 2) ImmutableDoubleArray mediastinumMm,
+            @Key(count = 2) ImmutableDoubleArray heartMm,
+            @Key(value = "heart_centre_mm", count = 2) ImmutableDoubleArray heartCentre,
+            @Key(count = 2) ImmutableDoubleArray heartRadiiMm,
+            @Key(count = 2) ImmutableDoubleArray heartFrontShare) {}
 
     /**
      * The liver.
@@ -202,9 +211,9 @@ public record VirtualThoraxParameters(
     public record Liver(
             double volumeMl,
             double diaphragmGapMm,
-            ImmutableDoubleArray visceralSlope,
-            ImmutableDoubleArray backCut,
-            double leftEndX) {}
+            @Key(count = 2) ImmutableDoubleArray visceralSlope,
+            @Key(count = 2) ImmutableDoubleArray backCut,
+            @Key("left_end_x_mm") double leftEndX) {}
 
     /**
      * The skin of the trunk.
@@ -212,5 +221,21 @@ public record VirtualThoraxParameters(
      * @param exponent exponent of the section
      * @param sections rows of height z, half-breadth, y of the front, y of the back; from below upward
      */
-    public record Skin(double exponent, List<ImmutableDoubleArray> sections) {}
+    public record Skin(double exponent, @Key(count = 4) List<ImmutableDoubleArray> sections) {
+        public Skin {
+            requireRising("sections", sections);
+        }
+    }
+
+    private static void requireRising(String key, List<ImmutableDoubleArray> rows) {
+        if (rows.size() < 2) {
+            throw new IllegalArgumentException(key + ": found " + rows.size() + " rows, expected at least two");
+        }
+        for (int i = 1; i < rows.size(); i++) {
+            if (!(rows.get(i).at(0) > rows.get(i - 1).at(0))) {
+                throw new IllegalArgumentException(
+                        key + ": found row " + (i + 1) + " not above the row before, expected rising first numbers");
+            }
+        }
+    }
 }

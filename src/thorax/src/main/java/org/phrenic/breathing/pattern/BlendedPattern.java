@@ -6,52 +6,22 @@ import org.phrenic.breathing.Ramp;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * One pattern until a time, then smoothly another: what a change of preset or of a parameter makes while the simulation
- * runs.
+ * A smooth crossfade from one pattern to another, for a change of preset or parameter while the simulation runs.
  *
  * <p>Between start and end of the ramp it asks for {@code (1 - r) a + r b}, {@code r} the ramp's value; rates follow by
- * the product rule, so that value and derivative stay continuous whatever the two patterns do. Breaths are counted on.
+ * the product rule, so that value and derivative stay continuous for any two patterns. The count of breaths goes on.
  */
 public final class BlendedPattern implements BreathingPattern {
     private final BreathingPattern from;
     private final BreathingPattern to;
     private final Ramp ramp;
-    private final double offsetS;
     private final int breathOffset;
 
-    private BlendedPattern(BreathingPattern from, BreathingPattern to, Ramp ramp, double offsetS, int breathOffset) {
+    private BlendedPattern(BreathingPattern from, BreathingPattern to, Ramp ramp, int breathOffset) {
         this.from = from;
         this.to = to;
         this.ramp = ramp;
-        this.offsetS = offsetS;
         this.breathOffset = breathOffset;
-    }
-
-    /**
-     * Changes to another pattern now, from its beginning.
-     *
-     * @param from what is breathed until now; ramps it has finished are let go
-     * @param to what follows; its time 0 is now
-     * @param nowS time of the change, s
-     * @param rampS how long it takes, s, above 0; see {@link Ramp#DEFAULT_S}
-     */
-    public static BlendedPattern change(BreathingPattern from, BreathingPattern to, double nowS, double rampS) {
-        return startBlend(from, to, nowS, rampS, 0);
-    }
-
-    /**
-     * Changes to another pattern now, at the place in the breath where the first one is: for a change of rate or depth.
-     *
-     * @throws IllegalArgumentException if the other pattern does not repeat itself
-     */
-    public static BlendedPattern changeInPhase(BreathingPattern from, BreathingPattern to, double nowS, double rampS) {
-        if (Double.isInfinite(to.periodS())) {
-            throw new IllegalArgumentException(
-                    "breathing: '" + to.name() + "' does not repeat itself, expected a pattern to go on with in phase");
-        }
-        BreathState now = new BreathState();
-        from.at(nowS, now);
-        return startBlend(from, to, nowS, rampS, now.phase * to.periodS());
     }
 
     /**
@@ -69,15 +39,7 @@ public final class BlendedPattern implements BreathingPattern {
         from.at(nowS, state);
         int before = state.breath + (newBreath ? 1 : 0);
         to.at(nowS, state);
-        return new BlendedPattern(dropFinished(from, nowS), to, new Ramp(0, 1, nowS, rampS), 0, before - state.breath);
-    }
-
-    private static BlendedPattern startBlend(
-            BreathingPattern from, BreathingPattern to, double nowS, double rampS, double intoS) {
-        BreathState now = new BreathState();
-        from.at(nowS, now);
-        int breaths = intoS > 0 ? now.breath : now.breath + 1;
-        return new BlendedPattern(dropFinished(from, nowS), to, new Ramp(0, 1, nowS, rampS), nowS - intoS, breaths);
+        return new BlendedPattern(dropFinished(from, nowS), to, new Ramp(0, 1, nowS, rampS), before - state.breath);
     }
 
     /** The second pattern alone once the ramp is over, so that many changes make no long chain. */
@@ -86,7 +48,7 @@ public final class BlendedPattern implements BreathingPattern {
             return pattern;
         }
         BreathingPattern earlier = blended.ramp.isDone(nowS) ? null : dropFinished(blended.from, nowS);
-        return new BlendedPattern(earlier, blended.to, blended.ramp, blended.offsetS, blended.breathOffset);
+        return new BlendedPattern(earlier, blended.to, blended.ramp, blended.breathOffset);
     }
 
     @Override
@@ -105,7 +67,7 @@ public final class BlendedPattern implements BreathingPattern {
             from.at(timeS, state);
             return;
         }
-        to.at(timeS - offsetS, state);
+        to.at(timeS, state);
         state.breath += breathOffset;
         if (from == null || ramp.isDone(timeS)) {
             return;

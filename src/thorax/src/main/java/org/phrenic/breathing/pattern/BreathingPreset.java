@@ -2,18 +2,18 @@ package org.phrenic.breathing.pattern;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.Reader;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.BreathingTrace;
 import org.phrenic.breathing.BreathingTraceReader;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
 
 /**
  * A named way to breathe, from a YAML file: a kind of pattern and its parameters, which may be changed before it is
@@ -57,107 +57,112 @@ public final class BreathingPreset {
     /**
      * A preset that comes with the program.
      *
-     * @throws IOException if there is none of that name
+     * @throws BadInputException if there is none of that name
      */
-    public static BreathingPreset named(String name) throws IOException {
+    public static BreathingPreset named(String name) {
         if (!NAMES.contains(name)) {
-            throw new IOException("breathing: no preset '" + name + "', expected " + String.join(", ", NAMES));
+            throw new BadInputException("breathing: no preset '" + name + "', expected " + String.join(", ", NAMES));
         }
-        try (InputStream in =
-                BreathingPreset.class.getResourceAsStream("/org/phrenic/data/breathing/" + name + ".yaml")) {
+        String file = name + ".yaml";
+        try (InputStream in = BreathingPreset.class.getResourceAsStream("/org/phrenic/data/breathing/" + file)) {
             if (in == null) {
-                throw new IOException("breathing: preset '" + name + "' is missing from the program");
+                throw new IllegalStateException("breathing: preset '" + name + "' is missing from the program");
             }
-            return read(new InputStreamReader(in, StandardCharsets.UTF_8), name + ".yaml", null);
+            return read(YamlDocument.read(file, in), file, null);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
     /**
      * Reads a preset from a file.
      *
-     * @throws IOException if it cannot be read or a key is missing, unknown or out of range; the message names file and
-     *     key
+     * @throws BadInputException if it cannot be read or a key is missing, unknown or out of range; the message names
+     *     file, line and key
      */
-    public static BreathingPreset read(Path file) throws IOException {
-        try (Reader reader = Files.newBufferedReader(file)) {
-            return read(reader, file.toString(), file.toAbsolutePath().getParent());
-        } catch (CharacterCodingException e) {
-            throw new IOException(file + ": not text in UTF-8, expected YAML", e);
-        }
+    public static BreathingPreset read(Path file) {
+        return read(
+                YamlDocument.read(file), file.toString(), file.toAbsolutePath().getParent());
     }
 
-    static BreathingPreset read(Reader reader, String place, Path folder) throws IOException {
-        YamlKeys keys = new YamlKeys(reader, place);
+    static BreathingPreset read(YamlMap yaml, String file, Path folder) {
+        if (yaml.keys().isEmpty()) {
+            throw new BadInputException(file + ": no keys, expected lines of 'key: value'");
+        }
         try {
-            String name = keys.text("name");
-            BreathingPreset preset = preset(keys, place, name, folder);
-            keys.done();
+            BreathingPreset preset = ofKind(yaml, folder);
             // What a kind refuses is refused while the file's name is known.
             preset.pattern();
             return preset;
         } catch (IllegalArgumentException e) {
-            throw new IOException(place + ": " + e.getMessage(), e);
+            throw new BadInputException(file + ": " + e.getMessage(), e);
         }
     }
 
-    private static BreathingPreset preset(YamlKeys keys, String place, String name, Path folder) throws IOException {
-        String kind = keys.text("kind");
+    private static BreathingPreset ofKind(YamlMap yaml, Path folder) {
+        String name = yaml.text("name");
+        String kind = yaml.text("kind");
         return switch (kind) {
-            case "periodic" -> new BreathingPreset(name, parameters(keys), p -> new PeriodicPattern(name, p));
+            case "periodic" -> new BreathingPreset(name, parameters(yaml), p -> new PeriodicPattern(name, p));
             case "cough" -> {
-                double compressionS = keys.number("compression_s");
-                double expulsionS = keys.number("expulsion_s");
-                double pressure = keys.number("abdominal_pressure");
+                BreathingParameters parameters = parameters(yaml, "compression_s", "expulsion_s", "abdominal_pressure");
+                double compressionS = yaml.number("compression_s");
+                double expulsionS = yaml.number("expulsion_s");
+                double pressure = yaml.number("abdominal_pressure");
                 yield new BreathingPreset(
-                        name, parameters(keys), p -> new CoughPattern(name, p, compressionS, expulsionS, pressure));
+                        name, parameters, p -> new CoughPattern(name, p, compressionS, expulsionS, pressure));
             }
             case "waxing" -> {
-                int breaths = keys.whole("breaths");
-                double apnoeaS = keys.number("apnoea_s");
-                yield new BreathingPreset(
-                        name, parameters(keys), p -> new CheyneStokesPattern(name, p, breaths, apnoeaS));
+                BreathingParameters parameters = parameters(yaml, "breaths", "apnoea_s");
+                int breaths = yaml.wholeInt("breaths");
+                double apnoeaS = yaml.number("apnoea_s");
+                yield new BreathingPreset(name, parameters, p -> new CheyneStokesPattern(name, p, breaths, apnoeaS));
             }
-            case "hold" -> hold(keys, place, name);
-            case "trace" -> trace(keys, place, name, folder);
-            default ->
-                throw new IOException(place + ": kind '" + kind + "', expected periodic, hold, cough, waxing or trace");
+            case "hold" -> hold(yaml, name);
+            case "trace" -> trace(yaml, name, folder);
+            default -> throw yaml.bad("kind", "found '" + kind + "', expected periodic, hold, cough, waxing or trace");
         };
     }
 
-    private static BreathingPreset hold(YamlKeys keys, String place, String name) throws IOException {
-        String at = keys.text("at");
-        BreathingParameters around = named(keys.text("around")).parameters();
-        int before = keys.whole("breaths_before");
-        double holdS = keys.number("hold_s");
+    private static BreathingPreset hold(YamlMap yaml, String name) {
+        String at = yaml.text("at");
+        BreathingParameters around = named(yaml.text("around")).parameters();
+        int before = yaml.wholeInt("breaths_before");
+        double holdS = yaml.number("hold_s");
         if (at.equals("expiration")) {
+            yaml.requireOnly(List.of("name", "kind", "at", "around", "breaths_before", "hold_s"));
             return new BreathingPreset(name, around, p -> new HoldPattern(name, p, before, null, holdS, 0));
         }
         if (!at.equals("inspiration")) {
-            throw new IOException(place + ": at '" + at + "', expected inspiration or expiration");
+            throw yaml.bad("at", "found '" + at + "', expected inspiration or expiration");
         }
-        double creep = keys.number("creep_fraction");
-        return new BreathingPreset(name, parameters(keys), p -> new HoldPattern(name, around, before, p, holdS, creep));
+        BreathingParameters held = parameters(yaml, "at", "around", "breaths_before", "hold_s", "creep_fraction");
+        double creep = yaml.number("creep_fraction");
+        return new BreathingPreset(name, held, p -> new HoldPattern(name, around, before, p, holdS, creep));
     }
 
-    private static BreathingPreset trace(YamlKeys keys, String place, String name, Path folder) throws IOException {
+    private static BreathingPreset trace(YamlMap yaml, String name, Path folder) {
         if (folder == null) {
-            throw new IOException(place + ": kind 'trace', expected one that needs no file beside the program");
+            throw yaml.bad("kind", "found 'trace', expected one that needs no file beside the program");
         }
-        BreathingTrace read = BreathingTraceReader.read(folder.resolve(keys.text("file")));
-        BreathingTrace trace = keys.has("detrend") && keys.truth("detrend") ? read.detrended() : read;
-        boolean loops = !keys.has("loop") || keys.truth("loop");
-        return new BreathingPreset(name, parameters(keys), p -> new TracePattern(trace, p, loops));
+        BreathingParameters parameters = parameters(yaml, "file", "detrend", "loop");
+        try {
+            BreathingTrace read = BreathingTraceReader.read(folder.resolve(yaml.text("file")));
+            BreathingTrace trace = yaml.flag("detrend", false) ? read.detrended() : read;
+            boolean loops = yaml.flag("loop", true);
+            return new BreathingPreset(name, parameters, p -> new TracePattern(trace, p, loops));
+        } catch (IOException e) {
+            throw new BadInputException(e.getMessage(), e);
+        }
     }
 
-    private static BreathingParameters parameters(YamlKeys keys) throws IOException {
-        return new BreathingParameters(
-                keys.number("rate_per_min"),
-                keys.number("inspiratory_fraction"),
-                keys.number("pause_fraction"),
-                keys.number("activation"),
-                keys.number("pressure"),
-                keys.number("rib_turn"),
-                keys.number("chest_share"));
+    /** The keys of {@link BreathingParameters}; besides them, name and kind the mapping may have these alone. */
+    private static BreathingParameters parameters(YamlMap yaml, String... others) {
+        List<String> known = new ArrayList<>(List.of("name", "kind"));
+        known.addAll(YamlMap.keysOf(BreathingParameters.class));
+        known.addAll(List.of(others));
+        yaml.requireOnly(known);
+        return yaml.bindPart(BreathingParameters.class);
     }
 
     /** What to call it. */

@@ -1,2 +1,2 @@
-/** Breathing patterns: periodic, held, coughed, blended, traced; and presets that make them. */
+/** Breathing patterns (periodic, held, coughed, blended, recorded) and the presets that make them. Stateless functions of time. */
 package org.phrenic.breathing.pattern;

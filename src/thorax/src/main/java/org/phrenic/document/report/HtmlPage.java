@@ -1,7 +1,10 @@
 package org.phrenic.document.report;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -26,50 +29,6 @@ public final class HtmlPage {
     /** Rows up to which a table is kept on one page. */
     private static final int MAX_UNBROKEN_ROWS = 8;
 
-    private static final String STYLE =
-            """
-            :root { color-scheme: light; }
-            body { margin: 0 auto; padding: 2.5rem 1.5rem 3rem; max-width: 60rem; background: #fff; color: #1d242b;
-              font: 16px/1.55 "Source Sans 3", "Segoe UI", "Helvetica Neue", Arial, "Liberation Sans", "DejaVu Sans", sans-serif; }
-            h1 { margin: 0 0 .4rem; font-size: 2rem; line-height: 1.2; font-weight: 650; letter-spacing: -.01em; }
-            h2 { margin: 2.6rem 0 .7rem; padding-top: .7rem; border-top: 1px solid #d5dbe1; font-size: 1.35rem; line-height: 1.3; font-weight: 650; }
-            h3 { margin: 1.8rem 0 .5rem; font-size: 1.08rem; font-weight: 650; }
-            h2, h3 { break-after: avoid; }
-            p, ul { margin: .6rem 0; max-width: 46rem; }
-            li { margin: .2rem 0; }
-            .lead { font-size: 1.1rem; color: #46525e; }
-            .notice { margin: 1rem 0 0; font-size: .92rem; font-weight: 650; color: #8a3b00; }
-            .remark { margin: 1rem 0; padding: .6rem .9rem; max-width: 44rem; background: #fbf4e6; border-left: 4px solid #d9a441; break-inside: avoid; }
-            nav { margin: 1.4rem 0; padding: .8rem 1.1rem; background: #f4f6f8; font-size: .95rem; }
-            nav ol { margin: 0; padding-left: 1.4rem; columns: 2; column-gap: 2rem; }
-            a { color: #0b5c94; text-decoration: none; }
-            a:hover { text-decoration: underline; }
-            pre { margin: .8rem 0; padding: .7rem .9rem; background: #f4f6f8; overflow-x: auto; font: 13.5px/1.45 "DejaVu Sans Mono", Consolas, Menlo, monospace; white-space: pre-wrap; }
-            .wide { overflow-x: auto; margin: 1rem 0 1.4rem; }
-            table { border-collapse: collapse; font-size: .92rem; line-height: 1.4; font-variant-numeric: tabular-nums; }
-            caption { caption-side: top; padding: 0 0 .45rem; text-align: left; color: #46525e; font-size: .95rem; }
-            th, td { padding: .3rem .75rem; text-align: left; vertical-align: top; border-bottom: 1px solid #e3e7eb; }
-            thead th { border-bottom: 2px solid #8995a1; vertical-align: bottom; font-weight: 650; }
-            tbody th { padding-top: .7rem; font-weight: 650; }
-            .number { text-align: right; }
-            td.number { white-space: nowrap; }
-            tr, .short { break-inside: avoid; }
-            figure { margin: 1.3rem 0 1.6rem; break-inside: avoid; }
-            .several { display: grid; grid-template-columns: repeat(auto-fit, minmax(17rem, 1fr)); gap: .8rem; align-items: start; }
-            figure span { display: block; margin-top: .25rem; font-size: .88rem; color: #46525e; }
-            img { display: block; width: 100%; height: auto; border: 1px solid #d5dbe1; box-sizing: border-box; }
-            figcaption { margin-top: .55rem; max-width: 46rem; font-size: .95rem; color: #2f3942; }
-            footer { margin-top: 3rem; padding-top: .7rem; border-top: 1px solid #d5dbe1; }
-            @page { size: A4; margin: 16mm 15mm; }
-            @media print {
-              body { padding: 0; max-width: none; font-size: 10.5pt; }
-              .several { grid-template-columns: 1fr 1fr; }
-              .wide { overflow: visible; }
-              a { color: inherit; }
-              table { font-size: .86rem; }
-            }
-            """;
-
     private final StringBuilder text = new StringBuilder();
     private final List<String> anchors = new ArrayList<>();
 
@@ -78,11 +37,6 @@ public final class HtmlPage {
     /** The page. */
     public static String format(ReportDocument document) {
         return new HtmlPage().page(document);
-    }
-
-    /** A picture as an address that holds all of it, so that it lies in the page and not beside it. */
-    public static String embeddedPng(byte[] file) {
-        return "data:image/png;base64," + Base64.getEncoder().encodeToString(file);
     }
 
     /** A text as it has to stand in HTML, also within an attribute. */
@@ -109,7 +63,7 @@ public final class HtmlPage {
         String title = escaped(document.title());
         text.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n")
                 .append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n")
-                .append("<title>" + title + "</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n")
+                .append("<title>" + title + "</title>\n<style>\n" + style() + "</style>\n</head>\n<body>\n")
                 .append("<header>\n<h1>" + title + "</h1>\n")
                 .append(document.lead().isEmpty() ? "" : "<p class=\"lead\">" + escaped(document.lead()) + "</p>\n")
                 .append("<p class=\"notice\">" + escaped(Disclaimer.TEXT) + "</p>\n</header>\n");
@@ -119,6 +73,14 @@ public final class HtmlPage {
         return text.append("</main>\n<footer>\n<p class=\"notice\">" + escaped(Disclaimer.TEXT))
                 .append("</p>\n</footer>\n</body>\n</html>\n")
                 .toString();
+    }
+
+    private static String style() {
+        try (InputStream in = HtmlPage.class.getResourceAsStream("report.css")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private void contents(ReportDocument document) {

@@ -1,2 +1,2 @@
-/** Reports as HTML and Markdown pages, with the notice that every report carries. */
+/** Reports as HTML and Markdown pages, with the disclaimer that every report carries. Knows nothing of what is reported. */
 package org.phrenic.document.report;

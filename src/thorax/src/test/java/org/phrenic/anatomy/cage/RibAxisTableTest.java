@@ -4,18 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
-import java.io.StringReader;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
 import org.phrenic.engine.kinematics.HelicalAxis;
+import org.phrenic.file.BadInputException;
 
 class RibAxisTableTest {
     private static final String HEADER = "rib,pump_deg,bucket_deg,swing_deg,slide_mm,angle_deg,confidence,source\n";
 
     /** Wilson et al. 1987: 17.0 degrees at rib 3 falling to 12.2 at rib 7; our table stays within 1.5 of that. */
     @Test
-    void measuredAnglesStayCloseToWilson() throws IOException {
+    void measuredAnglesStayCloseToWilson() {
         RibAxisTable table = RibAxisTable.preset(RibAxisTable.WILSON_CT);
         double[] wilson = {17.0, 15.8, 14.6, 13.4, 12.2};
         for (int level = 3; level <= 7; level++) {
@@ -25,7 +24,7 @@ class RibAxisTableTest {
 
     /** Beyer et al. 2016: the range of motion decreases gradually with level. */
     @Test
-    void anglesFallWithLevel() throws IOException {
+    void anglesFallWithLevel() {
         for (String name : new String[] {RibAxisTable.WILSON_CT, RibAxisTable.NECK}) {
             RibAxisTable table = RibAxisTable.preset(name);
             for (int level = 3; level <= 11; level++) {
@@ -38,7 +37,7 @@ class RibAxisTableTest {
     }
 
     @Test
-    void axisPassesThroughTheHeadAndRaisesTheFront() throws IOException {
+    void axisPassesThroughTheHeadAndRaisesTheFront() {
         HelicalAxis axis = RibAxisTable.preset(RibAxisTable.NECK).axis(5, Side.RIGHT, new double[] {-18, 54, 1360});
         assertThat(axis.motion().apply(-18, 54, 1360)).containsExactly(new double[] {-18, 54, 1360}, within(1e-9));
         double[] tip = axis.motion().apply(-83, -100, 1246);
@@ -48,7 +47,7 @@ class RibAxisTableTest {
     }
 
     @Test
-    void leftMirrorsRight() throws IOException {
+    void leftMirrorsRight() {
         RibAxisTable table = RibAxisTable.preset(RibAxisTable.WILSON_CT);
         double[] right =
                 table.axis(7, Side.RIGHT, new double[] {-18, 60, 0}).motion().apply(-110, -80, -130);
@@ -61,20 +60,22 @@ class RibAxisTableTest {
     void badTablesAreRefusedInOneSentence() {
         assertThatThrownBy(() -> RibAxisTable.preset("axes-none"))
                 .hasMessage("rib axes: no table 'axes-none', expected 'axes-wilson-ct' or 'axes-neck'");
-        refused("1,3,4,0,0,five,good,x\n", "t.csv line 2: angle_deg 'five', expected a number");
+        refused("1,3,4,0,0,five,good,x\n", "t.csv: line 2, column 'angle_deg': found 'five', expected a number");
         refused(
                 "1,3,4,0,0,7,good,x\n",
-                "t.csv line 2: angle_deg 7.0, expected the length of pump, bucket and swing, 5.0");
-        refused("13,3,4,0,0,5,good,x\n", "t.csv line 2: rib 13, expected 1 to 12");
-        refused("1,3,4,0,0,5,good,x\n", "t.csv: no line for rib 2, expected ribs 1 to 12");
-        refused("1,3,4,0,0,5,good,x\n1,3,4,0,0,5,good,x\n", "t.csv line 3: rib 1 for a second time, expected it once");
-        assertThatThrownBy(() -> RibAxisTable.read(new StringReader("rib,pump\n1,2\n"), "t.csv"))
-                .hasMessageStartingWith("t.csv line 2: no column 'pump_deg', expected rib, pump_deg");
+                "t.csv: line 2, column 'angle_deg': found 7.0, expected the length of pump, bucket and swing, 5.0");
+        refused("13,3,4,0,0,5,good,x\n", "t.csv: line 2, column 'rib': found 13.0, expected 1 to 12");
+        refused("1,3,4,0,0,5,good,x\n", "t.csv: found no line for rib 2, expected ribs 1 to 12");
+        refused(
+                "1,3,4,0,0,5,good,x\n1,3,4,0,0,5,good,x\n",
+                "t.csv: line 3, column 'rib': found rib 1 a second time, expected it once");
+        assertThatThrownBy(() -> RibAxisTable.parse("t.csv", "rib,pump\n1,2\n"))
+                .hasMessageStartingWith("t.csv: line 1: found columns rib, pump, expected a column 'pump_deg'");
     }
 
     private static void refused(String lines, String message) {
-        assertThatThrownBy(() -> RibAxisTable.read(new StringReader(HEADER + lines), "t.csv"))
-                .isInstanceOf(IOException.class)
+        assertThatThrownBy(() -> RibAxisTable.parse("t.csv", HEADER + lines))
+                .isInstanceOf(BadInputException.class)
                 .hasMessage(message);
     }
 }

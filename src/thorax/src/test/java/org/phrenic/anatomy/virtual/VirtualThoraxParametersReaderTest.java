@@ -1,12 +1,14 @@
 package org.phrenic.anatomy.virtual;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
 
 class VirtualThoraxParametersReaderTest {
     private static String male() throws IOException {
@@ -17,7 +19,7 @@ class VirtualThoraxParametersReaderTest {
     }
 
     private static void assertRefused(String text, String... words) {
-        assertThatIllegalArgumentException()
+        assertThatExceptionOfType(BadInputException.class)
                 .isThrownBy(() -> VirtualThoraxParametersReader.read("body.yaml", text))
                 .withMessageStartingWith("body.yaml: ")
                 .satisfies(e -> assertThat(e.getMessage()).contains(words).doesNotContain("\n"));
@@ -58,6 +60,12 @@ class VirtualThoraxParametersReaderTest {
                 male().replace("join_fraction: [0.5, 0.45, 0.45]", "join_fraction: [0.5]"),
                 "join_fraction",
                 "a list of 3 numbers");
+    }
+
+    @Test
+    void rowsThatDoNotRiseAreNamed() throws IOException {
+        assertRefused(
+                male().replace("    - [-90, 114,", "    - [-190, 114,"), "chest_wall", "sections", "row 2", "rising");
     }
 
     @Test

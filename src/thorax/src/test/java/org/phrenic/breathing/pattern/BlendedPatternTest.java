@@ -1,15 +1,14 @@
 package org.phrenic.breathing.pattern;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.phrenic.breathing.pattern.BreathingPatternContract.at;
 
-import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.Ramp;
+import org.phrenic.breathing.TimeWarp;
 
 class BlendedPatternTest {
     private final BreathingPreset quiet = preset("quiet");
@@ -17,7 +16,7 @@ class BlendedPatternTest {
     @Test
     void aChangeIsSmoothAndCountsOn() {
         BreathingPattern pattern =
-                BlendedPattern.change(quiet.pattern(), preset("deep").pattern(), 5.5, 0.5);
+                BlendedPattern.crossfade(quiet.pattern(), shifted(preset("deep").pattern(), 5.5), 5.5, 0.5, true);
         BreathingPatternContract.check(pattern, 20);
         assertThat(at(pattern, 5).activation).isEqualTo(at(quiet.pattern(), 5).activation);
         // the deep breath began at 5.5 s and is full 3.6 s later
@@ -28,16 +27,12 @@ class BlendedPatternTest {
     @Test
     void aChangeOfRateGoesOnWhereTheBreathIs() {
         BreathingPattern faster = quiet.pattern(quiet.parameters().withRatePerMin(30));
-        BreathingPattern pattern = BlendedPattern.changeInPhase(quiet.pattern(), faster, 5, Ramp.DEFAULT_S);
+        BreathingPattern pattern = inPhase(quiet.pattern(), faster, 5);
         BreathingPatternContract.check(pattern, 20);
         // a quarter into the breath, with both rates
         assertThat(at(pattern, 5).phase).isCloseTo(0.25, within(1e-12));
         assertThat(at(pattern, 5).activation).isCloseTo(at(quiet.pattern(), 5).activation, within(1e-12));
         assertThat(at(pattern, 5 + 2).phase).isCloseTo(0.25, within(1e-12));
-        assertThatThrownBy(() -> BlendedPattern.changeInPhase(
-                        quiet.pattern(), preset("hold-expiration").pattern(), 5, 0.2))
-                .hasMessage(
-                        "breathing: 'hold-expiration' does not repeat itself, expected a pattern to go on with in phase");
     }
 
     /** A slider dragged for a second at 50 changes a second. */
@@ -46,7 +41,7 @@ class BlendedPatternTest {
         BreathingPattern pattern = quiet.pattern();
         for (int n = 0; n < 50; n++) {
             BreathingPattern deeper = quiet.pattern(quiet.parameters().withDepth(1 + 0.02 * n));
-            pattern = BlendedPattern.changeInPhase(pattern, deeper, 3 + 0.02 * n, Ramp.DEFAULT_S);
+            pattern = inPhase(pattern, deeper, 3 + 0.02 * n);
         }
         BreathState last = at(pattern, 2.5);
         for (double t = 2.5001; t < 8; t += 1e-4) {
@@ -57,11 +52,17 @@ class BlendedPatternTest {
         assertThat(at(pattern, 4 + 1.6).activation).isCloseTo(1.98 * 0.26, within(1e-9));
     }
 
+    /** The other pattern at the place in the breath where the first one is. */
+    private static BreathingPattern inPhase(BreathingPattern from, BreathingPattern to, double nowS) {
+        double originS = nowS - at(from, nowS).phase * to.periodS();
+        return BlendedPattern.crossfade(from, shifted(to, originS), nowS, Ramp.DEFAULT_S, false);
+    }
+
+    private static BreathingPattern shifted(BreathingPattern pattern, double startS) {
+        return new TimeWarpedPattern(pattern, new TimeWarp(true), startS);
+    }
+
     private static BreathingPreset preset(String name) {
-        try {
-            return BreathingPreset.named(name);
-        } catch (IOException e) {
-            throw new IllegalStateException(e);
-        }
+        return BreathingPreset.named(name);
     }
 }

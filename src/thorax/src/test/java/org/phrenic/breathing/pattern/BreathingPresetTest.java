@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
 import java.io.IOException;
-import java.io.StringReader;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +17,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.file.BadInputException;
 
 class BreathingPresetTest {
     private static final String QUIET =
@@ -39,7 +40,7 @@ class BreathingPresetTest {
 
     @ParameterizedTest
     @MethodSource("names")
-    void everyPresetIsSmoothAndWithinItsRange(String name) throws IOException {
+    void everyPresetIsSmoothAndWithinItsRange(String name) {
         BreathingPattern pattern = BreathingPreset.named(name).pattern();
         assertThat(pattern.name()).isEqualTo(name);
         BreathingPatternContract.check(pattern, Math.min(2.1 * pattern.periodS(), 65));
@@ -47,7 +48,7 @@ class BreathingPresetTest {
 
     @ParameterizedTest
     @MethodSource("names")
-    void noPresetAllocatesInAStep(String name) throws IOException {
+    void noPresetAllocatesInAStep(String name) {
         BreathingPattern pattern = BreathingPreset.named(name).pattern();
         BreathState state = new BreathState();
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -61,7 +62,7 @@ class BreathingPresetTest {
 
     @ParameterizedTest
     @MethodSource("names")
-    void everyPresetComesBackToExactRest(String name) throws IOException {
+    void everyPresetComesBackToExactRest(String name) {
         BreathingPattern pattern = BreathingPreset.named(name).pattern();
         double period = pattern.periodS();
         if (Double.isInfinite(period)) {
@@ -77,7 +78,7 @@ class BreathingPresetTest {
 
     /** T = 4 s, Ti = 1.6 s, 1/6 of the ribs' full turn (physiology of VT 0.5 l of an IC of 3 l). */
     @Test
-    void quietBreathIsOneSixthOfTheFullTurnAndDeepSevenTenths() throws IOException {
+    void quietBreathIsOneSixthOfTheFullTurnAndDeepSevenTenths() {
         BreathingPattern quiet = BreathingPreset.named("quiet").pattern();
         assertThat(quiet.periodS()).isEqualTo(4);
         assertThat(BreathingPatternContract.at(quiet, 1.6).ribTurn).isCloseTo(1.0 / 6, within(1e-4));
@@ -91,12 +92,12 @@ class BreathingPresetTest {
     }
 
     @Test
-    void cheyneStokesCyclesLastFrom45To90Seconds() throws IOException {
+    void cheyneStokesCyclesLastFrom45To90Seconds() {
         assertThat(BreathingPreset.named("cheyne-stokes").pattern().periodS()).isBetween(45.0, 90.0);
     }
 
     @Test
-    void changedParametersMakeAnotherPatternOfTheSameKind() throws IOException {
+    void changedParametersMakeAnotherPatternOfTheSameKind() {
         BreathingPreset preset = BreathingPreset.named("quiet");
         BreathingParameters chest =
                 preset.parameters().withRatePerMin(30).withDepth(2).withChestShare(0.75);
@@ -128,16 +129,21 @@ class BreathingPresetTest {
     void badPresetsAreRefusedInOneSentence() {
         assertThatThrownBy(() -> BreathingPreset.named("yawn"))
                 .hasMessageStartingWith("breathing: no preset 'yawn', expected quiet, quiet-supine, deep");
-        refused(QUIET.replace("0.26", "1.26"), "q.yaml: breathing: activation 1.26, expected 0 to 1");
-        refused(QUIET.replace("0.26", "much"), "q.yaml: activation 'much', expected a number");
-        refused(QUIET.replace("pressure: 0.06\n", ""), "q.yaml: no key 'pressure'");
+        refused(
+                QUIET.replace("0.26", "1.26"),
+                "q.yaml: line 6, key 'activation': found '1.26', expected a number from 0 to 1");
+        refused(QUIET.replace("0.26", "much"), "q.yaml: line 6, key 'activation': found 'much', expected a number");
+        refused(
+                QUIET.replace("pressure: 0.06\n", ""),
+                "q.yaml: line 1, key 'pressure': found no such key, expected a number from 0 to 1");
         refused(
                 QUIET.replace("periodic", "odd"),
-                "q.yaml: kind 'odd', expected periodic, hold, cough, waxing or trace");
+                "q.yaml: line 2, key 'kind': found 'odd', expected periodic, hold, cough, waxing or trace");
         refused("", "q.yaml: no keys, expected lines of 'key: value'");
-        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(QUIET + "depth: 3\n"), "q.yaml", null))
-                .hasMessageStartingWith("q.yaml: unknown key 'depth', expected name, kind, rate_per_min");
-        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(QUIET + "name: r\n"), "q.yaml", null))
+        assertThatThrownBy(() -> preset(QUIET + "depth: 3\n"))
+                .hasMessageStartingWith(
+                        "q.yaml: line 10, key 'depth': found an unknown key, expected one of name, kind, rate_per_min");
+        assertThatThrownBy(() -> preset(QUIET + "name: r\n"))
                 .hasMessageContaining("q.yaml")
                 .hasMessageContaining("key 'name': found the key a second time");
         refused(
@@ -146,12 +152,16 @@ class BreathingPresetTest {
                         + "0, a pause fraction from 0, and a sum below 1");
         refused(
                 QUIET.replace("rate_per_min: 15", "rate_per_min: 0"),
-                "q.yaml: breathing: rate_per_min 0.0, expected more than 0, at most 150.0");
+                "q.yaml: line 3, key 'rate_per_min': found '0', expected a number above 0 to 150");
     }
 
     private static void refused(String yaml, String message) {
-        assertThatThrownBy(() -> BreathingPreset.read(new StringReader(yaml), "q.yaml", null))
-                .isInstanceOf(IOException.class)
+        assertThatThrownBy(() -> preset(yaml))
+                .isInstanceOf(BadInputException.class)
                 .hasMessage(message);
+    }
+
+    private static BreathingPreset preset(String yaml) {
+        return BreathingPreset.read(YamlDocument.parse("q.yaml", yaml), "q.yaml", null);
     }
 }

@@ -3,7 +3,7 @@ package org.phrenic.anatomy.virtual.shape;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** Keeps a surface at a distance from a region: the last touch where a blend of surfaces is no true distance. */
+/** Keeps a surface at a distance from a region, where a blend of implicit surfaces is no exact distance. */
 public final class Clearance {
     private static final int STEPS = 10;
 

@@ -14,7 +14,7 @@ public final class Meridians {
 
     private final double[][][] line = new double[AZIMUTHS][SAMPLES + 1][];
     private final double meanLength;
-    /** Those last asked for: the search for an edge length asks for the same again and again. */
+    /** Of the last call: the search for an edge length repeats it. */
     private double[] perimeters = {};
 
     /**

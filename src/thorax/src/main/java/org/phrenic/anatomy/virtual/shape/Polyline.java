@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.mesh.Vectors;
 
-/** A line through space as points close together; places on it are named by the path from its first point. */
+/** A polyline with closely spaced points, parametrised by arc length. */
 public final class Polyline {
     private final List<double[]> points;
     private final double[] arcLength;
@@ -17,7 +17,7 @@ public final class Polyline {
         }
     }
 
-    /** The natural way through a few points: Catmull-Rom with chord-length knots, {@code dense} points a span. */
+    /** A smooth curve through a few points: Catmull-Rom with chord-length knots, {@code dense} points a span. */
     public static Polyline catmullRom(List<double[]> knots, int dense) {
         int n = knots.size();
         double[] at = new double[n];
