@@ -17,7 +17,8 @@ public final class CruralOrigin {
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
     /**
      * The sheet's middle is 3 to 8 mm off the bone: its half thickness, ligament and what smoothing does to both
-     * surfaces. With more, domes go down less; with 14 mm, or a firmer bed, it creased at the border of what is held.
+     * surfaces. A larger reach lets the domes descend less; at 14 mm, or on a firmer bed, the sheet creases at the
+     * border of the held part.
      */
     private static final double REACH_MM = 15;
 

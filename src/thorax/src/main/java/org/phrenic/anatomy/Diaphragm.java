@@ -2,6 +2,7 @@ package org.phrenic.anatomy;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.Geodesics;
 import org.phrenic.mesh.HarmonicField;
 import org.phrenic.mesh.MeshTopology;
@@ -23,7 +24,7 @@ public final class Diaphragm {
     /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
     public static final double TENDON_SHARE = 0.14;
 
-    /** Gradient of the field below which it leads nowhere, 1/mm: it changes by 1 over the length of a fibre, 100 mm. */
+    /** Gradient below which the field has no direction, 1/mm; over a fibre of 100 mm it changes by 1. */
     private static final double MIN_GRADIENT_PER_MM = 1e-12;
 
     private final TriangleMesh sheet;
@@ -76,37 +77,25 @@ public final class Diaphragm {
     /** The largest connected run of border vertices; openings have their own. */
     private static boolean[] outerBorder(MeshTopology topology, DiaphragmFaces faces) {
         int n = faces.vertexCount();
-        int[] label = new int[n];
-        int[] size = new int[n + 1];
-        int[] stack = new int[n];
-        int labels = 0;
-        int[] start = topology.vertexEdgeStart();
-        for (int seed = 0; seed < n; seed++) {
-            if (!faces.isBorder(seed) || label[seed] != 0) {
-                continue;
-            }
-            int top = 0;
-            stack[top++] = seed;
-            label[seed] = ++labels;
-            while (top > 0) {
-                int v = stack[--top];
-                size[labels]++;
-                for (int k = start[v]; k < start[v + 1]; k++) {
-                    int w = topology.otherVertex(topology.vertexEdges()[k], v);
-                    if (faces.isBorder(w) && label[w] == 0) {
-                        label[w] = labels;
-                        stack[top++] = w;
-                    }
-                }
+        int[] runs = DisjointSets.singletons(n);
+        int[] edges = topology.edges();
+        for (int e = 0; e < edges.length; e += 2) {
+            if (faces.isBorder(edges[e]) && faces.isBorder(edges[e + 1])) {
+                DisjointSets.unionToLower(runs, edges[e], edges[e + 1]);
             }
         }
-        int largest = 1;
-        for (int i = 2; i <= labels; i++) {
-            largest = size[i] > size[largest] ? i : largest;
+        int[] border = IntStream.range(0, n).filter(faces::isBorder).toArray();
+        int[] size = new int[n];
+        IntStream.of(border).forEach(i -> size[DisjointSets.find(runs, i)]++);
+        int largest = -1;
+        for (int i : border) {
+            largest = largest < 0 || size[DisjointSets.find(runs, i)] > size[largest]
+                    ? DisjointSets.find(runs, i)
+                    : largest;
         }
         boolean[] out = new boolean[n];
-        for (int i = 0; i < n; i++) {
-            out[i] = labels > 0 && label[i] == largest;
+        for (int i : border) {
+            out[i] = DisjointSets.find(runs, i) == largest;
         }
         return out;
     }

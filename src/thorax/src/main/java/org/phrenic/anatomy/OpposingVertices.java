@@ -19,15 +19,12 @@ public final class OpposingVertices {
     /** What lies closer is a seam between patches, not the other face. */
     private static final double MIN_DISTANCE_MM = 0.2;
 
-    /**
-     * Where the other face is looked for first: most vertices find it so near, and only the others are looked for
-     * further away, mm.
-     */
+    /** First search radius, mm: it suffices for most vertices, the others search up to the reach. */
     private static final double NEAR_MM = 8;
 
     private final TriangleMesh sheet;
     private final double[] normals;
-    /** Of two faces told apart the one that a vertex is on; null where normals alone tell. */
+    /** Face of each vertex where the two faces are known; null where normals alone decide. */
     private final boolean[] face;
 
     private final double near;
@@ -177,7 +174,7 @@ public final class OpposingVertices {
             use.offer(i, opposing[i]);
         }
         use.takeShortestFirst();
-        // Whoever is in full use by now would be refused: only the others look further away.
+        // Vertices in full use are skipped: only the others search further.
         for (int i = 0; near < reach && i < opposing.length; i++) {
             if (use.mayTake(i)) {
                 use.offer(i, opposingWithin(far, i, near, reach, use));

@@ -1,8 +1,8 @@
 package org.phrenic.breathing;
 
 /**
- * What breathing asks of the thorax at one time. Mutable, so that a step writes into it and allocates nothing; all
- * numbers are 0 at end-expiration, but for those that count.
+ * The drive of the thorax at one time: activation, pressures, rotation of the ribs and their rates. Mutable, so that a
+ * step writes into it and allocates nothing; all numbers are 0 at end-expiration, but for those that count.
  */
 public final class BreathState {
     /** Drive of the diaphragm's fibres, 0 relaxed, 1 what a full inspiration takes. */

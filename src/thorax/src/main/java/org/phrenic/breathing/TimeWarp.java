@@ -26,13 +26,13 @@ public final class TimeWarp {
     private final boolean runs;
     private final List<RateChange> turns = new ArrayList<>();
 
-    /** @param runs whether it goes with the time from the beginning, or stands at 0 */
+    /** @param runs whether it runs from the start, or stands at 0 */
     public TimeWarp(boolean runs) {
         this.runs = runs;
     }
 
     /**
-     * Lets it go or stops it, from a time on; a turn of the same time is replaced.
+     * Starts or stops warped time from a time on; a change at the same time is replaced.
      *
      * @param rampS how long it takes, s, above 0
      */
@@ -43,13 +43,13 @@ public final class TimeWarp {
         turns.add(new RateChange(nowS, warpedTime(nowS), rate(nowS), go ? 1 : 0, rampS));
     }
 
-    /** What it shows at a time, s. */
+    /** Warped time at a time, s. */
     public double warpedTime(double timeS) {
         RateChange turn = changeAt(timeS);
         return turn != null ? turn.tau(timeS) : runs ? timeS : 0;
     }
 
-    /** How fast it goes at a time, 0 to 1. */
+    /** Rate of warped time at a time, 0 to 1. */
     public double rate(double timeS) {
         RateChange turn = changeAt(timeS);
         return turn != null ? turn.rate(timeS) : runs ? 1 : 0;

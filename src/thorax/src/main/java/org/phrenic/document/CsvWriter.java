@@ -5,9 +5,9 @@ import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 import org.phrenic.file.AtomicFile;
@@ -34,7 +34,7 @@ public final class CsvWriter {
      * @throws IllegalArgumentException if the columns differ in length
      */
     public static String format(Map<String, double[]> columns, int digits) {
-        List<double[]> values = new ArrayList<>(columns.values());
+        List<double[]> values = List.copyOf(columns.values());
         int rows = values.isEmpty() ? 0 : values.get(0).length;
         columns.forEach((name, column) -> {
             if (column.length != rows) {
@@ -42,14 +42,11 @@ public final class CsvWriter {
                         "column '" + name + "': " + column.length + " values, expected " + rows);
             }
         });
-        List<List<String>> cells = new ArrayList<>();
-        for (int row = 0; row < rows; row++) {
-            List<String> line = new ArrayList<>();
-            for (double[] column : values) {
-                line.add(number(column[row], digits));
-            }
-            cells.add(line);
-        }
+        List<List<String>> cells = IntStream.range(0, rows)
+                .mapToObj(row -> values.stream()
+                        .map(column -> number(column[row], digits))
+                        .toList())
+                .toList();
         return format(List.copyOf(columns.keySet()), cells);
     }
 

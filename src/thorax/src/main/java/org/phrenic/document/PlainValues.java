@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 
 /**
  * The values a summary or scenario may hold: maps, lists, finite numbers, booleans, texts and nulls, in a stable order.
@@ -32,11 +33,7 @@ final class PlainValues {
             return copy;
         }
         if (value instanceof double[] numbers) {
-            List<Object> copy = new ArrayList<>();
-            for (double number : numbers) {
-                copy.add(copy(path + "[" + copy.size() + "]", number));
-            }
-            return copy;
+            return copy(path, DoubleStream.of(numbers).boxed().toList());
         }
         if (value instanceof Double || value instanceof Float) {
             double number = ((Number) value).doubleValue();

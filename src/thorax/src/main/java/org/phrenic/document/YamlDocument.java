@@ -9,9 +9,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.Reader;
 import java.io.StringReader;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -20,7 +17,6 @@ import java.util.List;
 import java.util.Map;
 import org.phrenic.document.YamlValue.Place;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.InputBytes;
 import org.yaml.snakeyaml.DumperOptions;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.error.MarkedYAMLException;
@@ -60,7 +56,7 @@ public final class YamlDocument {
      * @throws BadInputException if it cannot be read, is not UTF-8 or no YAML mapping, or repeats a key
      */
     public static YamlMap read(Path file) {
-        return parse(file.toString(), text(file.toString(), InputBytes.read(file)));
+        return parse(file.toString(), TextFile.read(file, "a text file"));
     }
 
     /**
@@ -70,7 +66,7 @@ public final class YamlDocument {
      */
     public static YamlMap read(String name, InputStream stream) {
         try {
-            return parse(name, text(name, stream.readAllBytes()));
+            return parse(name, TextFile.decode(name, stream.readAllBytes(), "a text file"));
         } catch (IOException failure) {
             throw new BadInputException(name + ": reading failed: " + failure.getMessage(), failure);
         }
@@ -119,7 +115,7 @@ public final class YamlDocument {
     private YamlValue value(Place place, int depth) throws IOException {
         count(place, depth);
         if (parser.event() instanceof AliasEvent alias) {
-            return copy(aliased(alias, place), place, depth);
+            return copy(aliased(alias, place), place);
         }
         String anchor = ((NodeEvent) parser.event()).getAnchor();
         if (anchor != null) {
@@ -191,27 +187,10 @@ public final class YamlDocument {
         return value;
     }
 
-    /** The same value at another place. */
-    private YamlValue copy(YamlValue value, Place place, int depth) {
-        if (value.content() instanceof YamlMap map) {
-            Map<String, YamlValue> values = new LinkedHashMap<>();
-            map.values().forEach((key, inner) -> {
-                Place at = place.key(key, inner.place().line());
-                count(at, depth + 1);
-                values.put(key, copy(inner, at, depth + 1));
-            });
-            return new YamlValue(place, new YamlMap(place, values), false);
-        }
-        if (value.content() instanceof List<?>) {
-            List<YamlValue> items = new ArrayList<>();
-            for (YamlValue inner : value.list("")) {
-                Place at = place.item(items.size(), inner.place().line());
-                count(at, depth + 1);
-                items.add(copy(inner, at, depth + 1));
-            }
-            return new YamlValue(place, items, false);
-        }
-        return new YamlValue(place, value.content(), value.quoted());
+    /** The same value at another place; what is inside keeps the place of the anchor. */
+    private static YamlValue copy(YamlValue value, Place place) {
+        Object content = value.content() instanceof YamlMap map ? new YamlMap(place, map.values()) : value.content();
+        return new YamlValue(place, content, value.quoted());
     }
 
     private void count(Place place, int depth) {
@@ -228,18 +207,6 @@ public final class YamlDocument {
     private static void requireStandardTag(String tag, Place place) {
         if (tag != null && !tag.equals("!") && new Tag(tag.strip()).isCustomGlobal()) {
             throw place.bad("found '" + tag + "': this tag is not allowed, expected a plain value");
-        }
-    }
-
-    private static String text(String name, byte[] bytes) {
-        try {
-            String text = StandardCharsets.UTF_8
-                    .newDecoder()
-                    .decode(ByteBuffer.wrap(bytes))
-                    .toString();
-            return text.startsWith("\uFEFF") ? text.substring(1) : text;
-        } catch (CharacterCodingException notUtf8) {
-            throw new BadInputException(name + ": found bytes that are not UTF-8, expected a text file", notUtf8);
         }
     }
 

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.RunSettings;
@@ -34,7 +34,7 @@ public final class SimulationRun {
     public static Thorax loadThorax(Scenario scenario) {
         if (scenario.isVirtual()) {
             String preset = scenario.anatomy().substring("virtual/".length());
-            return VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), scenario.resolution());
+            return VirtualThorax.generate(VirtualThoraxParameters.preset(preset), scenario.resolution());
         }
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }

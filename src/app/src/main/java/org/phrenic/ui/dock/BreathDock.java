@@ -1,6 +1,5 @@
 package org.phrenic.ui.dock;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -18,6 +17,7 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.breathing.BreathingTraceReader;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Assignment;
@@ -145,7 +145,7 @@ public final class BreathDock extends SessionDock {
             session.change(
                     "Breath recorded in " + file.getFileName(),
                     Assignment.of("window", Breathing.TRACE, Optional.of(file.toAbsolutePath())));
-        } catch (IOException e) {
+        } catch (BadInputException e) {
             session.refuse(e.getMessage());
         }
     }

@@ -14,7 +14,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParametersReader;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.mesh.query.SurfaceDistance;
@@ -42,8 +42,7 @@ public class DistanceBenchmark {
     /** Two meshes of the virtual diaphragm with different vertices, one shifted down. */
     @Setup
     public void make() {
-        TriangleMesh sheet = VirtualThorax.generate(
-                        VirtualThoraxParametersReader.preset("adult-male"), Resolution.MEDIUM)
+        TriangleMesh sheet = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.MEDIUM)
                 .structuresOf(StructureKind.DIAPHRAGM)
                 .get(0)
                 .mesh();

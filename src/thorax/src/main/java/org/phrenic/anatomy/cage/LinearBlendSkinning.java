@@ -63,7 +63,7 @@ public final class LinearBlendSkinning implements PrescribedMotion {
             double vx = 0;
             double vy = 0;
             double vz = 0;
-            // Largest weight first: after the first that is 0 there is none.
+            // Weights are in descending order: the first 0 ends them.
             for (int k = most * n; k < most * (n + 1) && weight[k] != 0; k++) {
                 double w = weight[k];
                 double[] t = pose.pose(body[k]);

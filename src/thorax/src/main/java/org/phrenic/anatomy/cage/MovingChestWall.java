@@ -260,8 +260,8 @@ public final class MovingChestWall {
     private void plane(double allowance, double px, double py, double pz, double[] plane, int at) {
         double x = px - centreX;
         double y = py - centreY;
-        // How the wall near the point has come from its place at rest, between cells: with that of the nearest cell,
-        // neighbouring points of a lung lay at unlike depths, and a point jumped where it changed cells.
+        // Displacement of the wall near the point, interpolated between cells: taken from the nearest cell it would
+        // jump where a point changes cells.
         double here = diamondAngle(x, y);
         double height = clampLayer((pz - bottom) / LAYER_MM);
         int cell = ((int) height) * SECTORS + (int) here;

@@ -3,6 +3,7 @@ package org.phrenic.anatomy.cage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -57,8 +58,6 @@ public final class RibCage {
     public static RibCage of(Thorax thorax, RibAxisTable table, boolean movingSternum) {
         List<Body> bodies = new ArrayList<>();
         bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
-        List<double[]> from = new ArrayList<>();
-        List<double[]> to = new ArrayList<>();
         List<Structure> ribs = thorax.structuresOf(StructureKind.RIB);
         List<RibEnds> found = ribs.parallelStream()
                 .map(rib -> RibEnds.find(rib.mesh(), rib.side()))
@@ -68,21 +67,31 @@ public final class RibCage {
             RibEnds ends = found.get(i);
             HelicalAxis axis = table.axis(rib.level(), rib.side(), ends.head());
             bodies.add(new Body(rib.name(), rib.level(), rib.side(), Optional.of(axis), Optional.of(ends)));
-            if (rib.level() <= LAST_TRUE_RIB) {
-                double[] end = ends.anterior();
-                from.add(end);
-                to.add(axis.motion().apply(end[0], end[1], end[2]));
-            }
         }
-        if (movingSternum && !thorax.structuresOf(StructureKind.STERNUM).isEmpty() && from.size() >= 3) {
-            HelicalAxis axis = HelicalAxis.of(RigidMotion.fit(flatten(from), flatten(to)));
+        boolean led = bodies.stream().filter(RibCage::leadsSternum).count() >= 3;
+        if (movingSternum && led && !thorax.structuresOf(StructureKind.STERNUM).isEmpty()) {
+            HelicalAxis axis = sternumAxis(bodies, body -> body.axis().orElseThrow());
             bodies.add(new Body("sternum", 0, Side.MIDLINE, Optional.of(axis), Optional.empty()));
         }
         return new RibCage(bodies);
     }
 
-    private static double[] flatten(List<double[]> points) {
-        return points.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+    private static boolean leadsSternum(Body body) {
+        return body.ends().isPresent() && body.level() <= LAST_TRUE_RIB;
+    }
+
+    /** The rigid motion that best follows the anterior ends of the true ribs, each turning about its axis. */
+    private static HelicalAxis sternumAxis(List<Body> bodies, Function<Body, HelicalAxis> axes) {
+        List<Body> ribs = bodies.stream().filter(RibCage::leadsSternum).toList();
+        double[] from = new double[3 * ribs.size()];
+        double[] to = new double[from.length];
+        for (int i = 0; i < ribs.size(); i++) {
+            double[] end = ribs.get(i).ends().orElseThrow().anterior();
+            System.arraycopy(end, 0, from, 3 * i, 3);
+            double[] moved = axes.apply(ribs.get(i)).motion().apply(end[0], end[1], end[2]);
+            System.arraycopy(moved, 0, to, 3 * i, 3);
+        }
+        return HelicalAxis.of(RigidMotion.fit(from, to));
     }
 
     public List<Body> bodies() {
@@ -113,23 +122,13 @@ public final class RibCage {
             return motions;
         }
         HelicalBody[] other = new HelicalBody[motions.length];
-        List<double[]> from = new ArrayList<>();
-        List<double[]> to = new ArrayList<>();
+        Function<Body, HelicalAxis> scaled =
+                body -> scaleBucketHandle(body.axis().orElseThrow(), bucket);
         for (int i = 0; i < other.length; i++) {
-            Body body = bodies.get(i);
-            if (body.ends().isPresent()) {
-                HelicalAxis axis = scaleBucketHandle(body.axis().orElseThrow(), bucket);
-                other[i] = new HelicalBody(axis);
-                if (body.level() <= LAST_TRUE_RIB) {
-                    double[] end = body.ends().get().anterior();
-                    from.add(end);
-                    to.add(axis.motion().apply(end[0], end[1], end[2]));
-                }
-            }
+            other[i] = bodies.get(i).ends().isPresent() ? new HelicalBody(scaled.apply(bodies.get(i))) : null;
         }
-        int sternum = sternum();
-        if (sternum != TRUNK) {
-            other[sternum] = new HelicalBody(HelicalAxis.of(RigidMotion.fit(flatten(from), flatten(to))));
+        if (sternum() != TRUNK) {
+            other[sternum()] = new HelicalBody(sternumAxis(bodies, scaled));
         }
         return other;
     }

@@ -1,7 +1,12 @@
 package org.phrenic.anatomy.virtual;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.util.List;
 import org.phrenic.document.Key;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.file.BadInputException;
 
 /**
  * The measures a virtual thorax is generated from, at end-expiration. Lengths in mm, angles in degrees, volumes in ml;
@@ -23,6 +28,37 @@ public record VirtualThoraxParameters(
 
     /** T1 to L3. */
     public static final int VERTEBRAE = 15;
+
+    private static final String FOLDER = "/org/phrenic/data/thorax/";
+
+    /**
+     * The measures that come with the program.
+     *
+     * @param preset {@code adult-male} or {@code adult-female}
+     * @throws IllegalArgumentException if there is no such body
+     */
+    public static VirtualThoraxParameters preset(String preset) {
+        String file = preset + ".yaml";
+        try (InputStream in = VirtualThoraxParameters.class.getResourceAsStream(FOLDER + file)) {
+            if (in == null) {
+                throw new IllegalArgumentException(
+                        "virtual thorax '" + preset + "' is not known, expected adult-male or adult-female");
+            }
+            return YamlDocument.read(file, in).bind(VirtualThoraxParameters.class);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * Measures from a YAML text; unknown keys, missing keys and wrong counts are errors.
+     *
+     * @param source what to call the text in messages
+     * @throws BadInputException with one sentence naming source, line and key if the text is no full set of measures
+     */
+    public static VirtualThoraxParameters read(String source, String text) {
+        return YamlDocument.parse(source, text).bind(VirtualThoraxParameters.class);
+    }
 
     /**
      * The column T1 to L3.

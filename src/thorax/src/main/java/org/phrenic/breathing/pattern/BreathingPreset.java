@@ -146,14 +146,10 @@ public final class BreathingPreset {
             throw yaml.bad("kind", "found 'trace', expected one that needs no file beside the program");
         }
         BreathingParameters parameters = parameters(yaml, "file", "detrend", "loop");
-        try {
-            BreathingTrace read = BreathingTraceReader.read(folder.resolve(yaml.text("file")));
-            BreathingTrace trace = yaml.flag("detrend", false) ? read.detrended() : read;
-            boolean loops = yaml.flag("loop", true);
-            return new BreathingPreset(name, parameters, p -> new TracePattern(trace, p, loops));
-        } catch (IOException e) {
-            throw new BadInputException(e.getMessage(), e);
-        }
+        BreathingTrace read = BreathingTraceReader.read(folder.resolve(yaml.text("file")));
+        BreathingTrace trace = yaml.flag("detrend", false) ? read.detrended() : read;
+        boolean loops = yaml.flag("loop", true);
+        return new BreathingPreset(name, parameters, p -> new TracePattern(trace, p, loops));
     }
 
     /** The keys of {@link BreathingParameters}; besides them, name and kind the mapping may have these alone. */

@@ -3,7 +3,6 @@ package org.phrenic.breathing.pattern;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathWaveform;
 import org.phrenic.breathing.BreathingParameters;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
@@ -12,10 +11,8 @@ import org.phrenic.breathing.RespiratoryPhase;
  * <p>Of the {@code n} breaths of a cycle, breath {@code k} (from 0) has the depth {@code sin^2(pi (k + 1/2) / n)} of
  * the deepest. Each begins and ends at end-expiration, so that the change of depth shows nowhere as a step.
  */
-public final class CheyneStokesPattern implements BreathingPattern {
-    private final String name;
+public final class CheyneStokesPattern extends NamedPattern {
     private final double oneBreathS;
-    private final double cycleS;
     private final double[] depths;
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
@@ -29,13 +26,12 @@ public final class CheyneStokesPattern implements BreathingPattern {
      * @param apnoeaS time without breaths after them, s, from 0
      */
     public CheyneStokesPattern(String name, BreathingParameters deepest, int breaths, double apnoeaS) {
+        super(name, breaths * deepest.periodS() + apnoeaS);
         if (breaths < 1 || !(apnoeaS >= 0) || Double.isInfinite(apnoeaS)) {
             throw new IllegalArgumentException("waxing and waning: breaths " + breaths + " and apnoea_s " + apnoeaS
                     + ", expected at least 1 breath and at least 0 s");
         }
-        this.name = name;
         oneBreathS = deepest.periodS();
-        cycleS = breaths * oneBreathS + apnoeaS;
         wave = deepest.wave();
         drive = new RespiratoryDrive(deepest);
         depths = new double[breaths];
@@ -46,20 +42,10 @@ public final class CheyneStokesPattern implements BreathingPattern {
     }
 
     @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public double periodS() {
-        return cycleS;
-    }
-
-    @Override
     public void at(double timeS, BreathState state) {
-        double cycles = Math.max(0, timeS / cycleS);
+        double cycles = Math.max(0, timeS / periodS());
         int cycle = (int) cycles;
-        double breaths = (cycles - cycle) * cycleS / oneBreathS;
+        double breaths = (cycles - cycle) * periodS() / oneBreathS;
         int breath = (int) breaths;
         if (breath >= depths.length) {
             state.setAtRest(RespiratoryPhase.PAUSE);

@@ -2,7 +2,6 @@ package org.phrenic.breathing.pattern;
 
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingParameters;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.Smootherstep;
 
@@ -14,10 +13,8 @@ import org.phrenic.breathing.Smootherstep;
  * (drive falls in its first half, ribs fall over all of it, pressure stays for its first half), then pressure falls
  * over a recovery as long as expulsion; rest to the end of the period.
  */
-public final class CoughPattern implements BreathingPattern {
-    private final String name;
+public final class CoughPattern extends NamedPattern {
     private final RespiratoryDrive drive;
-    private final double periodS;
     private final double inspirationS;
     private final double compressionS;
     private final double expulsionS;
@@ -38,10 +35,10 @@ public final class CoughPattern implements BreathingPattern {
             double compressionS,
             double expulsionS,
             double abdominalPressure) {
+        super(name, parameters.periodS());
         BreathingParameters.requireShare("abdominal_pressure", abdominalPressure);
-        this.name = name;
         this.drive = new RespiratoryDrive(parameters);
-        this.periodS = parameters.periodS();
+        double periodS = parameters.periodS();
         this.inspirationS = parameters.inspiratoryFraction() * periodS;
         this.compressionS = compressionS;
         this.expulsionS = expulsionS;
@@ -51,25 +48,16 @@ public final class CoughPattern implements BreathingPattern {
             throw new IllegalArgumentException(
                     "cough: inspiration " + inspirationS + " s, compression_s " + compressionS
                             + " and expulsion_s " + expulsionS
-                            + ", expected more than 0 and inspiration, compression and twice the expulsion within the period of "
+                            + ", expected more than 0 and inspiration, compression and twice the expulsion within the "
+                            + "period of "
                             + periodS + " s");
         }
     }
 
     @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public double periodS() {
-        return periodS;
-    }
-
-    @Override
     public void at(double timeS, BreathState state) {
-        state.setPlace(timeS, periodS);
-        double t = state.phase * periodS;
+        state.setPlace(timeS, periodS());
+        double t = state.phase * periodS();
         double compressed = t - inspirationS;
         double expelled = compressed - compressionS;
 

@@ -3,7 +3,6 @@ package org.phrenic.breathing.pattern;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathWaveform;
 import org.phrenic.breathing.BreathingParameters;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
@@ -14,14 +13,13 @@ import org.phrenic.breathing.RespiratoryPhase;
  * {@value #CREEP_TIME_S} s. Measured in 15 people: up to 5.6 mm towards the head in 24 s, 123 ml less in the lung
  * (PMC7055431). The ribs stay. Held at expiration everything rests, and there is nothing that could creep.
  */
-public final class HoldPattern implements BreathingPattern {
+public final class HoldPattern extends NamedPattern {
     /** Hold over which the creep is stated, s. */
     public static final double CREEP_TIME_S = 24;
 
     /** Creep gathers speed over this time, s, so that the hold begins without a jerk. */
     private static final double CREEP_ONSET_S = 1;
 
-    private final String name;
     private final PeriodicPattern around;
     private final double startS;
     private final int breathsBefore;
@@ -52,6 +50,7 @@ public final class HoldPattern implements BreathingPattern {
             BreathingParameters held,
             double holdS,
             double creepFraction) {
+        super(name, Double.POSITIVE_INFINITY);
         if (breathsBefore < 0 || !(holdS > 0) || Double.isInfinite(holdS)) {
             throw new IllegalArgumentException("breath hold: breaths_before " + breathsBefore + " and hold_s " + holdS
                     + ", expected at least 0 breaths and more than 0 s");
@@ -60,7 +59,6 @@ public final class HoldPattern implements BreathingPattern {
             throw new IllegalArgumentException(
                     "breath hold: creep_fraction " + creepFraction + ", expected from 0 to below 1");
         }
-        this.name = name;
         this.around = new PeriodicPattern(name, around);
         this.breathsBefore = breathsBefore;
         this.holdS = holdS;
@@ -73,16 +71,6 @@ public final class HoldPattern implements BreathingPattern {
         inspirationS = heldPeriodS * breath.inspiratoryFraction();
         resumeS = startS + heldPeriodS + holdS;
         creepRate = -StrictMath.log1p(-creepFraction) / effectiveHoldTime(CREEP_TIME_S);
-    }
-
-    @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public double periodS() {
-        return Double.POSITIVE_INFINITY;
     }
 
     /** Until the hold is over and one more breath has been taken. */

@@ -3,38 +3,24 @@ package org.phrenic.breathing.pattern;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathWaveform;
 import org.phrenic.breathing.BreathingParameters;
-import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /** The same breath again and again: quiet, deep, rapid and shallow, sniffs. */
-public final class PeriodicPattern implements BreathingPattern {
-    private final String name;
-    private final double periodS;
+public final class PeriodicPattern extends NamedPattern {
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
 
     /** Breaths of these parameters. */
     public PeriodicPattern(String name, BreathingParameters parameters) {
-        this.name = name;
-        periodS = parameters.periodS();
+        super(name, parameters.periodS());
         wave = parameters.wave();
         drive = new RespiratoryDrive(parameters);
     }
 
     @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public double periodS() {
-        return periodS;
-    }
-
-    @Override
     public void at(double timeS, BreathState state) {
-        state.setPlace(timeS, periodS);
+        state.setPlace(timeS, periodS());
         state.respiratoryPhase = timeS < 0 ? RespiratoryPhase.PAUSE : wave.respiratoryPhase(state.phase);
-        drive.write(wave.value(state.phase), wave.slope(state.phase) / periodS, state);
+        drive.write(wave.value(state.phase), wave.slope(state.phase) / periodS(), state);
     }
 }

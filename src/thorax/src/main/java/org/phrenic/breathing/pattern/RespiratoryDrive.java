@@ -5,11 +5,11 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.engine.kinematics.SaturatingAmplitude;
 
 /**
- * From the depth of a breath to what is asked of the thorax: the turn of the ribs along the saturating curve, so that
- * deep breaths turn them mostly at their beginning, and muscle and pressure along the same curve. With muscle in
- * proportion to the depth the dome would go down mostly at the end of a deep breath, when the ribs have all but come to
- * rest; in people it follows the inspired volume in proportion (Houston et al. 1994, PMID 7940428: a straight line, r
- * of 0.976 or more).
+ * Maps the depth of a breath to activation, pressure and rotation of the ribs: the turn of the ribs along the
+ * saturating curve, so that deep breaths turn them mostly at their beginning, and muscle and pressure along the same
+ * curve. With muscle in proportion to the depth the dome would go down mostly at the end of a deep breath, when the
+ * ribs have all but come to rest; in people it follows the inspired volume in proportion (Houston et al. 1994, PMID
+ * 7940428: a straight line, r of 0.976 or more).
  */
 final class RespiratoryDrive {
     private static final SaturatingAmplitude CURVE = SaturatingAmplitude.DEFAULT;

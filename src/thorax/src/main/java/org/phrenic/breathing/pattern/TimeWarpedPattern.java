@@ -5,10 +5,7 @@ import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.TimeWarp;
 
-/**
- * A pattern by the clock of a breath that can be held: asked for time t it gives what the pattern asks for at tau(t),
- * its rates times tau'(t).
- */
+/** A pattern evaluated at warped time: at time t its values are those at tau(t), its rates those times tau'(t). */
 public final class TimeWarpedPattern implements BreathingPattern {
     private final BreathingPattern pattern;
     private final TimeWarp clock;

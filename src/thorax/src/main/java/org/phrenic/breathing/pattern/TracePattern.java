@@ -9,7 +9,7 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.Smootherstep;
 
 /**
- * Breathing as it was recorded.
+ * Breathing from a recorded trace.
  *
  * <p>The trace is normalised (0 at its 5th, 1 at its 95th percentile), cut to begin and end near end-expiration, kept
  * from 0 to what the body can do, and joined by monotone cubics. Its first and last {@value #FADE_S} s are faded, so

@@ -1,7 +1,5 @@
 package org.phrenic.model.assembly;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -89,20 +87,11 @@ public final class Breathing implements ScenePart {
         if (trace.isEmpty()) {
             return preset.pattern(p);
         }
-        try {
-            return new TracePattern(BreathingTraceReader.read(trace.get()), p, true);
-        } catch (IOException e) {
-            throw new BadInputException(
-                    trace.get() + ": found nothing that can be read, expected a recorded breath", e);
-        }
+        return new TracePattern(BreathingTraceReader.read(trace.get()), p, true);
     }
 
     private static BreathingPreset preset(String name) {
-        try {
-            return BreathingPreset.named(name);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return BreathingPreset.named(name);
     }
 
     /** The preset by its name. */
@@ -175,8 +164,6 @@ public final class Breathing implements ScenePart {
                         yaml.bad(key(), "found '" + found + "', expected a path")
                                 .getMessage(),
                         e);
-            } catch (IOException e) {
-                throw new BadInputException(e.getMessage(), e);
             }
         }
 

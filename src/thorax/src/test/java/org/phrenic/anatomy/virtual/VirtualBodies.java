@@ -15,8 +15,7 @@ public final class VirtualBodies {
 
     public static Thorax grow(String preset, Resolution resolution) {
         return GROWN.computeIfAbsent(
-                preset + resolution,
-                key -> VirtualThorax.generate(VirtualThoraxParametersReader.preset(preset), resolution));
+                preset + resolution, key -> VirtualThorax.generate(VirtualThoraxParameters.preset(preset), resolution));
     }
 
     static SurfaceChecks surface(Thorax thorax, String name) {

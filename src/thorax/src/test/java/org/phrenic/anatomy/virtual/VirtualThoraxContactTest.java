@@ -97,7 +97,7 @@ class VirtualThoraxContactTest {
     @ValueSource(strings = {"adult-male", "adult-female"})
     void lungsEndAboveTheLineOfInsertion(String preset) {
         Thorax thorax = body(preset);
-        VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset(preset);
+        VirtualThoraxParameters parameters = VirtualThoraxParameters.preset(preset);
         ChestWallShape wall = new ChestWallShape(parameters.chestWall(), new Spine(parameters.spine()));
         DiaphragmShape dome = new DiaphragmShape(parameters.diaphragm(), wall);
         for (Structure lung : thorax.structuresOf(StructureKind.LUNG)) {

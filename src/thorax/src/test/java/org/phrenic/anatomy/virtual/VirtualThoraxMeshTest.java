@@ -86,7 +86,7 @@ class VirtualThoraxMeshTest {
 
     @Test
     void facesOfTheDiaphragmArePartnersOneThicknessApart() {
-        VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
+        VirtualThoraxParameters parameters = VirtualThoraxParameters.preset("adult-male");
         SurfaceChecks sheet = VirtualBodies.surface(VirtualBodies.grow("adult-male", Resolution.MEDIUM), "diaphragm");
         int half = sheet.mesh.vertexCount() / 2;
         double thinnest = Double.POSITIVE_INFINITY;
@@ -103,7 +103,7 @@ class VirtualThoraxMeshTest {
     @Test
     void theSameMeasuresGiveTheSameBits() {
         Thorax one = VirtualBodies.grow("adult-male", Resolution.LOW);
-        Thorax two = VirtualThorax.generate(VirtualThoraxParametersReader.preset("adult-male"), Resolution.LOW);
+        Thorax two = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
         for (int i = 0; i < one.structures().size(); i++) {
             Structure a = one.structures().get(i);
             Structure b = two.structures().get(i);
@@ -121,7 +121,7 @@ class VirtualThoraxMeshTest {
     @Test
     void growsInUnderTwoSecondsOfProcessorTime() {
         var system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-        VirtualThoraxParameters parameters = VirtualThoraxParametersReader.preset("adult-male");
+        VirtualThoraxParameters parameters = VirtualThoraxParameters.preset("adult-male");
         double best = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3 && best > 2; i++) {
             long start = system.getProcessCpuTime();

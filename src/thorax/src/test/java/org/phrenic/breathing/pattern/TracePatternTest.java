@@ -16,6 +16,7 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingTrace;
 import org.phrenic.breathing.BreathingTraceReader;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.BadInputException;
 
 class TracePatternTest {
     private static final BreathingParameters DEPTH = new BreathingParameters(15, 0.4, 0.1, 0.26, 0.06, 1.0 / 6, 0.5);
@@ -91,14 +92,17 @@ class TracePatternTest {
 
     @Test
     void badTracesAreRefusedInOneSentence() throws IOException {
-        refused("a,b\n1,2\n", " line 1: columns 'a b', expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude'");
-        refused("time_s,amplitude\n0,1\n1,x\n", " line 3: amplitude 'x', expected a number");
-        refused("time_s,amplitude\n0,1\n1\n", " line 3: 1 values, expected 2");
+        refused("a,b\n1,2\n", ": line 1: found columns 'a b', expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude'");
+        refused("time_s,amplitude\n0,1\n1,x\n", ": line 3, column 'amplitude': found 'x', expected a number");
+        refused("time_s,amplitude\n0,1\n1\n", ": line 3: found 1 cells, expected 2 as in the header");
         refused(
                 "time_s,amplitude\n0,1\n1,2\n0.5,2\n",
-                " line 4: time 0.5, expected more than the 1.0 before it (1 of 3 rows are out of order)");
+                ": line 4, column 'time_s': found time 0.5, expected more than the 1.0 before it (1 of 3 rows are out of order)");
         refused("time_s,amplitude\n0,1\n", ": 1 times and 1 values, expected as many of both and at least 8");
-        refused("", ": no rows, expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude' and samples");
+        refused("", ": found an empty file, expected content");
+        refused(
+                "time_s,amplitude\n",
+                ": found no rows, expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude' and samples");
         Path flat = write("time_s,amplitude\n0,1\n1,1\n2,1\n3,1\n4,1\n5,1\n6,1\n7,1\n");
         BreathingTrace trace = BreathingTraceReader.read(flat);
         assertThatThrownBy(() -> new TracePattern(trace, DEPTH, true))
@@ -106,7 +110,7 @@ class TracePatternTest {
         Path binary = folder.resolve("binary.csv");
         Files.write(binary, new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});
         assertThatThrownBy(() -> BreathingTraceReader.read(binary))
-                .hasMessage(binary + ": not text in UTF-8, expected a CSV file of recorded breathing");
+                .hasMessage(binary + ": found bytes that are not UTF-8, expected a CSV file of recorded breathing");
     }
 
     /**
@@ -145,7 +149,7 @@ class TracePatternTest {
     private void refused(String text, String message) throws IOException {
         Path file = write(text);
         assertThatThrownBy(() -> BreathingTraceReader.read(file))
-                .isInstanceOf(IOException.class)
+                .isInstanceOf(BadInputException.class)
                 .hasMessage(file + message);
     }
 

@@ -1,5 +1,7 @@
 package org.phrenic.anatomy.virtual.shape;
 
+import java.util.Arrays;
+
 /**
  * A smooth curve through a table, without overshoot: piecewise cubic Hermite with the slopes of Fritsch and Butland
  * 1984 (doi 10.1137/0905021). Beyond its ends it goes on as the straight line of the end slope.
@@ -44,16 +46,9 @@ public final class ProfileCurve {
         if (t >= at[n - 1]) {
             return value[n - 1] + slope[n - 1] * (t - at[n - 1]);
         }
-        int low = 0;
-        int high = n - 1;
-        while (high - low > 1) {
-            int middle = (low + high) >>> 1;
-            if (at[middle] <= t) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        int found = Arrays.binarySearch(at, t);
+        int low = found >= 0 ? found : -found - 2;
+        int high = low + 1;
         double h = at[high] - at[low];
         double u = (t - at[low]) / h;
         double v = 1 - u;

@@ -1,9 +1,8 @@
 package org.phrenic.anatomy.virtual.shape;
 
 /**
- * The two powers that a superellipse asks for at each of the million points where the chest wall is sampled, from a
- * table: {@code m^n} and {@code (1 + m^n)^(-1/n)} for m from 0 to 1. Bilinear between entries; off by at most 6e-6, a
- * micrometre of the wall.
+ * Tabulated powers for superelliptic sections, which the chest wall samples at a million points: {@code m^n} and
+ * {@code (1 + m^n)^(-1/n)} for m from 0 to 1. Bilinear between entries; off by at most 6e-6, a micrometre of the wall.
  */
 public final class SuperellipseTable {
     private static final int RATIO_STEPS = 512;

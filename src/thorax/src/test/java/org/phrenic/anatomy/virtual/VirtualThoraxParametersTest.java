@@ -10,32 +10,29 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
 
-class VirtualThoraxParametersReaderTest {
+class VirtualThoraxParametersTest {
     private static String male() throws IOException {
         try (InputStream in =
-                VirtualThoraxParametersReader.class.getResourceAsStream("/org/phrenic/data/thorax/adult-male.yaml")) {
+                VirtualThoraxParameters.class.getResourceAsStream("/org/phrenic/data/thorax/adult-male.yaml")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
     }
 
     private static void assertRefused(String text, String... words) {
         assertThatExceptionOfType(BadInputException.class)
-                .isThrownBy(() -> VirtualThoraxParametersReader.read("body.yaml", text))
+                .isThrownBy(() -> VirtualThoraxParameters.read("body.yaml", text))
                 .withMessageStartingWith("body.yaml: ")
                 .satisfies(e -> assertThat(e.getMessage()).contains(words).doesNotContain("\n"));
     }
 
     @Test
     void bothBodiesAreThere() {
-        assertThat(VirtualThoraxParametersReader.preset("adult-male").sternum().bodyMm())
+        assertThat(VirtualThoraxParameters.preset("adult-male").sternum().bodyMm())
                 .isEqualTo(101.1);
-        assertThat(VirtualThoraxParametersReader.preset("adult-female")
-                        .ribs()
-                        .arcMm()
-                        .size())
+        assertThat(VirtualThoraxParameters.preset("adult-female").ribs().arcMm().size())
                 .isEqualTo(12);
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> VirtualThoraxParametersReader.preset("child"))
+                .isThrownBy(() -> VirtualThoraxParameters.preset("child"))
                 .withMessageContaining("child");
     }
 
