@@ -83,6 +83,7 @@ public final class Scenario implements SettingValues {
             values.put(assignment.setting(), assignment.value());
             origins.put(assignment.setting(), assignment.origin());
         }
+        values.keySet().removeIf(setting -> origins.containsKey(setting) && isMaterialDefault(values, setting));
         Scenario scenario = new Scenario(values);
         scenario.requireUsed(
                 origins.keySet(),
@@ -92,6 +93,12 @@ public final class Scenario implements SettingValues {
             return new BadInputException(at(origins.getOrDefault(setting, ""), setting) + problem);
         });
         return scenario.requireValidChanges();
+    }
+
+    /** Whether a value is what the material gives anyway: it then goes along when another material is chosen. */
+    private static boolean isMaterialDefault(Map<Setting<?>, Object> values, Setting<?> setting) {
+        boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset();
+        return setting.isLive() && !ofPreset && values.get(setting).equals(new Scenario(values).defaultOf(setting));
     }
 
     private static String at(String origin, Setting<?> setting) {

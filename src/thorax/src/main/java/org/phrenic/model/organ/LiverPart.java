@@ -1,5 +1,6 @@
 package org.phrenic.model.organ;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrix3;
 import org.ejml.data.DMatrix3x3;
@@ -150,6 +151,14 @@ public final class LiverPart {
         resistance.a31 = resistance.a13;
         resistance.a32 = resistance.a23;
         CommonOps_DDF3.invert(resistance, resistance);
+    }
+
+    /** Shares a mass among the nodes of the roof by their area, adding to what each node of the scene carries. */
+    public void hang(double mass, double[] carried) {
+        double all = Arrays.stream(area).sum();
+        for (int k = 0; k < roofNodes.length; k++) {
+            carried[roofNodes[k] / 3] += mass * area[k] / all;
+        }
     }
 
     /**
