@@ -18,10 +18,7 @@ import org.phrenic.scene.NeedlePictures;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.view.SceneViewport;
 
-/**
- * Writes the report of an attempt into a folder: what {@code phrenic rehearse} writes, and the plan that does the
- * attempt again.
- */
+/** Writes the report of an attempt: the files of {@code phrenic rehearse}, and the plan that repeats the attempt. */
 public final class AttemptReportWriter {
     private final SceneViewport view;
 
@@ -30,9 +27,9 @@ public final class AttemptReportWriter {
     }
 
     /**
-     * Writes; pictures are drawn one by one between those of the view, the report last.
+     * Writes the files in the background; pictures are drawn between the frames of the view.
      *
-     * @param done told on the event dispatch thread: empty if all is written, else why not
+     * @param done gets the reason of a failure, or an empty text, on the event dispatch thread
      */
     public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
         BackgroundWorker.execute(

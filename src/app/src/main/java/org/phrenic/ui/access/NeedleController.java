@@ -11,8 +11,8 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
 
 /**
- * What a hand does with the needle and asks of the breath, from keys, buttons, slider and wheel alike. Nothing happens
- * while the needle may not be used.
+ * Commands to the needle and the breath, from keys, buttons, slider and wheel. They are ignored while the needle is not
+ * usable.
  */
 public final class NeedleController {
     private static final double MM_PER_NOTCH = 2;
@@ -30,7 +30,7 @@ public final class NeedleController {
         this.view = view;
     }
 
-    /** What is asked is done in simulated time, so that has to go on. */
+    /** Passes a command to the needle, and resumes the simulation, in whose time it is carried out. */
     private void command(Consumer<LiveRehearsal> what) {
         rehearsal.usableNeedle().ifPresent(needle -> {
             what.accept(needle);
@@ -40,18 +40,17 @@ public final class NeedleController {
         });
     }
 
-    /** Means to go in at a place of the skin, given as it is at end-expiration. */
     void setEntry(double[] onSkinRest) {
         command(needle -> needle.enterAt(onSkinRest));
     }
 
-    /** Whether the needle can be moved: an entry is chosen. */
+    /** Whether the needle can be moved: it is usable and an entry is chosen. */
     boolean canMove() {
         return rehearsal.usableNeedle().isPresent()
                 && rehearsal.entrySelection().entry().isPresent();
     }
 
-    /** Moves the needle's tip to a depth; one that is not in the body is set on the skin first. */
+    /** Moves the tip to a depth, mm; a needle outside of the body is placed on the skin first. */
     public void moveTo(double depthMm) {
         if (rehearsal.usableNeedle().isPresent()
                 && rehearsal.entrySelection().entry().isEmpty()) {
@@ -66,14 +65,14 @@ public final class NeedleController {
         }
     }
 
-    /** Moves it by so much from where it is or is going to. */
+    /** Moves the tip from its depth, or from the one it moves to. */
     public void moveBy(double mm) {
         NeedleState now = rehearsal.state().orElse(null);
         double from = now == null || !now.placed() ? 0 : now.moving() ? commandedDepthMm : now.depthMm();
         moveTo(from + mm);
     }
 
-    /** The wheel was turned for the needle; says whether it could be moved. */
+    /** Moves the needle by the wheel; false if it cannot be moved. */
     public boolean wheelTurned(MouseWheelEvent e) {
         if (canMove()) {
             moveBy(-MM_PER_NOTCH * e.getPreciseWheelRotation());
@@ -81,7 +80,7 @@ public final class NeedleController {
         return canMove();
     }
 
-    /** Moves it as deep as the target lies. */
+    /** Moves the tip to the depth of the target. */
     public void moveToTarget() {
         rehearsal.state().ifPresent(now -> moveTo(now.aimedDepthMm()));
     }
@@ -90,22 +89,21 @@ public final class NeedleController {
         speedMmPerS = speed;
     }
 
-    /** Points the needle at where the target is now. */
+    /** Points the needle at the present place of the target. */
     public void aimAtTarget() {
         command(LiveRehearsal::aim);
     }
 
-    /** Takes a sample. */
     public void takeSample() {
         command(LiveRehearsal::sample);
     }
 
-    /** Holds the breath at its next end, or lets it go on. */
+    /** Holds the breath at the next end of a phase; empty releases it. */
     public void hold(Optional<BreathEvent.Kind> end) {
         command(needle -> needle.holdAt(end));
     }
 
-    /** Holds the breath when air has flowed out, or lets a held one go on. */
+    /** Holds the breath at end-expiration, or releases it. */
     public void toggleHold() {
         boolean holds = session.scenario().hold()
                 || rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();

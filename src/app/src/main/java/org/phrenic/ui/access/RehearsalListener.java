@@ -5,7 +5,7 @@ import org.phrenic.scene.BodySection;
 
 /** Events of a rehearsal. */
 public interface RehearsalListener {
-    /** Stage, target, entry or advice changed. */
+    /** Stage, target, entry or advice has changed. */
     default void onState() {}
 
     /** An attempt begins. */

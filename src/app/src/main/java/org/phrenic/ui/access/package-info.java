@@ -1,2 +1,2 @@
-/** Rehearsal mode: its docks and its session. */
+/** The rehearsal of liver access in the window: its state, stages and commands. Components are in {@code panel}. */
 package org.phrenic.ui.access;

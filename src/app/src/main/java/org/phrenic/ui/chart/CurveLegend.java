@@ -25,10 +25,10 @@ final class CurveLegend extends ScrollablePanel {
 
     private record CurveRow(JCheckBox box, JLabel value) {}
 
-    /** @param chosen told when other curves are chosen */
-    CurveLegend(List<PlotCurve> curves, Set<String> shown, Runnable chosen) {
+    /** @param onSelection runs when other curves are selected */
+    CurveLegend(List<PlotCurve> curves, Set<String> shown, Runnable onSelection) {
         super(new MigLayout("insets 4 6 4 8, gapy 2, fillx, hidemode 3", "[][grow,fill][right,84!]"));
-        this.onSelection = chosen;
+        this.onSelection = onSelection;
         JLabel at = new JLabel("At time");
         at.setToolTipText("Time of the values: that under the mouse, else that of the timeline");
         add(at, "span 2");
@@ -36,7 +36,7 @@ final class CurveLegend extends ScrollablePanel {
         curves.forEach(curve -> add(curve, shown.contains(curve.column())));
     }
 
-    /** Adds a curve at the end, if it is not there yet. */
+    /** Adds a curve, if it is not listed. */
     void add(PlotCurve curve, boolean show) {
         if (rows.containsKey(curve)) {
             return;
@@ -55,7 +55,6 @@ final class CurveLegend extends ScrollablePanel {
         revalidate();
     }
 
-    /** The curves whose boxes are ticked. */
     List<PlotCurve> selectedCurves() {
         return rows.entrySet().stream()
                 .filter(row -> row.getValue().box.isSelected())
@@ -63,7 +62,7 @@ final class CurveLegend extends ScrollablePanel {
                 .toList();
     }
 
-    /** Shows the values of a sample; none for -1. */
+    /** Shows the values of a sample; -1 for none. */
     void showValues(SampleRingBuffer ring, int sample) {
         time.setText(sample < 0 ? "-" : NumberFormats.fixedDecimals(ring.time(sample), 2) + " s");
         rows.forEach((curve, row) -> {
@@ -78,7 +77,7 @@ final class CurveLegend extends ScrollablePanel {
 
     @Override
     public Dimension getPreferredScrollableViewportSize() {
-        // The values are at the right edge: they need their place beside the scroll bar.
+        // Leaves room for the scroll bar beside the values.
         Dimension size = super.getPreferredScrollableViewportSize();
         return new Dimension(size.width + UIManager.getInt("ScrollBar.width"), size.height);
     }

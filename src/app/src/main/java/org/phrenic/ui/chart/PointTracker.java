@@ -9,7 +9,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.Session;
 
-/** Picked points whose way is plotted: vertices of surfaces, and how far up each has come since it was picked. */
+/** Tracks the displacement of picked vertices, up positive, since they were picked. */
 final class PointTracker {
     private record Track(PlotCurve curve, int surface, int vertex, double startHeightMm) {}
 
@@ -23,7 +23,7 @@ final class PointTracker {
         this.session = session;
     }
 
-    /** Another scene: its surfaces may have other vertices, so the points of the old one are let go. */
+    /** Takes over a scene; points of the scene before are dropped. */
     void reset(LiveScene newScene) {
         scene = newScene;
         frame = null;
@@ -31,7 +31,7 @@ final class PointTracker {
         nextSlot = 0;
     }
 
-    /** Begins to follow a vertex; empty while there is no scene. */
+    /** Tracks a vertex; empty while there is no scene. */
     Optional<PlotCurve> track(int surface, int vertex) {
         if (scene == null) {
             return Optional.empty();
@@ -49,12 +49,12 @@ final class PointTracker {
         return Optional.of(curve);
     }
 
-    /** Curves of the points that are followed. */
+    /** Curves of the tracked points. */
     List<PlotCurve> curves() {
         return Arrays.stream(tracks).filter(Objects::nonNull).map(Track::curve).toList();
     }
 
-    /** Notes where the points are now. */
+    /** Records the present displacements. */
     void record(SampleRingBuffer ring) {
         if (frame == null || ring.size() == 0 || !session.live().copyNewestFrame(frame)) {
             return;

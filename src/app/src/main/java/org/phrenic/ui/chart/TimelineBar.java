@@ -99,11 +99,7 @@ final class TimelineBar extends PaintedComponent {
         seekListener.accept(from + Math.max(0, Math.min(1, share)) * (to - from));
     }
 
-    /**
-     * Shows what is recorded.
-     *
-     * @param newMark time that is looked at, s
-     */
+    /** Sets the recorded interval, the time of the cursor (NaN for none) and the phases. */
     void setTimeline(double newFrom, double newTo, double newMark, List<PhaseBands.Band> newBands) {
         from = newFrom;
         to = Math.max(newTo, newFrom + 1e-3);

@@ -1,7 +1,6 @@
 package org.phrenic.ui.chart;
 
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -10,43 +9,35 @@ import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 
-/**
- * Scrubs through the recorded breath. While a recorded frame is looked at the simulation stands still; Live goes back
- * to the present, and on.
- */
+/** Shows recorded frames, while the simulation is paused; Live returns to the present and resumes it. */
 public final class TimelineDock extends JPanel implements Session.Listener {
-    /** Rows that cover the frames at hand: ten seconds and more at 50 a second. */
+    /** Samples of the recorded frames: more than ten seconds at 50 per second. */
     private static final int MAX_SAMPLES = 1500;
 
     private final transient Session session;
     private final transient SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), MAX_SAMPLES);
     private final TimelineBar bar = new TimelineBar(this::seek, this::stepFrames);
-    private final JButton previousFrame = new JButton("\u25c2");
-    private final JButton nextFrame = new JButton("\u25b8");
-    private final JButton liveButton = new JButton("Live");
+    private final JButton previousFrame = Controls.button("\u25c2", "Previous recorded frame", () -> stepFrames(-1));
+    private final JButton nextFrame = Controls.button("\u25b8", "Next recorded frame", () -> stepFrames(1));
+    private final JButton liveButton;
     private final JLabel time = new JLabel(" ");
 
     public TimelineDock(Session session) {
         super(new MigLayout("insets 4 8 4 8, fillx", "[][][][140!][grow,fill]"));
         this.session = session;
-        button(previousFrame, "One recorded frame back", () -> stepFrames(-1));
-        button(nextFrame, "One recorded frame on", () -> stepFrames(1));
-        button(liveButton, "Back to the present, and on", session::returnToLive);
-        add(previousFrame);
-        add(nextFrame);
-        add(liveButton);
+        liveButton = Controls.button("Live", "Back to the present", session::returnToLive);
+        for (JButton button : new JButton[] {previousFrame, nextFrame, liveButton}) {
+            button.getAccessibleContext().setAccessibleName(button.getToolTipText());
+            add(button);
+        }
         add(time);
         add(bar);
         refresh();
         session.addListener(this);
-    }
-
-    private static void button(JButton button, String tip, Runnable what) {
-        button.setToolTipText(tip);
-        button.getAccessibleContext().setAccessibleName(tip);
-        button.addActionListener(e -> what.run());
     }
 
     private void seek(double wanted) {
@@ -63,7 +54,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         session.showHistoryFrame(nearest);
     }
 
-    /** Goes so many frames on; beyond the last it follows the present. */
+    /** Goes a number of frames on; beyond the last it returns to the present. */
     public void stepFrames(int frames) {
         RunHistory history = session.live().history();
         if (history == null || history.frames() == 0) {
@@ -117,8 +108,8 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         bar.setTimeline(from, to, shown, PhaseBands.of(ring, from, to));
         time.setText(
                 scrubbing
-                        ? String.format(Locale.ROOT, "%.2f s, recorded", shown)
-                        : String.format(Locale.ROOT, "%.2f s, %s", shown, liveStateText()));
+                        ? NumberFormats.text("%.2f s, recorded", shown)
+                        : NumberFormats.text("%.2f s, %s", shown, liveStateText()));
     }
 
     private String liveStateText() {

@@ -1,2 +1,2 @@
-/** Docks that tune and show a simulation. */
+/** Docks of the researcher: parameters, breathing, forces, organs, display, stored settings. No rehearsal. */
 package org.phrenic.ui.dock;

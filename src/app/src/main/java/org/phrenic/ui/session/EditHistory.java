@@ -9,8 +9,8 @@ import javax.swing.undo.UndoManager;
 import javax.swing.undo.UndoableEdit;
 
 /**
- * The changes made by hand, to undo and redo: a {@link UndoManager} whose listeners are told of every change. Changes
- * of the same keys that follow one another within {@link #COALESCE_NS}, as from a dragged slider, merge into one.
+ * The changes made by hand, to undo and redo: a {@link UndoManager} with listeners. Changes of the same keys that
+ * follow one another within {@link #COALESCE_NS}, as from a dragged slider, merge into one.
  */
 public final class EditHistory {
     /** Changes of the same keys within this time merge. */

@@ -14,10 +14,10 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
 import org.phrenic.scenario.Scenario;
 
-/** Settings by name: scenario files in one folder, which {@code phrenic run} takes as well. */
+/** Scenarios stored by name: files in one folder, which {@code phrenic run} takes as well. */
 public final class ScenarioStore {
     private static final String SUFFIX = ".yaml";
-    private static final int LONGEST_NAME = 60;
+    private static final int MAX_NAME_LENGTH = 60;
 
     private final Path folder;
 
@@ -26,11 +26,10 @@ public final class ScenarioStore {
     }
 
     /**
-     * Where the platform wants an application's data.
+     * The folder of the platform for an application's data.
      *
      * @param system name of the operating system
      * @param environment variables by name, null for one that is not set
-     * @param home of the user
      */
     static Path folderOf(String system, UnaryOperator<String> environment, Path home) {
         String name = system.toLowerCase(Locale.ROOT);
@@ -53,7 +52,7 @@ public final class ScenarioStore {
                 System.getProperty("os.name", ""), System::getenv, Path.of(System.getProperty("user.home", "."))));
     }
 
-    /** Names of what is stored, in alphabetical order. */
+    /** Names of the stored scenarios, in alphabetical order. */
     public List<String> names() {
         if (!Files.isDirectory(folder)) {
             return List.of();
@@ -70,7 +69,7 @@ public final class ScenarioStore {
     }
 
     /**
-     * Keeps a scenario under a name, in the place of what had that name.
+     * Stores a scenario under a name, and replaces one of that name.
      *
      * @throws BadInputException if no file can have that name
      * @throws OutputException if it cannot be written
@@ -79,7 +78,7 @@ public final class ScenarioStore {
         YamlWriter.write(file(name), settings(name, scenario));
     }
 
-    /** What a run did with the settings, its steps and changes, is no part of them. */
+    /** The scenario without the steps and changes of a run. */
     private static Map<String, Object> settings(String name, Scenario scenario) {
         Map<String, Object> map = new LinkedHashMap<>(scenario.toMap());
         map.put("name", name);
@@ -91,13 +90,13 @@ public final class ScenarioStore {
     /**
      * The scenario of a name.
      *
-     * @throws BadInputException with one sentence, if there is none or it is no longer one
+     * @throws BadInputException if there is none, or it is not valid
      */
     public Scenario load(String name) {
         return Scenario.read(file(name));
     }
 
-    /** Forgets a name; nothing if there is none. */
+    /** Deletes a scenario; does nothing if there is none. */
     public void delete(String name) {
         try {
             Files.deleteIfExists(file(name));
@@ -109,11 +108,11 @@ public final class ScenarioStore {
     private Path file(String name) {
         String plain = name.strip();
         boolean usable = !plain.isEmpty()
-                && plain.length() <= LONGEST_NAME
+                && plain.length() <= MAX_NAME_LENGTH
                 && !plain.startsWith(".")
                 && plain.chars().noneMatch(c -> c < ' ' || "/\\:*?\"<>|".indexOf(c) >= 0);
         if (!usable) {
-            throw new BadInputException("name of settings: found '" + name + "', expected 1 to " + LONGEST_NAME
+            throw new BadInputException("name of settings: found '" + name + "', expected 1 to " + MAX_NAME_LENGTH
                     + " letters, digits, spaces, and no / \\ : * ? \" < > |");
         }
         return folder.resolve(plain + SUFFIX);

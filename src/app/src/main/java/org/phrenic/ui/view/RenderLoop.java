@@ -240,7 +240,6 @@ public final class RenderLoop implements AutoCloseable {
                 info.software() ? Math.max(MIN_FRAME_NS, Math.min(MAX_FRAME_MS * 1_000_000, wanted)) : MIN_FRAME_NS;
     }
 
-    /** Releases the image of a frame that is no longer shown. */
     void release(RenderedFrame old) {
         imagePool.release(old.image());
     }

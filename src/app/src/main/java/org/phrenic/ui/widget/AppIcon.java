@@ -11,11 +11,11 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The program's sign: two domes of a diaphragm. */
+/** The icon of the program: two domes of a diaphragm. */
 public final class AppIcon {
     private AppIcon() {}
 
-    /** At the sizes that platforms ask for. */
+    /** The icon at several sizes. */
     public static List<Image> images() {
         return Stream.of(16, 32, 48, 128).map(AppIcon::image).toList();
     }

@@ -4,11 +4,10 @@ import java.util.function.LongSupplier;
 import javax.swing.Timer;
 
 /**
- * Lets something happen at most so often: at once if it has not happened for a while, else a little later, and then
- * only once with what is newest.
+ * Limits the rate of an action: it runs at once if the last run is long enough ago, else once after the rest of the
+ * interval. For the event dispatch thread.
  */
 public final class RateLimiter {
-    /** Twenty times a second. */
     static final int INTERVAL_MS = 50;
 
     private static final long NS_PER_MS = 1_000_000;
@@ -19,10 +18,7 @@ public final class RateLimiter {
     private long lastRunNs;
     private boolean pending;
 
-    /**
-     * @param send what happens
-     * @param clockNs a clock such as {@link System#nanoTime}
-     */
+    /** @param clockNs a clock such as {@link System#nanoTime} */
     public RateLimiter(Runnable send, LongSupplier clockNs) {
         this.action = send;
         this.clockNs = clockNs;
@@ -31,7 +27,7 @@ public final class RateLimiter {
         timer.setRepeats(false);
     }
 
-    /** There is something new to send. */
+    /** Requests a run of the action. */
     public void request() {
         pending = true;
         long waitNs = lastRunNs + INTERVAL_MS * NS_PER_MS - clockNs.getAsLong();
@@ -43,7 +39,7 @@ public final class RateLimiter {
         }
     }
 
-    /** Sends now what waits; nothing if nothing does. */
+    /** Runs a pending action at once. */
     public void flush() {
         timer.stop();
         if (pending) {
@@ -53,7 +49,6 @@ public final class RateLimiter {
         }
     }
 
-    /** Whether something waits. */
     public boolean isPending() {
         return pending;
     }

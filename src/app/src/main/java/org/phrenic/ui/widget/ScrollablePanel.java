@@ -8,7 +8,7 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 
-/** What a dock scrolls: as wide as the dock, as high as it needs to be. */
+/** A panel in a scroll pane: as wide as the viewport, as high as it needs. */
 public class ScrollablePanel extends JPanel implements Scrollable {
     public ScrollablePanel() {
         this(new MigLayout("insets 0 0 8 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
@@ -18,7 +18,7 @@ public class ScrollablePanel extends JPanel implements Scrollable {
         super(layout);
     }
 
-    /** A dock's scroll pane around it: no frame, upright only. */
+    /** A scroll pane for a panel: no border, vertical scrolling only. */
     public static JScrollPane scrollPane(JPanel body) {
         JScrollPane scroll = new JScrollPane(
                 body, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);

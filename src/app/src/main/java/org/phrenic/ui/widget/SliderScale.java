@@ -5,24 +5,25 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Where a value stands on a slider. Linear; logarithmic, x = min (max / min)^s, where the range spans more than a
- * decade and a half; from zero on, where a value in use is small against the range, the first place is zero and the
- * others are logarithmic.
+ * Maps values to positions of a slider: linearly; logarithmically, x = min (max / min)^s, where the range spans more
+ * than a decade and a half; or, where a range from zero is large against the usual value, logarithmically after a first
+ * position at zero.
  *
- * @param minimum value of place 0
- * @param maximum value of place {@link #POSITIONS}
- * @param firstPositive value of place 1 of a logarithmic scale that begins at zero; value of place 0 of one that does
- *     not; 0 for a linear scale
+ * @param minimum value of position 0
+ * @param maximum value of position {@link #POSITIONS}
+ * @param firstPositive value of position 1 of a logarithmic scale from zero, or of position 0 of one above zero; 0 for
+ *     a linear scale
  */
 public record SliderScale(double minimum, double maximum, double firstPositive) {
-    /** Last place of the slider. */
+    /** Last position of the slider. */
     public static final int POSITIONS = 400;
 
     private static final double MIN_LOG_RATIO = 31.6;
     private static final double SMALL_FRACTION = 0.06;
     private static final double FIRST_POSITIVE_FRACTION = 0.01;
-    // Three digits tell neighbours apart that differ by more than 1.5 %.
+    /** Ratio of neighbours below which three digits do not distinguish them. */
     private static final double FINE_RATIO = 1.015;
+
     private static final MathContext DIGITS = new MathContext(3);
     private static final MathContext FINE_DIGITS = new MathContext(4);
 
@@ -43,7 +44,7 @@ public record SliderScale(double minimum, double maximum, double firstPositive) 
         return firstPositive > 0;
     }
 
-    /** The place nearest to a value; values beyond the range are at its ends. */
+    /** The position nearest to a value; values out of range are at the ends. */
     public int positionOf(double value) {
         if (!isLogarithmic()) {
             return clamp(Math.round(POSITIONS * (value - minimum) / (maximum - minimum)));
@@ -56,7 +57,7 @@ public record SliderScale(double minimum, double maximum, double firstPositive) 
         return clamp(first + Math.round(share * (POSITIONS - first)));
     }
 
-    /** The value at a place: the ends exactly, between them a number of few digits. */
+    /** The value at a position: exact at the ends, a number of few digits between them. */
     public double valueAt(int place) {
         if (place <= 0) {
             return minimum;

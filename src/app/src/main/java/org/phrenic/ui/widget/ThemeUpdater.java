@@ -12,10 +12,7 @@ import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.SwingUtilities;
 
-/**
- * Lets all that is there take the look just set, a few parts an event, so that keys and clicks between need not wait.
- * On the event dispatch thread.
- */
+/** Updates the components to a new look and feel, a few per event, so that input is handled in between. */
 public final class ThemeUpdater {
     private static final long SLICE_NS = 15_000_000;
 
@@ -23,9 +20,9 @@ public final class ThemeUpdater {
     private boolean running;
 
     /**
-     * Begins, or begins anew.
+     * Starts an update, and ends one that is not finished.
      *
-     * @param elsewhere parts that stand in no window now
+     * @param elsewhere components that may be in no window
      */
     public void start(List<? extends Component> elsewhere) {
         pending.clear();
@@ -55,7 +52,6 @@ public final class ThemeUpdater {
         }
     }
 
-    /** One component; its parts, as they are then, come next. */
     private void updateComponent(Component one) {
         if (one instanceof JComponent part) {
             part.updateUI();

@@ -61,7 +61,7 @@ final class MainMenuBar extends JMenuBar {
         return menu;
     }
 
-    /** Files opened lately, listed anew whenever the menu opens. */
+    /** Files opened lately, listed when the menu opens. */
     private static final class RecentMenu extends JMenu implements MenuListener {
         private final transient WindowPreferences preferences;
         private final transient Consumer<Path> open;

@@ -69,7 +69,7 @@ public final class PhrenicWindow {
      * Opens the window and returns when it is closed.
      *
      * @param file scenario, thorax folder or trace to open; empty for quiet breathing of the virtual adult male
-     * @throws org.phrenic.file.BadInputException with one sentence, if the file is none of these
+     * @throws org.phrenic.file.BadInputException if the file is none of these
      */
     public static void open(Optional<Path> file) throws InterruptedException {
         Scenario first = file.map(path -> FileOpener.readScenario(path, Scenario.defaults()))

@@ -1,2 +1,5 @@
-/** Sections, verdicts and report cards of rehearsal mode. */
+/**
+ * Docks and panels of the rehearsal of liver access. They show its state and pass commands to it; they decide
+ * nothing.
+ */
 package org.phrenic.ui.access.panel;
