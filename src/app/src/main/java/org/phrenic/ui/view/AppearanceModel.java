@@ -6,6 +6,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.AccessMapField;
@@ -21,42 +22,30 @@ import org.phrenic.simulation.observe.Surface;
 public final class AppearanceModel {
     /** Structures that share their settings. */
     public enum Group {
-        SKIN("Skin"),
-        RIBS("Ribs"),
-        CARTILAGES("Costal cartilages"),
-        STERNUM("Sternum"),
-        SPINE("Spine"),
-        DIAPHRAGM("Diaphragm"),
-        LUNGS("Lungs"),
-        LIVER("Liver"),
-        OTHER("Other");
+        SKIN("Skin", StructureKind.SKIN),
+        RIBS("Ribs", StructureKind.RIB),
+        CARTILAGES("Costal cartilages", StructureKind.COSTAL_CARTILAGE),
+        STERNUM("Sternum", StructureKind.STERNUM),
+        SPINE("Spine", StructureKind.VERTEBRA, StructureKind.DISC),
+        DIAPHRAGM("Diaphragm", StructureKind.DIAPHRAGM),
+        LUNGS("Lungs", StructureKind.LUNG),
+        LIVER("Liver", StructureKind.LIVER),
+        OTHER("Other", StructureKind.OTHER);
 
         private final String label;
+        private final Set<StructureKind> kinds;
 
-        Group(String label) {
+        Group(String label, StructureKind... kinds) {
             this.label = label;
+            this.kinds = Set.of(kinds);
         }
 
         public String label() {
             return label;
         }
 
-        private static Group of(StructureKind kind) {
-            return switch (kind) {
-                case SKIN -> SKIN;
-                case RIB -> RIBS;
-                case COSTAL_CARTILAGE -> CARTILAGES;
-                case STERNUM -> STERNUM;
-                case VERTEBRA, DISC -> SPINE;
-                case DIAPHRAGM -> DIAPHRAGM;
-                case LUNG -> LUNGS;
-                case LIVER -> LIVER;
-                case OTHER -> OTHER;
-            };
-        }
-
         boolean contains(Surface surface) {
-            return of(surface.kind()) == this;
+            return kinds.contains(surface.kind());
         }
     }
 

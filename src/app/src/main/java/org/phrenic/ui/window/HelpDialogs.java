@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Frame;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -20,7 +21,6 @@ import javax.swing.KeyStroke;
 import javax.swing.table.DefaultTableModel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.ui.widget.Controls;
 
 /** Help > Keys and Help > About. */
 final class HelpDialogs {
@@ -38,19 +38,11 @@ final class HelpDialogs {
         {"Apache Commons Math", "splines, statistics, fits", "Apache-2.0"},
         {"Apache Commons CSV, IO, Codec", "tables", "Apache-2.0"},
         {"picocli", "command line", "Apache-2.0"},
-        {"SnakeYAML", "scenarios", "Apache-2.0"},
+        {"Jackson, SnakeYAML", "scenarios, JSON", "Apache-2.0"},
+        {"JOML", "cameras", "MIT"},
     };
 
     private HelpDialogs() {}
-
-    /** Lets the Escape key close a dialog. */
-    static void closeOnEscape(JDialog dialog) {
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        e -> dialog.setVisible(false),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
-    }
 
     /** The table of keys, made from the actions. */
     static JDialog keys(Frame owner, List<MenuAction> actions) {
@@ -71,7 +63,7 @@ final class HelpDialogs {
         JScrollPane below = new JScrollPane(keyTable("Mouse", mouse));
         below.setPreferredSize(new Dimension(640, 150));
         content.add(below);
-        return dialog(owner, "Keys", content, new Dimension(720, 620));
+        return closable(owner, "Keys", content, new Dimension(720, 620));
     }
 
     private static JTable keyTable(String name, String[][] rows) {
@@ -114,7 +106,7 @@ final class HelpDialogs {
                 wrappedText("Java " + Runtime.version()
                         + graphics.map(g -> "; " + g).orElse("")),
                 "wmin 0");
-        return dialog(owner, "About Phrenic", content, new Dimension(620, 560));
+        return closable(owner, "About Phrenic", content, new Dimension(620, 560));
     }
 
     private static JLabel bold(String text) {
@@ -134,17 +126,28 @@ final class HelpDialogs {
         return area;
     }
 
-    private static JDialog dialog(Frame owner, String title, JPanel content, Dimension size) {
+    /** A dialog with a button below its content; the Escape key hides it. */
+    static JDialog dialog(Window owner, String title, JComponent content, JButton button, Dimension size) {
         JDialog dialog = new JDialog(owner, title);
-        JButton close = Controls.button("Close", "Close this dialog", dialog::dispose);
         JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "push[]", ""));
-        foot.add(close);
+        foot.add(button);
         dialog.getContentPane().add(content);
         dialog.getContentPane().add(foot, BorderLayout.SOUTH);
-        dialog.getRootPane().setDefaultButton(close);
+        dialog.getRootPane().setDefaultButton(button);
+        dialog.getRootPane()
+                .registerKeyboardAction(
+                        e -> dialog.setVisible(false),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.setSize(size);
         dialog.setLocationRelativeTo(owner);
-        closeOnEscape(dialog);
+        return dialog;
+    }
+
+    private static JDialog closable(Frame owner, String title, JPanel content, Dimension size) {
+        JButton close = new JButton("Close");
+        JDialog dialog = dialog(owner, title, content, close, size);
+        close.addActionListener(e -> dialog.dispose());
         return dialog;
     }
 }

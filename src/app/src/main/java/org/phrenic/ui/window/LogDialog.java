@@ -1,6 +1,5 @@
 package org.phrenic.ui.window;
 
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.Window;
@@ -16,7 +15,6 @@ import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
-import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -24,6 +22,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.widget.Controls;
 
 /** A dialog that lists the log records since the window opened. */
@@ -77,18 +76,9 @@ final class LogDialog extends Handler {
         list.getAccessibleContext().setAccessibleName("Log");
         JButton copy = Controls.button(
                 "Copy", "Copy the selected lines, or all of them", () -> copy(list.getSelectedValuesList()));
-        JPanel foot = new JPanel(new BorderLayout());
-        foot.add(copy, BorderLayout.EAST);
-        foot.setBorder(BorderFactory.createEmptyBorder(8, 0, 0, 0));
-        JPanel content = new JPanel(new BorderLayout());
-        content.setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
+        JPanel content = new JPanel(new MigLayout("insets 12", "[grow, fill]", "[grow, fill]"));
         content.add(new JScrollPane(list));
-        content.add(foot, BorderLayout.SOUTH);
-        JDialog made = new JDialog(owner, "Log");
-        made.setContentPane(content);
-        made.setSize(new Dimension(760, 320));
-        HelpDialogs.closeOnEscape(made);
-        return made;
+        return HelpDialogs.dialog(owner, "Log", content, copy, new Dimension(760, 320));
     }
 
     private void copy(List<String> chosen) {
