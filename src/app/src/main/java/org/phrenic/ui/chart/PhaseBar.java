@@ -70,7 +70,7 @@ public final class PhaseBar extends PaintedComponent {
     }
 
     @Override
-    protected void paint(Graphics2D g) {
+    protected void paintContent(Graphics2D g) {
         int w = getWidth();
         g.clip(new RoundRectangle2D.Double(0, 0, w, getHeight(), ARC, ARC));
         if (!threePhases || label == RespiratoryPhase.HOLD) {

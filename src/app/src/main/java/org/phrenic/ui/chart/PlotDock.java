@@ -34,25 +34,20 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private static final long MIN_REDRAW_NS = 95_000_000L;
     private static final int PNG_SCALE = 2;
 
-    private enum TimeSpan {
-        TEN("10 s", 10),
-        THIRTY("30 s", 30),
-        SIXTY("60 s", 60),
-        ALL("all", Double.POSITIVE_INFINITY);
-
-        private final String label;
-        private final double seconds;
-
-        TimeSpan(String label, double seconds) {
-            this.label = label;
-            this.seconds = seconds;
-        }
-
+    /** Time range that is drawn, s. */
+    private record TimeSpan(String label, double seconds) {
         @Override
         public String toString() {
             return label;
         }
     }
+
+    private static final TimeSpan[] TIME_SPANS = {
+        new TimeSpan("10 s", 10),
+        new TimeSpan("30 s", 30),
+        new TimeSpan("60 s", 60),
+        new TimeSpan("all", Double.POSITIVE_INFINITY)
+    };
 
     private final transient Session session;
     private final transient SampleRingBuffer ring =
@@ -61,7 +56,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private final transient PointTracker pointTracker;
     private final PlotPanel panel;
     private final CurveLegend legend;
-    private final JComboBox<TimeSpan> timeSpan = new JComboBox<>(TimeSpan.values());
+    private final JComboBox<TimeSpan> timeSpan = new JComboBox<>(TIME_SPANS);
     private final JButton resetZoom =
             Controls.button("Reset zoom", "Follow the present again (double click on the plot)", this::followLatest);
     private boolean frozen;
@@ -86,7 +81,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
         JLabel label = new JLabel("Show the last");
         label.setDisplayedMnemonic('l');
         label.setLabelFor(timeSpan);
-        timeSpan.setToolTipText("Stretch of simulated time that is drawn");
+        timeSpan.setToolTipText("Range of simulated time that is drawn");
         timeSpan.addActionListener(e -> followLatest());
         resetZoom.setEnabled(false);
         JButton csv = Controls.button(

@@ -13,7 +13,6 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
-import java.util.Map;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import javax.accessibility.AccessibleRole;
@@ -35,6 +34,7 @@ final class TimelineBar extends PaintedComponent {
     private static final int MIN_TICK_PIXELS = 64;
 
     private final transient DoubleConsumer seekListener;
+    private final transient IntConsumer stepListener;
     private transient List<PhaseBands.Band> bands = List.of();
     private double from;
     private double to = 1;
@@ -47,6 +47,7 @@ final class TimelineBar extends PaintedComponent {
     TimelineBar(DoubleConsumer seekListener, IntConsumer stepListener) {
         super(AccessibleRole.SLIDER, "Recorded time");
         this.seekListener = seekListener;
+        this.stepListener = stepListener;
         setFocusable(true);
         setToolTipText("Drag through what is recorded; arrow keys go one frame");
         MouseAdapter mouse = new MouseAdapter() {
@@ -63,20 +64,12 @@ final class TimelineBar extends PaintedComponent {
         };
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        Map.of(
-                        "LEFT",
-                        -1,
-                        "RIGHT",
-                        1,
-                        "PAGE_UP",
-                        -10,
-                        "PAGE_DOWN",
-                        10,
-                        "HOME",
-                        -Integer.MAX_VALUE,
-                        "END",
-                        Integer.MAX_VALUE)
-                .forEach((key, frames) -> bind(key, () -> stepListener.accept(frames)));
+        bind("LEFT", -1);
+        bind("RIGHT", 1);
+        bind("PAGE_UP", -10);
+        bind("PAGE_DOWN", 10);
+        bind("HOME", -Integer.MAX_VALUE);
+        bind("END", Integer.MAX_VALUE);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent e) {
@@ -90,8 +83,8 @@ final class TimelineBar extends PaintedComponent {
         });
     }
 
-    private void bind(String key, Runnable what) {
-        registerKeyboardAction(e -> what.run(), KeyStroke.getKeyStroke(key), WHEN_FOCUSED);
+    private void bind(String key, int frames) {
+        registerKeyboardAction(e -> stepListener.accept(frames), KeyStroke.getKeyStroke(key), WHEN_FOCUSED);
     }
 
     private void seek(int x) {
@@ -119,7 +112,7 @@ final class TimelineBar extends PaintedComponent {
     }
 
     @Override
-    protected void paint(Graphics2D g) {
+    protected void paintContent(Graphics2D g) {
         RoundRectangle2D strip =
                 new RoundRectangle2D.Double(SIDE_MARGIN, 2, getWidth() - 2.0 * SIDE_MARGIN, BAND_HEIGHT, 6, 6);
         Graphics2D inside = (Graphics2D) g.create();

@@ -32,10 +32,10 @@ public abstract class PaintedComponent extends JComponent {
     protected final void paintComponent(Graphics graphics) {
         Graphics2D g = Controls.smooth(graphics);
         g.setFont(getFont());
-        paint(g);
+        paintContent(g);
         g.dispose();
     }
 
     /** Paints with smooth lines and letters in the component's font. */
-    protected abstract void paint(Graphics2D g);
+    protected abstract void paintContent(Graphics2D g);
 }

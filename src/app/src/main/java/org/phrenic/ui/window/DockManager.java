@@ -108,7 +108,7 @@ public final class DockManager {
             createRehearsalDocks();
             left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
             addOrgans();
-            right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, way in, needle");
+            right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, entry, needle");
             right.addTab("Report", null, attempts, "The report card and the attempts of this session");
             rehearsalController.activate();
         }
@@ -133,7 +133,7 @@ public final class DockManager {
         sections = new SectionDock(rehearsalController);
         rehearsalController.addListener(new RehearsalListener() {
             @Override
-            public void onAttemptEnded(Rehearsal rehearsal) {
+            public void onAttemptEnded(Rehearsal report) {
                 right.setSelectedIndex(right.indexOfComponent(attempts));
             }
 

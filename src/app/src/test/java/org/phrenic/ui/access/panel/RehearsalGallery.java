@@ -52,25 +52,27 @@ public final class RehearsalGallery {
             made.showWorkspace(Workspace.CLINICIAN);
             return made;
         });
-        RehearsalController door = window.docks().rehearsalController();
-        until(() -> door.stage() == RehearsalStage.READY && door.state().isPresent());
-        EventThread.run(() -> door.open(RehearsalPlan.exercises().get(0)));
-        until(() -> door.stage() != RehearsalStage.READY);
-        until(() -> door.stage() == RehearsalStage.READY && door.state().isPresent());
-        EventThread.run(() -> door.entrySelection().selectBest(false));
+        RehearsalController rehearsal = window.docks().rehearsalController();
         until(() ->
-                door.entrySelection().advice().isPresent() && door.state().get().hasNeedle());
+                rehearsal.stage() == RehearsalStage.READY && rehearsal.state().isPresent());
+        EventThread.run(() -> rehearsal.open(RehearsalPlan.exercises().get(0)));
+        until(() -> rehearsal.stage() != RehearsalStage.READY);
+        until(() ->
+                rehearsal.stage() == RehearsalStage.READY && rehearsal.state().isPresent());
+        EventThread.run(() -> rehearsal.entrySelection().selectBest(false));
+        until(() -> rehearsal.entrySelection().advice().isPresent()
+                && rehearsal.state().get().hasNeedle());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-entry.png"));
-        EventThread.run(() -> door.needle().moveTo(58));
-        until(() -> door.state().get().depthMm() > 57);
+        EventThread.run(() -> rehearsal.needle().moveTo(58));
+        until(() -> rehearsal.state().get().depthMm() > 57);
         Thread.sleep(1200);
         picture(window, folder.resolve(name + "-in.png"));
-        EventThread.run(door.needle()::moveToTarget);
+        EventThread.run(rehearsal.needle()::moveToTarget);
         Thread.sleep(1000);
-        EventThread.run(door.needle()::takeSample);
-        until(() -> door.state().get().samples() > 0);
-        EventThread.run(() -> door.needle().moveTo(0));
+        EventThread.run(rehearsal.needle()::takeSample);
+        until(() -> rehearsal.state().get().samples() > 0);
+        EventThread.run(() -> rehearsal.needle().moveTo(0));
         until(() -> !window.docks().attempts().attempts().isEmpty());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-report.png"));
@@ -79,7 +81,7 @@ public final class RehearsalGallery {
     }
 
     private static void until(BooleanSupplier holds) {
-        EventThread.until("the door is so far", holds);
+        EventThread.until("the stage", holds);
     }
 
     private static void picture(PhrenicWindow window, Path file) {

@@ -12,7 +12,7 @@ import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.window.WindowHarness;
 
-/** A window under test whose clinician's door is open, on the virtual body at low resolution, breathing fast. */
+/** A window under test whose clinician's rehearsal is open, on the virtual body at low resolution, breathing fast. */
 final class RehearsalHarness {
     private final WindowHarness window;
 
@@ -38,7 +38,7 @@ final class RehearsalHarness {
         return window;
     }
 
-    RehearsalController door() {
+    RehearsalController rehearsal() {
         return window.window().docks().rehearsalController();
     }
 
@@ -53,27 +53,30 @@ final class RehearsalHarness {
     void ready() throws InterruptedException {
         until(
                 "the needle",
-                () -> door().stage() == RehearsalStage.READY && door().state().isPresent());
+                () -> rehearsal().stage() == RehearsalStage.READY
+                        && rehearsal().state().isPresent());
     }
 
     NeedleState state() {
-        return door().state().orElseThrow();
+        return rehearsal().state().orElseThrow();
     }
 
     /** Says whether the tip rests within half a millimetre of a depth. */
     boolean isAt(double depthMm) {
-        Optional<NeedleState> now = door().state();
+        Optional<NeedleState> now = rehearsal().state();
         return now.isPresent() && !now.get().moving() && Math.abs(now.get().depthMm() - depthMm) < 0.5;
     }
 
     /** A new attempt from the best entry. */
     void begin() throws InterruptedException {
         WindowHarness.doOnEdt(() -> {
-            door().retry();
-            door().entrySelection().selectBest(false);
+            rehearsal().retry();
+            rehearsal().entrySelection().selectBest(false);
         });
-        until("an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
-        until("advice", () -> door().entrySelection().advice().isPresent());
+        until(
+                "an entry",
+                () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
+        until("advice", () -> rehearsal().entrySelection().advice().isPresent());
     }
 
     /** Takes the needle out; the attempt that ends with that. */

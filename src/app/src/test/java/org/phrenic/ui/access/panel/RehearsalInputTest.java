@@ -69,8 +69,8 @@ class RehearsalInputTest {
         clinic.ready();
     }
 
-    private static RehearsalController door() {
-        return clinic.door();
+    private static RehearsalController rehearsal() {
+        return clinic.rehearsal();
     }
 
     private static NeedleState state() {
@@ -107,7 +107,7 @@ class RehearsalInputTest {
 
     private static TargetLesion target() {
         return WindowHarness.onEdt(
-                () -> door().study().map(TargetAccess::target).orElseThrow());
+                () -> rehearsal().study().map(TargetAccess::target).orElseThrow());
     }
 
     private static void clickView(double[] pixel) {
@@ -119,27 +119,29 @@ class RehearsalInputTest {
         TargetLesion before = target();
         double[] onLiver = pixel(middleOfTheLiver());
         window.key("T");
-        assertThat(WindowHarness.onEdt(() -> door().pickMode().mode())).isEqualTo(PickMode.Kind.TARGET);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.TARGET);
         clickView(onLiver);
-        clinic.until(
-                "another target",
-                () -> door().study().filter(study -> study.target() != before).isPresent());
+        clinic.until("another target", () -> rehearsal()
+                .study()
+                .filter(study -> study.target() != before)
+                .isPresent());
         clinic.ready();
         TargetLesion set = target();
         assertThat(besideMm(set.restMm(), onLiver)).isLessThan(CLICKED_WITHIN_MM);
-        assertThat(WindowHarness.onEdt(() -> door().pickMode().mode())).isEqualTo(PickMode.Kind.NONE);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.NONE);
 
         double[] onSkin = {onLiver[0] - 12, onLiver[1] + 9};
         window.key("E");
-        assertThat(WindowHarness.onEdt(() -> door().pickMode().mode())).isEqualTo(PickMode.Kind.ENTRY);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.ENTRY);
         clickView(onSkin);
         clinic.until(
-                "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
+                "an entry",
+                () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
         double[] entry =
-                WindowHarness.onEdt(() -> door().entrySelection().entry().orElseThrow());
+                WindowHarness.onEdt(() -> rehearsal().entrySelection().entry().orElseThrow());
         assertThat(besideMm(entry, onSkin)).isLessThan(CLICKED_WITHIN_MM);
         assertThat(entry[0]).as("on the right of the target").isLessThan(set.restMm()[0]);
-        clinic.until("advice", () -> door().entrySelection().advice().isPresent());
+        clinic.until("advice", () -> rehearsal().entrySelection().advice().isPresent());
 
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
@@ -170,7 +172,7 @@ class RehearsalInputTest {
         assertThat(target()).isSameAs(before);
         window.key("E");
         window.key("E");
-        assertThat(WindowHarness.onEdt(() -> door().pickMode().mode()))
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode()))
                 .as("pressed twice: chosen no more")
                 .isEqualTo(PickMode.Kind.NONE);
     }
@@ -179,12 +181,14 @@ class RehearsalInputTest {
     void bestPathByKeyThenKeysWheelAndSliderInsertAndWithdraw() throws Exception {
         window.key("B");
         clinic.until(
-                "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
+                "an entry",
+                () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
         double[] best = WindowHarness.onEdt(() -> {
-            var map = door().study().orElseThrow().map();
+            var map = rehearsal().study().orElseThrow().map();
             return map.pointAtRest(map.best(AccessMap.SUFFICIENT_MARGIN_MM).orElseThrow());
         });
-        assertThat(WindowHarness.onEdt(() -> door().entrySelection().entry().orElseThrow()))
+        assertThat(WindowHarness.onEdt(
+                        () -> rehearsal().entrySelection().entry().orElseThrow()))
                 .containsExactly(best);
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
@@ -220,7 +224,8 @@ class RehearsalInputTest {
     void theViewLooksAlongTheNeedleAndTheSectionsHoldIt() throws Exception {
         window.key("B");
         clinic.until(
-                "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
+                "an entry",
+                () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
         window.key("shift I");
         clinic.until("10 mm in", () -> clinic.isAt(10));
         window.key("N");
@@ -257,7 +262,7 @@ class RehearsalInputTest {
     @Test
     void attemptsStandInTheTableAndRetryAndSaveDoWhatTheySay() throws Exception {
         AttemptsDock dock = WindowHarness.onEdt(() -> new AttemptsDock(
-                window.session(), door(), window.window().view(), () -> Optional.of(folder.resolve("kept"))));
+                window.session(), rehearsal(), window.window().view(), () -> Optional.of(folder.resolve("kept"))));
         try {
             attempt(8);
             Rehearsal missed = WindowHarness.onEdt(() -> dock.attempts().get(0));
@@ -266,14 +271,16 @@ class RehearsalInputTest {
             assertThat(cell(table, rows - 1, 2)).isEqualTo("missed");
             assertThat(WindowHarness.onEdt(() -> clinic.attempts().card().text()))
                     .startsWith("Missed");
-            double[] entry =
-                    WindowHarness.onEdt(() -> door().entrySelection().entry().orElseThrow());
+            double[] entry = WindowHarness.onEdt(
+                    () -> rehearsal().entrySelection().entry().orElseThrow());
 
             window.click(window.control(JButton.class, "Retry"));
-            clinic.until("a new attempt", () -> door().state()
+            clinic.until("a new attempt", () -> rehearsal()
+                    .state()
                     .filter(s -> s.samples() == 0 && s.hasNeedle())
                     .isPresent());
-            assertThat(WindowHarness.onEdt(() -> door().entrySelection().entry().orElseThrow()))
+            assertThat(WindowHarness.onEdt(
+                            () -> rehearsal().entrySelection().entry().orElseThrow()))
                     .containsExactly(entry);
             assertThat(target().restMm()).containsExactly(missed.target().restMm());
             double aimed = WindowHarness.onEdt(() -> state().aimedDepthMm());
@@ -305,17 +312,18 @@ class RehearsalInputTest {
                     .content()
                     .contains("<img", "Not for clinical use", "not validated");
         } finally {
-            WindowHarness.doOnEdt(() -> door().removeListener(dock));
+            WindowHarness.doOnEdt(() -> rehearsal().removeListener(dock));
         }
     }
 
     private static void attempt(double depthMm) throws Exception {
-        if (WindowHarness.onEdt(() -> door().entrySelection().entry().isEmpty())) {
+        if (WindowHarness.onEdt(() -> rehearsal().entrySelection().entry().isEmpty())) {
             window.key("B");
         }
         clinic.until(
-                "an entry", () -> door().state().filter(NeedleState::hasNeedle).isPresent());
-        WindowHarness.doOnEdt(() -> door().needle().moveTo(depthMm));
+                "an entry",
+                () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(depthMm));
         clinic.until("in", () -> state().placed() && state().depthMm() > 0.9 * depthMm && !state().moving());
         window.key("X");
         clinic.until("a sample", () -> state().samples() == 1);

@@ -24,7 +24,9 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.window.WindowHarness;
 
-/** The clinician's door on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report. */
+/**
+ * Rehearsal of liver access on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report.
+ */
 @Timeout(180)
 class RehearsalWindowTest {
     /** Longest that an event may keep the window, ms of processor time. */
@@ -50,8 +52,8 @@ class RehearsalWindowTest {
         }
     }
 
-    private static RehearsalController door() {
-        return clinic.door();
+    private static RehearsalController rehearsal() {
+        return clinic.rehearsal();
     }
 
     private static AttemptsDock attempts() {
@@ -69,8 +71,8 @@ class RehearsalWindowTest {
     @Test
     void aNeedleToTheTargetHitsAndItsReportIsThatOfThePlanWithoutAWindow() throws Exception {
         clinic.begin();
-        assertThat(WindowHarness.onEdt(
-                        () -> door().entrySelection().advice().orElseThrow().level()))
+        assertThat(WindowHarness.onEdt(() ->
+                        rehearsal().entrySelection().advice().orElseThrow().level()))
                 .isNotEqualTo(PathAdvice.Level.BARRED);
         window.command("Insert far");
         until("the needle in the skin", () -> state().depthMm() > 9);
@@ -109,7 +111,7 @@ class RehearsalWindowTest {
     @Test
     void aSampleBeforeTheTargetIsAMiss() throws Exception {
         clinic.begin();
-        WindowHarness.doOnEdt(() -> door().needle().moveTo(20));
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(20));
         until("the needle in", () -> state().placed() && state().depthMm() > 19);
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
@@ -120,23 +122,25 @@ class RehearsalWindowTest {
 
     @Test
     void aPathThroughBoneIsBarredInWords() throws Exception {
-        WindowHarness.doOnEdt(() -> door().retry());
+        WindowHarness.doOnEdt(() -> rehearsal().retry());
         // The skin before the sternum's middle: the way to the right lobe runs through bone or cartilage.
         List<Integer> barred = WindowHarness.onEdt(() -> {
-            var map = door().study().orElseThrow().map();
+            var map = rehearsal().study().orElseThrow().map();
             return java.util.stream.IntStream.range(0, map.size())
                     .filter(v -> map.isInReach(0, v) && map.freeMoments(v) == 0)
                     .boxed()
                     .toList();
         });
-        WindowHarness.doOnEdt(() -> door().entrySelection()
-                .select(door().study().orElseThrow().map().pointAtRest(barred.get(0))));
-        until("advice", () -> door().entrySelection()
+        WindowHarness.doOnEdt(() -> rehearsal()
+                .entrySelection()
+                .select(rehearsal().study().orElseThrow().map().pointAtRest(barred.get(0))));
+        until("advice", () -> rehearsal()
+                .entrySelection()
                 .advice()
                 .filter(a -> a.level() == PathAdvice.Level.BARRED)
                 .isPresent());
-        assertThat(WindowHarness.onEdt(
-                        () -> door().entrySelection().advice().orElseThrow().reasons()))
+        assertThat(WindowHarness.onEdt(() ->
+                        rehearsal().entrySelection().advice().orElseThrow().reasons()))
                 .isNotEmpty();
         window.screenshot("rehearse-barred");
     }
@@ -151,17 +155,17 @@ class RehearsalWindowTest {
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());
         WindowHarness.doOnEdt(() -> window.window().files().open(wrong));
         until("the sentence", () -> window.window().banner().message().contains("wrong.yaml"));
-        assertThat(WindowHarness.onEdt(() -> door().stage())).isEqualTo(RehearsalStage.READY);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().stage())).isEqualTo(RehearsalStage.READY);
         WindowHarness.doOnEdt(() -> window.window().files().open(outside));
         until("the sentence", () -> window.window().banner().message().contains("outside of the liver"));
         clinic.ready();
-        assertThat(WindowHarness.onEdt(() -> door().exercise())).isEmpty();
+        assertThat(WindowHarness.onEdt(() -> rehearsal().exercise())).isEmpty();
         assertThat(WindowHarness.onEdt(() -> attempts().attempts().size())).isEqualTo(before);
         window.screenshot("rehearse-refused");
     }
 
     @Test
-    void everyControlOfTheDoorHasANameAndSaysWhatItDoes() {
+    void everyControlOfTheRehearsalHasANameAndATooltip() {
         for (var control : window.controls()) {
             assertThat(control.getAccessibleContext().getAccessibleName())
                     .as("accessible name of " + control)
@@ -179,10 +183,11 @@ class RehearsalWindowTest {
     void theWindowStaysResponsiveWhileAMapIsWorkedOut() throws Exception {
         clinic.begin();
         window.forgetDispatches();
-        WindowHarness.doOnEdt(() -> door().setTargetMm(24));
-        until(
-                "another target",
-                () -> door().study().filter(s -> s.target().diameterMm() == 24).isPresent());
+        WindowHarness.doOnEdt(() -> rehearsal().setTargetMm(24));
+        until("another target", () -> rehearsal()
+                .study()
+                .filter(s -> s.target().diameterMm() == 24)
+                .isPresent());
         clinic.ready();
         window.breathe(0.5);
         List<Double> took = window.dispatches();
