@@ -28,10 +28,9 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientFolder;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.registration.BodyCompletion;
-import org.phrenic.patient.registration.SecondScan;
-import org.phrenic.patient.segmentation.AxesOverride;
+import org.phrenic.patient.registration.ScanAlignment;
+import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.patient.segmentation.LabelTable;
-import org.phrenic.patient.segmentation.SpacingOverride;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -120,8 +119,8 @@ final class ImportCommand implements Callable<Integer> {
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
         ImportProgress progress = new Lines(spec.commandLine().getErr());
         LabelVolume read = LabelVolumeFiles.read(file);
-        LabelVolume turned = axes == null ? read : AxesOverride.apply(read, axes);
-        LabelVolume volume = spacing == null ? turned : SpacingOverride.apply(turned, spacing);
+        LabelVolume turned = axes == null ? read : GeometryOverride.axes(read, axes);
+        LabelVolume volume = spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
         LabelTable map = map(volume);
         String name = out.toAbsolutePath().normalize().getFileName().toString();
         Optional<Thorax> template = template();
@@ -146,7 +145,7 @@ final class ImportCommand implements Callable<Integer> {
 
     private PatientBody alignedTo(PatientBody scanned, Thorax first) {
         try {
-            return SecondScan.alignedTo(first, scanned);
+            return ScanAlignment.aligned(first, scanned);
         } catch (IllegalArgumentException e) {
             throw new BadInputException(file + " and " + alignTo + ": " + e.getMessage(), e);
         }

@@ -1,10 +1,10 @@
 package org.phrenic.patient;
 
-/** Told how far an import is; by any thread, one at a time. */
+/** Receives the progress of an import, from any thread, one call at a time. */
 public interface ImportProgress {
-    /** So many of all structures are meshed, the last of them this. */
+    /** A structure is meshed, the {@code count}-th of all. */
     void meshed(int count, int total, String structure);
 
-    /** What is done now, such as {@code lungs are told apart}. */
+    /** A stage begins, such as {@code telling the lungs apart}. */
     default void stage(String what) {}
 }

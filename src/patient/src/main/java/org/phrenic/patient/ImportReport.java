@@ -1,65 +1,61 @@
 package org.phrenic.patient;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** What was built from a volume, from what and how well, as keys and values. */
+/** The report of an import: what was built from a volume, and how accurately. */
 public final class ImportReport {
     private ImportReport() {}
 
     /** @param file the volume as the user named it */
     public static Map<String, Object> of(String file, LabelGrid grid, PatientBody body) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("volume", file);
-        values.put("voxels", List.of(grid.columns(), grid.rows(), grid.slices()));
-        values.put("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)));
         double voxelMm = Math.cbrt(grid.voxelVolume());
-        values.put("voxel_mm", voxelMm);
-        List<Map<String, Object>> rows = new ArrayList<>();
-        body.structures().forEach(organ -> rows.add(row(organ, voxelMm)));
-        values.put("structures", rows);
-        values.put("missing", body.missing());
-        values.put("can_breathe", body.canBreathe());
-        values.put("notes", body.notes());
-        return values;
+        return new OrderedValues()
+                .with("volume", file)
+                .with("voxels", List.of(grid.columns(), grid.rows(), grid.slices()))
+                .with("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)))
+                .with("voxel_mm", voxelMm)
+                .with(
+                        "structures",
+                        body.structures().stream().map(s -> row(s, voxelMm)).toList())
+                .with("missing", body.missing())
+                .with("can_breathe", body.canBreathe())
+                .with("notes", body.notes());
     }
 
-    private static Map<String, Object> row(PatientStructure organ, double voxelMm) {
-        Map<String, Object> row = new LinkedHashMap<>();
-        row.put("structure", organ.structure().name());
-        row.put("source", organ.source().name().toLowerCase(Locale.ROOT));
-        row.put("mesh_volume_ml", MeshMeasure.signedVolume(organ.structure().mesh()) / 1000);
-        organ.scan().ifPresent(scan -> {
-            row.put("labels", scan.labels());
-            row.put("voxels", scan.voxels());
-            row.put("label_volume_ml", scan.volumeMl());
-            row.put("cut_at", scan.cutAt());
-            row.put("label_surface_vertices", scan.meshed().labelVertices());
-            row.put("decimated_vertices", scan.meshed().decimatedVertices());
-            row.put("last_pass_band", scan.meshed().secondPassBand());
+    private static OrderedValues row(PatientStructure s, double voxelMm) {
+        OrderedValues row = new OrderedValues()
+                .with("structure", s.structure().name())
+                .with("source", s.source().name().toLowerCase(Locale.ROOT))
+                .with("mesh_volume_ml", MeshMeasure.signedVolume(s.structure().mesh()) / 1000);
+        s.scan().ifPresent(scan -> {
             DistanceSummary off = scan.meshed().distanceToLabel();
-            row.put("off_label_mean_mm", off.mean());
-            row.put("off_label_mean_voxels", off.mean() / voxelMm);
-            row.put("off_label_percentile_95_mm", off.percentile95());
-            row.put("off_label_maximum_mm", off.maximum());
+            row.with("labels", scan.labels())
+                    .with("voxels", scan.voxels())
+                    .with("label_volume_ml", scan.volumeMl())
+                    .with("cut_at", scan.cutAt())
+                    .with("label_surface_vertices", scan.meshed().labelVertices())
+                    .with("decimated_vertices", scan.meshed().decimatedVertices())
+                    .with("last_pass_band", scan.meshed().secondPassBand())
+                    .with("off_label_mean_mm", off.mean())
+                    .with("off_label_mean_voxels", off.mean() / voxelMm)
+                    .with("off_label_percentile_95_mm", off.percentile95())
+                    .with("off_label_maximum_mm", off.maximum());
         });
-        organ.distanceToScan().ifPresent(off -> {
-            row.put("fit_off_scan_mean_mm", off.mean());
-            row.put("fit_off_scan_percentile_95_mm", off.percentile95());
-        });
-        MeshQuality quality = MeshQuality.of(organ.structure().mesh());
-        row.put("vertices", quality.vertices());
-        row.put("triangles", quality.triangles());
-        row.put("smallest_angle_deg", quality.smallestAngleDeg());
-        row.put("mean_edge_mm", quality.meanEdgeMm());
-        row.put("edge_ratio", Double.isFinite(quality.edgeRatio()) ? quality.edgeRatio() : null);
-        return row;
+        s.distanceToScan()
+                .ifPresent(off -> row.with("fit_off_scan_mean_mm", off.mean())
+                        .with("fit_off_scan_percentile_95_mm", off.percentile95()));
+        MeshQuality quality = MeshQuality.of(s.structure().mesh());
+        return row.with("vertices", quality.vertices())
+                .with("triangles", quality.triangles())
+                .with("smallest_angle_deg", quality.smallestAngleDeg())
+                .with("mean_edge_mm", quality.meanEdgeMm())
+                .with("edge_ratio", Double.isFinite(quality.edgeRatio()) ? quality.edgeRatio() : null);
     }
 }

@@ -5,16 +5,15 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
- * The surface of one part of a volume, and what became of it on the way.
+ * The surface of a segment, and how it was made.
  *
  * @param mesh closed, LPS, mm
  * @param labelVertices vertices of the surface of its voxels
  * @param decimatedVertices vertices after decimation
- * @param distanceToLabel distances between the surface of its voxels and the mesh, both ways, by area, mm
- * @param quality of the triangles
- * @param secondPassBand of the second smoothing, wider than asked for where the structure is thin
- * @param components pieces that the voxels made; the largest is the mesh
- * @param discardedMm3 volume of the others, cavities as well
+ * @param distanceToLabel symmetric distances from the surface of its voxels, by area, mm
+ * @param secondPassBand of the second smoothing, widened for thin structures
+ * @param components connected components of its voxels; the largest is the mesh
+ * @param discardedMm3 volume of the others, and of cavities
  */
 public record MeshedSegment(
         TriangleMesh mesh,

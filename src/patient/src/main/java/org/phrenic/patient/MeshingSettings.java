@@ -1,20 +1,15 @@
 package org.phrenic.patient;
 
 /**
- * From the voxels of a structure to its surface, as Villard, Bourne and Bello 2009 made their patients' meshes:
- * windowed sinc, decimation, windowed sinc again.
+ * Settings of the meshing of Villard, Bourne and Bello 2009: windowed sinc smoothing, decimation, windowed sinc smoothing.
  *
- * @param firstIterations of the first smoothing
- * @param passBand of both
- * @param keptFraction share of the vertices that decimation leaves, above 0 to 1
- * @param maxDeviationVoxels how far decimation may lead from the smooth surface, in voxels
- * @param secondIterations of the second smoothing
+ * @param passBand of both smoothings
+ * @param keptFraction share of the vertices that decimation keeps, above 0 to 1
+ * @param maxDeviationVoxels largest deviation of the decimated surface, in voxels
  */
 public record MeshingSettings(
         int firstIterations, double passBand, double keptFraction, double maxDeviationVoxels, int secondIterations) {
-    /**
-     * The paper's numbers (section 4.1): pass band 0.2, 50 %, 200 more iterations; the first count is VTK's usual 20.
-     */
+    /** The paper's settings (section 4.1): pass band 0.2, 50 %, 200 second iterations; the 20 first are VTK's default. */
     public static final MeshingSettings PAPER = new MeshingSettings(20, 0.2, 0.5, 0.5, 200);
 
     public MeshingSettings {

@@ -1,38 +1,36 @@
 package org.phrenic.patient;
 
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.mesh.io.VtpWriter;
 
-/**
- * Writes a body as a thorax folder: a VTP file a structure, {@code thorax.yaml} and {@code import.json}, which says
- * where each came from.
- */
+/** Writes a body as a thorax folder: a VTP file per structure, {@code import.json} and {@code thorax.yaml}. */
 public final class PatientFolder {
     private PatientFolder() {}
 
     /**
-     * Writes into a folder, each file whole or not at all; {@code thorax.yaml} last, and only what it lists counts.
+     * Writes into a folder, each file as a whole or not at all; {@code thorax.yaml}, which lists the others, last.
      *
-     * @param report what {@code import.json} holds
-     * @throws org.phrenic.format.OutputException if a file cannot be written
+     * @param report content of {@code import.json}
+     * @throws org.phrenic.file.OutputException if a file cannot be written
      */
     public static void write(Path folder, PatientBody body, Map<String, ?> report) {
-        Map<String, Object> structures = new LinkedHashMap<>();
-        for (PatientStructure organ : body.structures()) {
-            String name = organ.structure().name();
-            VtpWriter.write(folder.resolve(name + ".vtp"), organ.structure().mesh(), Map.of());
-            structures.put(name, name + ".vtp");
+        OrderedValues files = new OrderedValues();
+        for (PatientStructure s : body.structures()) {
+            String name = s.structure().name();
+            VtpWriter.write(folder.resolve(name + ".vtp"), s.structure().mesh(), Map.of());
+            files.put(name, name + ".vtp");
         }
         JsonWriter.write(folder.resolve("import.json"), report);
-        Map<String, Object> index = new LinkedHashMap<>();
-        index.put("name", body.name());
-        index.put("axes", "LPS");
-        index.put("units", "mm");
-        index.put("structures", structures);
-        YamlWriter.write(folder.resolve("thorax.yaml"), index);
+        YamlWriter.write(
+                folder.resolve("thorax.yaml"),
+                new OrderedValues()
+                        .with("name", body.name())
+                        .with("axes", "LPS")
+                        .with("units", "mm")
+                        .with("structures", files));
     }
 }

@@ -6,32 +6,26 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
- * One structure of a patient's body and where it came from.
+ * One structure of a patient's body, and its source.
  *
  * @param structure name and surface, LPS, mm
- * @param source where it came from
- * @param scan what the scan said of it; empty for one that the scan does not have
- * @param distanceToScan for a structure that the scan has too: how far the fitted virtual one lies from it, from the
- *     scan's vertices, by area, mm; empty without a fit
+ * @param scan its properties in the scan; empty if the scan lacks it
+ * @param distanceToScan distances of the scan's vertices from the registered template, by area, mm; empty without one
  */
 public record PatientStructure(
         Structure structure, Source source, Optional<Scan> scan, Optional<DistanceSummary> distanceToScan) {
-    /** Where a structure came from. */
+    /** Sources of structures. */
     public enum Source {
-        /** Its surface is that of its voxels in the scan. */
+        /** The surface of its voxels in the scan. */
         SCAN,
-        /** The scan lacks it: the virtual thorax's, brought to the structures that the scan has. */
+        /** A registered template: the scan lacks it or cuts it off. */
         VIRTUAL
     }
 
     /**
-     * What the scan says of a structure.
+     * Properties of a structure in the scan.
      *
-     * @param labels labels it was made of
-     * @param voxels how many
-     * @param volumeMl of these voxels, ml
-     * @param cutAt letters of the sides (L R P A S I) at which the scan ends before the structure does; empty if it is
-     *     whole
+     * @param cutAt letters of the sides (L R P A S I) at which the scan cuts it; empty if it is complete
      * @param meshed how its surface was made
      */
     public record Scan(List<Integer> labels, int voxels, double volumeMl, String cutAt, MeshedSegment meshed) {
@@ -45,14 +39,22 @@ public record PatientStructure(
         }
     }
 
+    /** A structure of a scan. */
     public static PatientStructure ofScan(Structure structure, Scan scan) {
         return new PatientStructure(structure, Source.SCAN, Optional.of(scan), Optional.empty());
     }
 
-    static PatientStructure ofVirtual(Structure structure) {
-        return new PatientStructure(structure, Source.VIRTUAL, Optional.empty(), Optional.empty());
+    /** Whether no scan cuts it off. */
+    public boolean isComplete() {
+        return scan.map(Scan::isComplete).orElse(true);
     }
 
+    /** The structure with another surface. */
+    public PatientStructure withStructure(Structure other) {
+        return new PatientStructure(other, source, scan, distanceToScan);
+    }
+
+    /** The structure with distances from the registered template. */
     public PatientStructure withDistanceToScan(DistanceSummary distances) {
         return new PatientStructure(structure, source, scan, Optional.of(distances));
     }

@@ -23,9 +23,9 @@ import org.phrenic.patient.segmentation.Segmentation;
 
 /** Meshes every structure that a volume of labels holds. */
 public final class ScanImport {
-    /** Edge of the triangles of soft organs: their surfaces are large and smooth. */
+    /** Edges of the triangles of soft organs, whose surfaces are large and smooth, and of bones, which are thin. */
     private static final double ORGAN_EDGE_MM = 4;
-    /** Edge of those of bones, which are thin. */
+
     private static final double BONE_EDGE_MM = 2.5;
 
     private static final Map<StructureKind, Double> EDGES_MM = new EnumMap<>(Map.of(
@@ -37,87 +37,105 @@ public final class ScanImport {
     /** The outline of the body alone: background, and label 1. */
     private static final int[] SKIN = {0, 1};
     /** Size of the voxels of the outline, in edges of its triangles. */
-    private static final double VOXELS_AN_EDGE = 0.25;
+    private static final double VOXELS_PER_EDGE = 0.25;
 
-    /** Pieces of less than this share of a structure are not worth a sentence. */
-    private static final double LITTLE = 0.02;
-    /** Names in a sentence. */
-    private static final int MOST_NAMED = 8;
-    /** A structure of fewer voxels has no shape. */
-    private static final int LEAST_VOXELS = 30;
+    /** Least discarded share of a structure that is noted. */
+    private static final double MIN_DISCARDED = 0.02;
+    /** Largest number of names in a note. */
+    private static final int MAX_NAMED = 8;
+    /** Structures of fewer voxels are left out. */
+    private static final int MIN_VOXELS = 30;
 
     private final LabelVolume volume;
     private final String file;
-    private final MeshingSettings steps;
+    private final MeshingSettings settings;
     private final Optional<Double> edgeMm;
     private final ImportProgress progress;
     private final List<String> notes;
 
     /**
-     * @param file to name in sentences
-     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft organs, 2.5 mm on
+     * @param file name of the volume, for messages
+     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft structures, 2.5 mm on
      *     bones and 8 mm on skin, or the voxel's size if that is larger
      */
     public ScanImport(
-            LabelVolume volume, String file, MeshingSettings steps, Optional<Double> edgeMm, ImportProgress progress) {
+            LabelVolume volume, String file, MeshingSettings settings, Optional<Double> edgeMm, ImportProgress progress) {
         this.volume = volume;
         this.file = file;
-        this.steps = steps;
+        this.settings = settings;
         this.edgeMm = edgeMm;
         this.progress = progress;
         notes = new ArrayList<>(volume.notes());
     }
 
     /**
-     * The structures of the map that the volume has.
+     * Imports the structures of a table.
      *
-     * @param name what to call the body
-     * @throws BadInputException if it has none
+     * @param name of the body
+     * @throws BadInputException if the volume has none of them
      */
-    public PatientBody run(LabelTable map, String name) {
-        Segmentation parts = Segmentation.of(volume, map, file);
-        if (!map.missing().isEmpty()) {
-            notes.add("the volume lacks what the table names: " + String.join(", ", map.missing()));
+    public PatientBody run(LabelTable table, String name) {
+        Segmentation segmentation = new Segmentation(volume, table, file);
+        if (!table.missing().isEmpty()) {
+            notes.add("the volume lacks what the table names: " + String.join(", ", table.missing()));
         }
-        noteUnused(map);
-        if (parts.find(LabelTable.LUNGS) > 0) {
+        noteUnused(table);
+        split(segmentation);
+        List<String> built = meshable(segmentation);
+        progress.stage("laying a net between " + built.size() + " structures");
+        List<PatientStructure> structures = mesh(built, segmentation);
+        note(structures);
+        return new PatientBody(name, structures, ExpectedStructures.missing(structures), notes);
+    }
+
+    private void split(Segmentation segmentation) {
+        if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("telling the lungs apart");
-            LungSplitter.split(parts).ifPresent(problem -> {
+            LungSplitter.split(segmentation).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
         }
-        if (parts.find(LabelTable.COSTAL_CARTILAGES) > 0) {
+        if (segmentation.find(LabelTable.COSTAL_CARTILAGES) > 0) {
             progress.stage("telling the cartilages apart");
-            CartilageSplitter.split(parts).ifPresent(notes::add);
+            CartilageSplitter.split(segmentation).ifPresent(notes::add);
         }
-        double voxelMm3 = parts.grid().voxelVolume();
-        int[] counts = parts.counts();
+    }
+
+    /** The structures with enough voxels, the largest first, so that the parallel meshing ends evenly. */
+    private List<String> meshable(Segmentation segmentation) {
+        int[] counts = segmentation.counts();
         List<String> built = new ArrayList<>();
-        int[] partNumbers = new int[counts.length];
-        for (int part = 1; part < counts.length; part++) {
-            String structure = parts.names().get(part - 1);
-            if (counts[part] >= LEAST_VOXELS) {
-                partNumbers[part] = isSkin(structure) ? 0 : part;
+        for (int segment = 1; segment < counts.length; segment++) {
+            String structure = segmentation.names().get(segment - 1);
+            if (counts[segment] >= MIN_VOXELS) {
                 built.add(structure);
-            } else if (counts[part] > 0) {
-                notes.add(structure + ": left out, it has " + counts[part] + " voxels");
+            } else if (counts[segment] > 0) {
+                notes.add(structure + ": left out, it has " + counts[segment] + " voxels");
             }
         }
         if (built.isEmpty()) {
             throw new BadInputException(
-                    file + ": found no structure of " + LEAST_VOXELS + " voxels or more, expected one");
+                    file + ": found no structure of " + MIN_VOXELS + " voxels or more, expected one");
         }
-        progress.stage("laying a net between " + built.size() + " structures");
-        SegmentMesher mesher = new SegmentMesher(parts.grid(), partNumbers, steps);
-        // The skin has all else within it: its inner side is of no interest, and its outline is meshed by itself.
+        built.sort(Comparator.comparingInt((String structure) -> -counts[segmentation.find(structure)]));
+        return built;
+    }
+
+    private List<PatientStructure> mesh(List<String> built, Segmentation segmentation) {
+        double voxelMm3 = segmentation.grid().voxelVolume();
+        int[] counts = segmentation.counts();
+        int[] segments = new int[counts.length];
+        built.stream().filter(s -> !isSkin(s)).mapToInt(segmentation::find).forEach(s -> segments[s] = s);
+        SegmentMesher mesher = new SegmentMesher(segmentation.grid(), segments, settings);
+        // The skin encloses all else: its outline is meshed by itself.
         Optional<SegmentMesher> skin = built.stream()
                 .filter(ScanImport::isSkin)
-                .findFirst()
-                .map(structure ->
-                        new SegmentMesher(parts.bodyOutline(coarser(parts, edge(structure, voxelMm3))), SKIN, steps));
-        parts.releaseVoxels();
-        // The largest first, so that no thread is left with one of them in the end.
-        built.sort(Comparator.comparingInt((String structure) -> -counts[parts.find(structure)]));
+                .min(Comparator.comparingInt(segmentation::find))
+                .map(structure -> new SegmentMesher(
+                        segmentation.bodyOutline(coarsening(segmentation, edge(structure, voxelMm3))),
+                        SKIN,
+                        settings));
+        segmentation.releaseVoxels();
         PatientStructure[] meshed = new PatientStructure[built.size()];
         AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
@@ -125,17 +143,21 @@ public final class ScanImport {
                 .parallel()
                 .forEach(worker -> {
                     for (int i = next.getAndIncrement(); i < meshed.length; i = next.getAndIncrement()) {
-                        meshed[i] = organ(built.get(i), parts, counts, voxelMm3, mesher, skin);
+                        String structure = built.get(i);
+                        int segment = segmentation.find(structure);
+                        double edge = edge(structure, voxelMm3);
+                        meshed[i] = isSkin(structure)
+                                ? structure(structure, segmentation, IntStream.of(counts).skip(1).sum(), voxelMm3,
+                                        skin.orElseThrow().mesh(1, edge))
+                                : structure(structure, segmentation, counts[segment], voxelMm3, mesher.mesh(segment, edge));
                         synchronized (done) {
-                            progress.meshed(done.incrementAndGet(), built.size(), built.get(i));
+                            progress.meshed(done.incrementAndGet(), built.size(), structure);
                         }
                     }
                 });
-        List<PatientStructure> organs = Stream.of(meshed)
-                .sorted(Comparator.comparing(organ -> organ.structure().name()))
+        return Stream.of(meshed)
+                .sorted(Comparator.comparing(s -> s.structure().name()))
                 .toList();
-        note(organs);
-        return new PatientBody(name, organs, ExpectedStructures.missing(organs), notes);
     }
 
     private static boolean isSkin(String structure) {
@@ -147,43 +169,37 @@ public final class ScanImport {
         return edgeMm.orElse(Math.max(Math.cbrt(voxelMm3), EDGES_MM.getOrDefault(kind, BONE_EDGE_MM)));
     }
 
-    /** By how much larger voxels still show what triangles of an edge do. */
-    private static int[] coarser(Segmentation parts, double edge) {
+    /** Factors by which voxels may be larger for triangles of an edge. */
+    private static int[] coarsening(Segmentation segmentation, double edge) {
         return IntStream.range(0, 3)
                 .map(direction ->
-                        Math.max(1, (int) (VOXELS_AN_EDGE * edge / parts.grid().spacing(direction))))
+                        Math.max(1, (int) (VOXELS_PER_EDGE * edge / segmentation.grid().spacing(direction))))
                 .toArray();
     }
 
-    private PatientStructure organ(
-            String structure,
-            Segmentation parts,
-            int[] counts,
-            double voxelMm3,
-            SegmentMesher mesher,
-            Optional<SegmentMesher> skin) {
-        StructureName known = StructureName.parse(structure).orElseThrow();
-        int part = parts.find(structure);
-        double edge = edge(structure, voxelMm3);
-        boolean outline = isSkin(structure);
-        MeshedSegment meshed = outline ? skin.orElseThrow().mesh(1, edge) : mesher.mesh(part, edge);
-        int count = outline ? IntStream.of(counts).skip(1).sum() : counts[part];
+    private static PatientStructure structure(
+            String name, Segmentation segmentation, int voxels, double voxelMm3, MeshedSegment meshed) {
+        StructureName known = StructureName.parse(name).orElseThrow();
         return PatientStructure.ofScan(
-                new Structure(structure, known.kind(), known.level(), known.side(), meshed.mesh()),
+                new Structure(name, known.kind(), known.level(), known.side(), meshed.mesh()),
                 new PatientStructure.Scan(
-                        parts.labels(structure), count, count * voxelMm3 / MM3_PER_ML, parts.cutAt(structure), meshed));
+                        segmentation.labels(name),
+                        voxels,
+                        voxels * voxelMm3 / MM3_PER_ML,
+                        segmentation.cutAt(name),
+                        meshed));
     }
 
-    /** One sentence each about what the scan cuts off, what came in pieces and what looks turned. */
-    private void note(List<PatientStructure> organs) {
+    /** Notes structures that the scan cuts off, that are in pieces, and implausible lungs. */
+    private void note(List<PatientStructure> structures) {
         List<String> cut = new ArrayList<>();
-        for (PatientStructure organ : organs) {
-            PatientStructure.Scan scan = organ.scan().orElseThrow();
-            String name = organ.structure().name();
+        for (PatientStructure structure : structures) {
+            PatientStructure.Scan scan = structure.scan().orElseThrow();
+            String name = structure.structure().name();
             if (!scan.isComplete()) {
                 cut.add(name + " (" + scan.cutAt() + ")");
             }
-            if (scan.meshed().discardedMm3() > LITTLE * MM3_PER_ML * scan.volumeMl()) {
+            if (scan.meshed().discardedMm3() > MIN_DISCARDED * MM3_PER_ML * scan.volumeMl()) {
                 notes.add(String.format(
                         Locale.ROOT,
                         "%s: of %d pieces the largest was taken, %.1f ml left out",
@@ -196,21 +212,21 @@ public final class ScanImport {
             notes.add("cut off by the end of the scan, at the side in brackets, and closed flat there: "
                     + String.join(", ", cut));
         }
-        notes.addAll(LungPlausibility.check(organs));
+        notes.addAll(LungPlausibility.check(structures));
     }
 
-    /** The labels that the volume has beside those of structures. */
-    private void noteUnused(LabelTable map) {
+    /** Notes the labels of the volume that are of no structure. */
+    private void noteUnused(LabelTable table) {
         int[] counts = volume.grid().counts();
         List<String> unused = new ArrayList<>();
         for (int label = 1; label < counts.length; label++) {
-            if (counts[label] > 0 && !map.structures().containsKey(label)) {
+            if (counts[label] > 0 && !table.structures().containsKey(label)) {
                 String name = volume.names().get(label);
                 unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
             }
         }
         if (!unused.isEmpty()) {
-            int shown = Math.min(MOST_NAMED, unused.size());
+            int shown = Math.min(MAX_NAMED, unused.size());
             notes.add("labels of the volume that are none of the structures asked for: "
                     + String.join(", ", unused.subList(0, shown))
                     + (unused.size() > shown ? " and " + (unused.size() - shown) + " more" : ""));

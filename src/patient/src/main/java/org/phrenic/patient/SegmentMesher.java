@@ -1,5 +1,6 @@
 package org.phrenic.patient;
 
+import java.util.Comparator;
 import java.util.List;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
@@ -13,52 +14,53 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.SurfaceNet;
 
 /**
- * Makes surfaces of the parts of a volume. The first smoothing moves the net that neighbours share, so that up to there
- * they meet; decimation and what follows are each part's own, within the bound of the {@link MeshingSettings}. May be
- * used by several threads.
+ * Meshes the segments of a volume by the steps of {@link MeshingSettings}. The first smoothing moves the surface net that
+ * neighbouring segments share, so they still meet after it; decimation and the second smoothing are separate for each
+ * segment. Thread-safe.
  */
 public final class SegmentMesher {
-    private static final int LEAST_VERTICES = 12;
+    private static final int MIN_VERTICES = 12;
+
     /**
-     * A structure two or three voxels thick, such as a rib in a coarse scan, is a wave that the paper's pass band cuts
-     * off: if more of its volume goes, the band of the second smoothing is doubled.
+     * Largest relative loss of volume in the second smoothing. The paper's pass band removes structures that are two or
+     * three voxels thick, such as ribs in a coarse scan; above this loss the band is doubled.
      */
-    private static final double MOST_LOST = 0.03;
+    private static final double MAX_VOLUME_LOSS = 0.03;
 
     private final SurfaceNet voxels;
     private final SurfaceNet smooth;
-    private final MeshingSettings steps;
+    private final MeshingSettings settings;
     private final double voxelMm;
 
-    /** @param parts number of the part each label is, 0 for none */
-    public SegmentMesher(LabelGrid grid, int[] parts, MeshingSettings steps) {
-        voxels = SurfaceNet.of(grid, parts);
-        smooth = voxels.smoothed(steps.firstIterations(), steps.passBand());
-        this.steps = steps;
+    /** @param segments segment of each label, 0 for none */
+    public SegmentMesher(LabelGrid grid, int[] segments, MeshingSettings settings) {
+        voxels = SurfaceNet.of(grid, segments);
+        smooth = voxels.smoothed(settings.firstIterations(), settings.passBand());
+        this.settings = settings;
         voxelMm = Math.cbrt(grid.voxelVolume());
     }
 
     /**
-     * The surface of one part.
+     * The surface of one segment.
      *
      * @param edgeMm edge of its triangles, mm; 0 leaves those of the decimation
-     * @throws IllegalArgumentException if the volume has no such part
+     * @throws IllegalArgumentException if the volume has no such segment
      */
-    public MeshedSegment mesh(int part, double edgeMm) {
-        TriangleMesh label = largest(voxels.surface(part));
-        List<TriangleMesh> shells = ConnectedComponents.of(smooth.surface(part));
-        TriangleMesh whole = shells.get(indexOfLargest(shells));
-        double leftOut = 0;
+    public MeshedSegment mesh(int segment, double edgeMm) {
+        TriangleMesh label = largest(ConnectedComponents.of(voxels.surface(segment)));
+        List<TriangleMesh> shells = ConnectedComponents.of(smooth.surface(segment));
+        TriangleMesh whole = largest(shells);
+        double discarded = 0;
         for (TriangleMesh shell : shells) {
-            leftOut += shell == whole ? 0 : Math.abs(MeshMeasure.signedVolume(shell));
+            discarded += shell == whole ? 0 : Math.abs(MeshMeasure.signedVolume(shell));
         }
-        int wanted = Math.max(LEAST_VERTICES, (int) Math.round(steps.keptFraction() * whole.vertexCount()));
-        TriangleMesh few = Decimator.toVertexCount(whole, wanted, steps.maxDeviationVoxels() * voxelMm);
-        double passBand = steps.passBand();
-        TriangleMesh mesh = WindowedSincFilter.smooth(few, steps.secondIterations(), passBand);
-        while (lost(mesh, whole) > MOST_LOST && 2 * passBand < 2) {
+        int wanted = Math.max(MIN_VERTICES, (int) Math.round(settings.keptFraction() * whole.vertexCount()));
+        TriangleMesh few = Decimator.toVertexCount(whole, wanted, settings.maxDeviationVoxels() * voxelMm);
+        double passBand = settings.passBand();
+        TriangleMesh mesh = WindowedSincFilter.smooth(few, settings.secondIterations(), passBand);
+        while (lost(mesh, whole) > MAX_VOLUME_LOSS && 2 * passBand < 2) {
             passBand *= 2;
-            mesh = WindowedSincFilter.smooth(few, steps.secondIterations(), passBand);
+            mesh = WindowedSincFilter.smooth(few, settings.secondIterations(), passBand);
         }
         if (edgeMm > 0) {
             mesh = Remesher.toEdgeLength(mesh, edgeMm);
@@ -71,7 +73,7 @@ public final class SegmentMesher {
                 MeshQuality.of(mesh),
                 passBand,
                 shells.size(),
-                leftOut);
+                discarded);
     }
 
     private static double lost(TriangleMesh mesh, TriangleMesh of) {
@@ -79,24 +81,9 @@ public final class SegmentMesher {
         return Math.abs(MeshMeasure.signedVolume(mesh) - volume) / volume;
     }
 
-    private static TriangleMesh largest(TriangleMesh surface) {
-        List<TriangleMesh> shells = ConnectedComponents.of(surface);
-        if (shells.isEmpty()) {
-            throw new IllegalArgumentException("found no voxel of the part, expected some");
-        }
-        return shells.get(indexOfLargest(shells));
-    }
-
-    private static int indexOfLargest(List<TriangleMesh> shells) {
-        int largest = 0;
-        double most = 0;
-        for (int i = 0; i < shells.size(); i++) {
-            double volume = MeshMeasure.signedVolume(shells.get(i));
-            if (volume > most) {
-                most = volume;
-                largest = i;
-            }
-        }
-        return largest;
+    private static TriangleMesh largest(List<TriangleMesh> shells) {
+        return shells.stream()
+                .max(Comparator.comparingDouble(MeshMeasure::signedVolume))
+                .orElseThrow(() -> new IllegalArgumentException("found no voxel of the segment, expected some"));
     }
 }

@@ -18,7 +18,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.segmentation.AxesOverride;
+import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.patient.segmentation.LabelTable;
 
 class ScanImportTest {
@@ -125,7 +125,7 @@ class ScanImportTest {
 
     @Test
     void statedAxesTurnTheVolumeAboutItsMiddleAndALargerLeftLungIsRemarkedOn() {
-        LabelVolume turned = AxesOverride.apply(ScanSamples.volume(), "RAS");
+        LabelVolume turned = GeometryOverride.axes(ScanSamples.volume(), "RAS");
         PatientBody body = body(turned, MAP);
         double right =
                 body.structure("lung_R").orElseThrow().scan().orElseThrow().volumeMl();
@@ -142,7 +142,7 @@ class ScanImportTest {
         turned.grid().voxelToMm(29.5, 19.5, 24.5, after);
         assertThat(after).containsExactly(before, within(1e-9));
         for (String bad : List.of("LLS", "LP", "XYZ")) {
-            assertThatThrownBy(() -> AxesOverride.apply(ScanSamples.volume(), bad))
+            assertThatThrownBy(() -> GeometryOverride.axes(ScanSamples.volume(), bad))
                     .isInstanceOf(BadInputException.class)
                     .hasMessageContaining("three letters");
         }

@@ -2,7 +2,7 @@ package org.phrenic.patient.registration;
 
 import org.phrenic.engine.kinematics.RigidMotion;
 
-/** x' = A x + t: found by least squares from pairs of points, a turn with one scale, or a stretch along each axis. */
+/** An affine transform {@code x' = A x + t}, by least squares from pairs of points. */
 final class AffineTransform3D implements PointTransform {
     /** Three rows of four numbers. */
     private final double[] m;
@@ -11,7 +11,7 @@ final class AffineTransform3D implements PointTransform {
         m = rows.clone();
     }
 
-    /** Moves the middle of one box to that of another and scales each axis by their sizes. */
+    /** Maps one box to another: centre to centre, each axis scaled by the sizes. */
     static AffineTransform3D betweenBoxes(double[] from, double[] to) {
         double[] rows = new double[12];
         for (int k = 0; k < 3; k++) {
@@ -22,10 +22,7 @@ final class AffineTransform3D implements PointTransform {
         return new AffineTransform3D(rows);
     }
 
-    /**
-     * The similarity nearest to the pairs: rotation of {@link RigidMotion#fit}, scale after Umeyama 1991 (doi
-     * 10.1109/34.88573).
-     */
+    /** The nearest similarity: rotation of {@link RigidMotion#fit}, scale after Umeyama 1991 (doi 10.1109/34.88573). */
     static AffineTransform3D similarity(double[] from, double[] to) {
         RigidMotion turn = RigidMotion.fit(from, to);
         double[] p = centroid(from);
@@ -55,9 +52,9 @@ final class AffineTransform3D implements PointTransform {
     }
 
     /**
-     * The stretch across and from front to back, with a shift, nearest to the pairs: x' = diag(s1, s2, 1) x + t. The
-     * height stays, for points that lie nearest say little of it along a wall; and a freer map would shear: lungs
-     * hardly tell the slope of ribs from the slant of their own fronts.
+     * The nearest scaling in the transverse plane with a translation, {@code x' = diag(s1, s2, 1) x + t}. The height
+     * stays, for nearest points say little of it along a wall; a shear is excluded, for lungs hardly distinguish the slope
+     * of ribs from that of their own fronts.
      */
     static AffineTransform3D horizontalScaling(double[] from, double[] to) {
         double[] p = centroid(from);

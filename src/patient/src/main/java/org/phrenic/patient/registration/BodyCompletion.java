@@ -18,20 +18,19 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
 /**
- * Gives a body what its scan lacks: a template thorax is brought to the structures that both have, by the box about
- * them (which gives the height), then stretches across and from front to back, then ever finer smooth warps
- * ({@link DisplacementField}), each found from the points of the two surfaces that lie nearest to each other; and lends
- * its other structures. A structure that the scan cuts off is lent too, brought to the part that can be seen.
+ * Completes a body with the structures that its scan lacks or cuts off. A template thorax is registered to the structures
+ * that both have: by their bounding box, then by scaling in the transverse plane, then by displacement fields of
+ * decreasing radius ({@link DisplacementField}), each found from nearest points of the two surfaces.
  */
 public final class BodyCompletion {
-    private static final int STEPS = 20;
-    /** Radii of the warps that bones follow, and of those of soft organs between them. */
+    private static final int SCALING_STEPS = 20;
+    /** Radii of the displacement fields of all structures, then of soft organs alone. */
     private static final double[] BONE_RADII_MM = {160, 120, 90};
 
     private static final double[] SOFT_RADII_MM = {120, 90, 60, 40, 30, 22};
-    private static final int WARPS_A_RADIUS = 5;
-    /** Points that hold the soft warps where bone is. */
-    private static final int HELD = 1200;
+    private static final int STEPS_PER_RADIUS = 5;
+    /** Number of points of bone that are fixed while soft organs are displaced. */
+    private static final int FIXED_POINTS = 1200;
 
     private static final Set<StructureKind> BONES = EnumSet.of(
             StructureKind.RIB,
@@ -40,47 +39,43 @@ public final class BodyCompletion {
             StructureKind.VERTEBRA,
             StructureKind.DISC);
 
-    /** Bones that are turned, shifted and scaled but not bent; cartilages are, as they join them. */
+    /** Structures that are transformed by a similarity; cartilages, which join them, deform. */
     private static final Set<StructureKind> KEEPING_SHAPE =
             EnumSet.of(StructureKind.RIB, StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
 
+    private final PatientBody body;
     private final List<Structure> template;
-    private final List<SurfacePair> shared = new ArrayList<>();
-    private int sharedOrgans;
+    private final List<SurfacePair> pairs = new ArrayList<>();
+    private int shared;
 
     private BodyCompletion(PatientBody body, Thorax template) {
+        this.body = body;
         this.template = new ArrayList<>(template.structures());
-        for (PatientStructure organ : body.structures()) {
-            templateOf(organ).ifPresent(mesh -> {
-                sharedOrgans++;
-                share(organ, mesh);
-            });
+        for (PatientStructure s : body.structures()) {
+            templateOf(s).ifPresent(mesh -> addPairs(s, mesh));
         }
     }
 
-    private void share(PatientStructure organ, TriangleMesh mesh) {
-        TriangleMesh scan = organ.structure().mesh();
-        if (organ.structure().kind() != StructureKind.LUNG) {
-            shared.add(new SurfacePair(
-                    organ, scan, mesh, BONES.contains(organ.structure().kind())));
+    private void addPairs(PatientStructure s, TriangleMesh mesh) {
+        shared++;
+        TriangleMesh scan = s.structure().mesh();
+        if (s.structure().kind() != StructureKind.LUNG) {
+            pairs.add(new SurfacePair(
+                    s, scan, mesh, BONES.contains(s.structure().kind())));
             return;
         }
         TriangleMesh base = DiaphragmaticSurface.of(scan);
         TriangleMesh templateBase = DiaphragmaticSurface.of(mesh);
-        shared.add(new SurfacePair(
-                organ, DiaphragmaticSurface.complement(scan), DiaphragmaticSurface.complement(mesh), true));
+        pairs.add(new SurfacePair(
+                s, DiaphragmaticSurface.complement(scan), DiaphragmaticSurface.complement(mesh), true));
         if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
-            shared.add(new SurfacePair(organ, base, templateBase, false));
+            pairs.add(new SurfacePair(s, base, templateBase, false));
         }
     }
 
-    /** The template's structure of the same name as an organ, as it lies now. */
-    private Optional<TriangleMesh> templateOf(PatientStructure organ) {
-        List<TriangleMesh> parts = template.stream()
-                .filter(s -> isSame(s, organ.structure()))
-                .map(Structure::mesh)
-                .toList();
-        return parts.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(parts));
+    /** The structure of the template that corresponds to one of the body, in its current position. */
+    private Optional<TriangleMesh> templateOf(PatientStructure s) {
+        return PatientBody.merged(template.stream().filter(t -> isSame(t, s.structure())));
     }
 
     private static boolean isSame(Structure a, Structure b) {
@@ -88,86 +83,78 @@ public final class BodyCompletion {
     }
 
     /**
-     * The body with the structures of a template that it lacks, or as it is, with a note, if the scan has no whole lung
-     * to bring a template to.
+     * The completed body; the same body, with a note, if the scan has no complete lung.
      *
      * @param template LPS, mm, at end-expiration
      */
     public static PatientBody complete(PatientBody body, Thorax template) {
         boolean lung = body.structures().stream()
-                .anyMatch(o -> o.structure().kind() == StructureKind.LUNG
-                        && o.scan().map(PatientStructure.Scan::isComplete).orElse(false));
+                .anyMatch(s -> s.structure().kind() == StructureKind.LUNG
+                        && s.scan().isPresent()
+                        && s.isComplete());
         if (!lung) {
-            return withNote(
-                    body,
-                    "not completed from " + template.name()
-                            + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it");
+            return body.withNotes(List.of("not completed from " + template.name()
+                    + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it"));
         }
         BodyCompletion completion = new BodyCompletion(body, template);
-        completion.fit();
-        return completion.completed(body, template.name());
+        completion.register();
+        return completion.completed(template.name());
     }
 
-    private static PatientBody withNote(PatientBody body, String note) {
-        List<String> notes = new ArrayList<>(body.notes());
-        notes.add(note);
-        return new PatientBody(body.name(), body.structures(), body.missing(), notes);
-    }
-
-    private void fit() {
-        List<SurfacePair> whole =
-                shared.stream().filter(SurfacePair::isComplete).toList();
+    private void register() {
+        List<SurfacePair> complete =
+                pairs.stream().filter(SurfacePair::isComplete).toList();
         transform(
                 AffineTransform3D.betweenBoxes(
-                        box(whole.stream().map(SurfacePair::template).toList()),
-                        box(whole.stream().map(SurfacePair::scan).toList())),
+                        box(complete.stream().map(SurfacePair::template).toList()),
+                        box(complete.stream().map(SurfacePair::scan).toList())),
                 true);
-        for (int step = 0; step < STEPS; step++) {
-            double[][] pairs = correspondences(true);
-            transform(AffineTransform3D.horizontalScaling(pairs[0], pairs[1]), true);
+        for (int step = 0; step < SCALING_STEPS; step++) {
+            double[][] points = correspondences(true);
+            transform(AffineTransform3D.horizontalScaling(points[0], points[1]), true);
         }
-        List<Structure> straight = List.copyOf(template);
-        warp(BONE_RADII_MM, true);
-        for (int i = 0; i < straight.size(); i++) {
-            if (KEEPING_SHAPE.contains(straight.get(i).kind())) {
-                double[] p = straight.get(i).mesh().positions().clone();
-                AffineTransform3D.similarity(p, template.get(i).mesh().positions())
-                        .apply(p);
-                template.set(i, straight.get(i).withMesh(straight.get(i).mesh().withPositions(p)));
+        List<Structure> undeformed = List.copyOf(template);
+        displace(BONE_RADII_MM, true);
+        for (int i = 0; i < undeformed.size(); i++) {
+            Structure s = undeformed.get(i);
+            if (KEEPING_SHAPE.contains(s.kind())) {
+                double[] from = s.mesh().positions();
+                double[] to = template.get(i).mesh().positions();
+                template.set(i, AffineTransform3D.similarity(from, to).apply(s));
             }
         }
-        warp(SOFT_RADII_MM, false);
+        displace(SOFT_RADII_MM, false);
     }
 
-    private void warp(double[] radiiMm, boolean bones) {
+    private void displace(double[] radiiMm, boolean bones) {
         for (double radius : radiiMm) {
-            for (int step = 0; step < WARPS_A_RADIUS; step++) {
-                double[][] pairs = correspondences(bones);
+            for (int step = 0; step < STEPS_PER_RADIUS; step++) {
+                double[][] points = correspondences(bones);
                 double[] bounds = box(template.stream().map(Structure::mesh).toList());
-                transform(new DisplacementField(pairs[0], pairs[1], radius, bounds), bones);
+                transform(new DisplacementField(points[0], points[1], radius, bounds), bones);
             }
         }
     }
 
-    /** @param bones only of what guides bones; otherwise of all, and of points of bone, which stay */
+    /** Points of the template and of the scan: of pairs that guide bones, or of all pairs with fixed points of bone. */
     private double[][] correspondences(boolean bones) {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
-        shared.parallelStream()
-                .filter(s -> !bones || s.guidesBones())
+        pairs.parallelStream()
+                .filter(pair -> !bones || pair.guidesBones())
                 .map(SurfacePair::correspondences)
                 .toList()
-                .forEach(pairs -> {
-                    from.addAll(pairs.from());
-                    to.addAll(pairs.to());
+                .forEach(points -> {
+                    from.addAll(points.from());
+                    to.addAll(points.to());
                 });
         if (!bones) {
             TriangleMesh bone = MeshMerge.merge(template.stream()
                     .filter(s -> BONES.contains(s.kind()))
                     .map(Structure::mesh)
                     .toList());
-            int step = Math.max(1, bone.vertexCount() / HELD);
-            for (int v = 0; v < bone.vertexCount(); v += step) {
+            int stride = Math.max(1, bone.vertexCount() / FIXED_POINTS);
+            for (int v = 0; v < bone.vertexCount(); v += stride) {
                 double[] p = {bone.x(v), bone.y(v), bone.z(v)};
                 from.add(p);
                 to.add(p);
@@ -184,55 +171,50 @@ public final class BodyCompletion {
         return all;
     }
 
+    /** Transforms the template, all of it or its soft structures. */
     private void transform(PointTransform map, boolean bones) {
-        shared.parallelStream().filter(s -> bones || !BONES.contains(s.kind())).forEach(s -> s.transformTemplate(map));
+        pairs.parallelStream()
+                .filter(pair -> bones || !BONES.contains(pair.kind()))
+                .forEach(pair -> pair.transformTemplate(map));
         List<Structure> moved = template.parallelStream()
-                .map(s -> bones || !BONES.contains(s.kind()) ? moved(s, map) : s)
+                .map(s -> bones || !BONES.contains(s.kind()) ? map.apply(s) : s)
                 .toList();
         template.clear();
         template.addAll(moved);
     }
 
-    private static Structure moved(Structure structure, PointTransform map) {
-        double[] p = structure.mesh().positions().clone();
-        map.apply(p);
-        return structure.withMesh(structure.mesh().withPositions(p));
-    }
-
-    private PatientBody completed(PatientBody body, String from) {
-        List<PatientStructure> organs = new ArrayList<>();
-        List<String> lent = new ArrayList<>();
-        for (PatientStructure organ : body.structures()) {
-            Optional<DistanceSummary> off = templateOf(organ).map(mesh -> SurfacePair.distanceToScan(organ, mesh));
-            if (off.isEmpty()
-                    || organ.scan().map(PatientStructure.Scan::isComplete).orElse(true)) {
-                organs.add(off.map(organ::withDistanceToScan).orElse(organ));
+    private PatientBody completed(String templateName) {
+        List<PatientStructure> all = new ArrayList<>();
+        for (PatientStructure s : body.structures()) {
+            Optional<DistanceSummary> off = templateOf(s).map(mesh -> SurfacePair.distanceToScan(s, mesh));
+            if (off.isEmpty() || s.isComplete()) {
+                all.add(off.map(s::withDistanceToScan).orElse(s));
             }
         }
+        int added = 0;
         for (Structure structure : template) {
-            if (organs.stream()
-                    .noneMatch(o -> isSame(o.structure(), structure) && o.source() == PatientStructure.Source.SCAN)) {
-                Optional<PatientStructure> seen = body.structures().stream()
-                        .filter(o -> isSame(o.structure(), structure))
+            if (all.stream()
+                    .noneMatch(s -> isSame(s.structure(), structure) && s.source() == PatientStructure.Source.SCAN)) {
+                Optional<PatientStructure> cut = body.structures().stream()
+                        .filter(s -> isSame(s.structure(), structure))
                         .findFirst();
-                organs.add(new PatientStructure(
+                all.add(new PatientStructure(
                         structure,
                         PatientStructure.Source.VIRTUAL,
-                        seen.flatMap(PatientStructure::scan),
-                        seen.map(
-                                o -> SurfacePair.distanceToScan(o, templateOf(o).orElseThrow()))));
-                lent.add(structure.name());
+                        cut.flatMap(PatientStructure::scan),
+                        cut.map(
+                                s -> SurfacePair.distanceToScan(s, templateOf(s).orElseThrow()))));
+                added++;
             }
         }
-        organs.sort(Comparator.comparing(o -> o.structure().name()));
-        List<String> notes = new ArrayList<>(body.notes());
-        notes.add(String.format(
-                Locale.ROOT,
-                "%d structures come from %s, brought to the %d that it shares with the scan",
-                lent.size(),
-                from,
-                sharedOrgans));
-        return new PatientBody(body.name(), organs, ExpectedStructures.missing(organs), notes);
+        all.sort(Comparator.comparing(s -> s.structure().name()));
+        return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes())
+                .withNotes(List.of(String.format(
+                        Locale.ROOT,
+                        "%d structures come from %s, brought to the %d that it shares with the scan",
+                        added,
+                        templateName,
+                        shared)));
     }
 
     private static double[] box(List<TriangleMesh> meshes) {

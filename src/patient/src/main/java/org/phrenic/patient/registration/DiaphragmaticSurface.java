@@ -7,49 +7,45 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The base of a lung, by its shape alone, so that one rule serves scans and simulations: triangles that look down (with
- * the lung drawn as tall as it is deep the outward normal, smoothed over neighbours, has a superior part below
- * {@value #MAX_NORMAL_Z}) and below which there is no more lung; of what hangs together the piece with the largest
- * area, and what it surrounds. The downward sides of hilum and fissures have lung below them or are pieces of their
- * own.
+ * The diaphragmatic surface of a lung, its base, by shape alone, so that scans and simulations are treated alike: faces
+ * that look down (with the lung scaled to be as tall as deep, the smoothed outward normal has a z component below {@value
+ * #MAX_NORMAL_Z}) and have no lung below them; of these the connected region with the largest area, and what it
+ * surrounds. Faces of hilum and fissures that look down have lung below them or are separate regions.
  */
 public final class DiaphragmaticSurface {
-    /**
-     * Steeper parts belong to the costal or mediastinal surface: 33 degrees from the vertical; the heart undercuts
-     * lungs by up to 30.
-     */
+    /** 33 degrees from the vertical; steeper faces are costal or mediastinal (the heart undercuts lungs by up to 30). */
     static final double MAX_NORMAL_Z = -0.55;
 
     private static final int SMOOTHINGS = 3;
-    /** A ray starts this far below its triangle, mm: not at the surface that it leaves. */
+    /** Start of a ray below its triangle, mm. */
     private static final double CLEAR_MM = 0.5;
 
     private DiaphragmaticSurface() {}
 
     /**
-     * The facet as a surface of its own.
+     * The diaphragmatic surface as a mesh.
      *
      * @param lung one lung, closed, LPS, mm
-     * @return without triangles if nothing looks down
+     * @return without triangles if no face looks down
      */
     public static TriangleMesh of(TriangleMesh lung) {
         return part(lung, triangleMask(lung), true);
     }
 
-    /** All but the facet. */
+    /** The rest of the lung. */
     static TriangleMesh complement(TriangleMesh lung) {
         return part(lung, triangleMask(lung), false);
     }
 
-    private static TriangleMesh part(TriangleMesh lung, boolean[] facet, boolean wanted) {
+    private static TriangleMesh part(TriangleMesh lung, boolean[] mask, boolean wanted) {
         int[] place = new int[lung.vertexCount()];
         Arrays.fill(place, -1);
         int[] corners = new int[lung.triangles().length];
         double[] p = new double[lung.positions().length];
         int vertices = 0;
         int count = 0;
-        for (int t = 0; t < facet.length; t++) {
-            for (int c = 3 * t; facet[t] == wanted && c < 3 * t + 3; c++) {
+        for (int t = 0; t < mask.length; t++) {
+            for (int c = 3 * t; mask[t] == wanted && c < 3 * t + 3; c++) {
                 int v = lung.triangles()[c];
                 if (place[v] < 0) {
                     System.arraycopy(lung.positions(), 3 * v, p, 3 * vertices, 3);
@@ -61,17 +57,17 @@ public final class DiaphragmaticSurface {
         return new TriangleMesh(Arrays.copyOf(p, 3 * vertices), Arrays.copyOf(corners, count));
     }
 
-    /** Whether each vertex is a corner of the facet. */
+    /** Whether each vertex belongs to the diaphragmatic surface. */
     public static boolean[] vertexMask(TriangleMesh lung) {
-        boolean[] facet = triangleMask(lung);
+        boolean[] mask = triangleMask(lung);
         boolean[] corner = new boolean[lung.vertexCount()];
         for (int c = 0; c < lung.triangles().length; c++) {
-            corner[lung.triangles()[c]] |= facet[c / 3];
+            corner[lung.triangles()[c]] |= mask[c / 3];
         }
         return corner;
     }
 
-    /** Whether each triangle belongs to the facet. */
+    /** Whether each triangle belongs to the diaphragmatic surface. */
     static boolean[] triangleMask(TriangleMesh lung) {
         double[] normals = smoothed(lung);
         double outward = MeshMeasure.signedVolume(lung) < 0 ? -1 : 1;
@@ -93,7 +89,7 @@ public final class DiaphragmaticSurface {
         }
         MeshTopology topology = new MeshTopology(lung);
         keepLargest(lung, topology, down);
-        // The recess is steep in places: what the facet surrounds belongs to it.
+        // Steep faces that the region surrounds belong to it.
         invert(down);
         keepLargest(lung, topology, down);
         invert(down);
@@ -106,10 +102,7 @@ public final class DiaphragmaticSurface {
         }
     }
 
-    /**
-     * The lung as tall as it is deep: so the rule is the same for tall and flat lungs, and for voxels whose height is
-     * stated wrongly.
-     */
+    /** The lung scaled to be as tall as deep, so that its proportions and a wrong voxel height do not matter. */
     private static TriangleMesh inProportion(TriangleMesh lung) {
         double[] box = lung.bounds();
         double[] p = lung.positions().clone();
@@ -119,7 +112,7 @@ public final class DiaphragmaticSurface {
         return lung.withPositions(p);
     }
 
-    /** Unit vertex normals, each the mean of its neighbours' and its own a few times over. */
+    /** Unit vertex normals, averaged repeatedly with those of the neighbours. */
     private static double[] smoothed(TriangleMesh lung) {
         double[] normals = MeshMeasure.vertexNormals(inProportion(lung));
         int[] t = lung.triangles();
@@ -128,7 +121,7 @@ public final class DiaphragmaticSurface {
             for (int i = 0; i < t.length; i++) {
                 int other = i % 3 == 2 ? t[i - 2] : t[i + 1];
                 for (int k = 0; k < 3; k++) {
-                    // An edge is met once from either side: each of its ends hears of the other.
+                    // Each edge is visited from both sides, once for each of its ends.
                     sum[3 * t[i] + k] += normals[3 * t[i] + k] + normals[3 * other + k];
                 }
             }
@@ -142,11 +135,11 @@ public final class DiaphragmaticSurface {
         return normals;
     }
 
-    /** Of the pieces that hang together by edges leaves the one with the largest area. */
+    /** Keeps the edge-connected region with the largest area. */
     private static void keepLargest(TriangleMesh lung, MeshTopology topology, boolean[] member) {
         int[] piece = new int[member.length];
         int[] queue = new int[member.length];
-        double[] normals = new double[3];
+        double[] cross = new double[3];
         int pieces = 0;
         int best = 0;
         double most = 0;
@@ -159,7 +152,7 @@ public final class DiaphragmaticSurface {
             int length = 1;
             double area = 0;
             for (int at = 0; at < length; at++) {
-                area += area(lung, queue[at], normals);
+                area += 0.5 * MeshMeasure.triangleCrossProduct(lung, queue[at], cross);
                 for (int side = 0; side < 3; side++) {
                     int edge = topology.edgeOfSide()[3 * queue[at] + side];
                     int next = topology.faceCount(edge) == 1 ? -1 : topology.otherFace(edge, queue[at]);
@@ -177,21 +170,5 @@ public final class DiaphragmaticSurface {
         for (int i = 0; i < member.length; i++) {
             member[i] = best > 0 && piece[i] == best;
         }
-    }
-
-    private static double area(TriangleMesh mesh, int triangle, double[] cross) {
-        int a = mesh.triangles()[3 * triangle];
-        int b = mesh.triangles()[3 * triangle + 1];
-        int c = mesh.triangles()[3 * triangle + 2];
-        double[] p = mesh.positions();
-        double squared = 0;
-        for (int k = 0; k < 3; k++) {
-            int i = (k + 1) % 3;
-            int j = (k + 2) % 3;
-            cross[k] = (p[3 * b + i] - p[3 * a + i]) * (p[3 * c + j] - p[3 * a + j])
-                    - (p[3 * b + j] - p[3 * a + j]) * (p[3 * c + i] - p[3 * a + i]);
-            squared += cross[k] * cross[k];
-        }
-        return 0.5 * Math.sqrt(squared);
     }
 }

@@ -3,18 +3,18 @@ package org.phrenic.patient.registration;
 import java.util.stream.IntStream;
 
 /**
- * A smooth displacement of space that carries points towards others: at x the mean of what the points about it lack,
- * weighted by w = (1 - d^2 / r^2)^2 within a radius r and drawn to nothing where none is near,
+ * A smooth displacement field from pairs of points: at x, the weighted mean of the displacements within a radius r, with
+ * {@code w = (1 - d^2 / r^2)^2}, attenuated to zero where no point is near,
  *
  * <pre>
- * u(x) = sum w (to - from) / (sum w + pull)
+ * u(x) = sum w (to - from) / (sum w + a),   a = 0.3
  * </pre>
  *
- * worked out on a grid of a third of the radius and interpolated between.
+ * on a grid of a third of the radius with trilinear interpolation.
  */
 final class DisplacementField implements PointTransform {
-    private static final double PULL = 0.3;
-    private static final double CELLS_A_RADIUS = 3;
+    private static final double ATTENUATION = 0.3;
+    private static final double CELLS_PER_RADIUS = 3;
 
     private final double[] origin = new double[3];
     private final int[] size = new int[3];
@@ -22,12 +22,12 @@ final class DisplacementField implements PointTransform {
     private final double[] shift;
 
     /**
-     * @param from points, x y z in turn, mm
-     * @param to where each should go
-     * @param bounds of what will be moved: {@code {minX, minY, minZ, maxX, maxY, maxZ}}
+     * @param from points, x, y, z in turn, mm
+     * @param to their targets
+     * @param bounds of the points to be transformed: {@code {minX, minY, minZ, maxX, maxY, maxZ}}
      */
     DisplacementField(double[] from, double[] to, double radius, double[] bounds) {
-        spacing = radius / CELLS_A_RADIUS;
+        spacing = radius / CELLS_PER_RADIUS;
         int nodes = 1;
         for (int k = 0; k < 3; k++) {
             origin[k] = bounds[k] - spacing;
@@ -36,7 +36,7 @@ final class DisplacementField implements PointTransform {
         }
         shift = new double[3 * nodes];
         double[] weights = new double[nodes];
-        // Each layer of the grid takes the points in their order, so that the bits do not depend on the threads.
+        // Each layer adds the points in order, so the bits do not depend on the threads.
         IntStream.range(0, size[2]).parallel().forEach(c -> layer(c, from, to, radius, weights));
     }
 
@@ -49,17 +49,16 @@ final class DisplacementField implements PointTransform {
         int layer = size[0] * size[1];
         for (int n = c * layer; n < (c + 1) * layer; n++) {
             for (int k = 0; k < 3; k++) {
-                shift[3 * n + k] /= weights[n] + PULL;
+                shift[3 * n + k] /= weights[n] + ATTENUATION;
             }
         }
     }
 
-    /** The first node along an axis that a point reaches. */
+    /** First and last node along an axis within the radius of a point. */
     private int low(double[] from, int i, int axis, double radius) {
         return Math.max(0, (int) Math.ceil((from[i + axis] - radius - origin[axis]) / spacing));
     }
 
-    /** The last. */
     private int high(double[] from, int i, int axis, double radius) {
         return Math.min(size[axis] - 1, (int) Math.floor((from[i + axis] + radius - origin[axis]) / spacing));
     }

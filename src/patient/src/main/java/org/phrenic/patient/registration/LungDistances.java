@@ -1,75 +1,62 @@
 package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.patient.PatientBody;
 
 /**
- * How far the lungs of a body lie from those of another, both ways and weighted by area: the whole surface, and base
- * from base ({@link DiaphragmaticSurface}), so that a base that has not come down is not measured from the costal
- * surface beside it.
- *
- * @param whole of the whole surfaces, mm
- * @param base of the bases, mm
+ * Symmetric distances between the lungs of two bodies, weighted by area, mm: of the whole surfaces, and of the bases
+ * ({@link DiaphragmaticSurface}) alone, so that a base is not measured from the costal surface beside it.
  */
 public record LungDistances(DistanceSummary whole, DistanceSummary base) {
-
-    /** Distances of one lung. */
-    public static LungDistances of(TriangleMesh a, TriangleMesh b) {
-        return of(List.of(a), List.of(b));
-    }
-
     /**
-     * Distances of lungs, each from the one of the same place in the other list, taken together.
+     * Pooled distances of lungs, each from the lung of the same index.
      *
      * @throws IllegalArgumentException if a lung has no base
      */
     public static LungDistances of(List<TriangleMesh> a, List<TriangleMesh> b) {
-        List<SurfaceComparison> whole = new ArrayList<>();
-        List<SurfaceComparison> base = new ArrayList<>();
-        for (int i = 0; i < a.size(); i++) {
-            whole.add(SurfaceComparison.of(a.get(i), b.get(i)));
-            base.add(SurfaceComparison.of(DiaphragmaticSurface.of(a.get(i)), DiaphragmaticSurface.of(b.get(i))));
-        }
-        return new LungDistances(pooled(whole), pooled(base));
+        return new LungDistances(
+                pooled(a, b),
+                pooled(
+                        a.stream().map(DiaphragmaticSurface::of).toList(),
+                        b.stream().map(DiaphragmaticSurface::of).toList()));
     }
 
-    private static DistanceSummary pooled(List<SurfaceComparison> comparisons) {
+    private static DistanceSummary pooled(List<TriangleMesh> a, List<TriangleMesh> b) {
         List<double[]> distances = new ArrayList<>();
         List<double[]> weights = new ArrayList<>();
-        for (SurfaceComparison c : comparisons) {
-            distances.add(c.aToB().distances());
-            distances.add(c.bToA().distances());
-            weights.add(c.aToB().weights());
-            weights.add(c.bToA().weights());
+        for (int i = 0; i < a.size(); i++) {
+            SurfaceComparison c = SurfaceComparison.of(a.get(i), b.get(i));
+            Stream.of(c.aToB(), c.bToA()).forEach(side -> {
+                distances.add(side.distances());
+                weights.add(side.weights());
+            });
         }
         return DistanceSummary.of(flat(distances), flat(weights));
     }
 
     private static double[] flat(List<double[]> parts) {
-        return parts.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+        return parts.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
-    /** The lung of a side, its lobes in one surface; empty if a body has none. */
+    /** The lung of a side with all its lobes; empty if the body has none. */
     public static Optional<TriangleMesh> lung(Thorax thorax, Side side) {
-        List<TriangleMesh> lobes = thorax.structuresOf(StructureKind.LUNG).stream()
-                .filter(s -> s.side() == side)
-                .map(Structure::mesh)
-                .toList();
-        return lobes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(lobes));
+        return PatientBody.merged(
+                thorax.structuresOf(StructureKind.LUNG).stream().filter(s -> s.side() == side));
     }
 
-    /** Distances of each lung that both bodies have, and of {@code both} together, in the order right, left, both. */
+    /** Distances of each lung that both bodies have, and of {@code both} pooled, in the order right, left, both. */
     public static Map<String, LungDistances> between(Thorax a, Thorax b) {
         Map<String, LungDistances> all = new LinkedHashMap<>();
         List<TriangleMesh> ofA = new ArrayList<>();
@@ -80,7 +67,7 @@ public record LungDistances(DistanceSummary whole, DistanceSummary base) {
             if (first.isPresent() && second.isPresent()) {
                 ofA.add(first.get());
                 ofB.add(second.get());
-                all.put(side == Side.RIGHT ? "right" : "left", of(first.get(), second.get()));
+                all.put(side == Side.RIGHT ? "right" : "left", of(List.of(first.get()), List.of(second.get())));
             }
         }
         if (ofA.size() == 2) {

@@ -3,6 +3,7 @@ package org.phrenic.patient.registration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -13,25 +14,21 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.patient.PatientBody;
 
 /**
- * Brings a second scan of a body to the first by a rigid motion, found on what does not breathe: the spine where both
- * scans have it, else the apex of the lungs and their posterior medial surface, which lies on the spine and the necks
- * of the ribs. Trimmed iterative closest points, point to plane (Chen and Medioni 1992, doi
- * 10.1016/0262-8856(92)90066-C; Chetverikov, Stepanov and Krsek 2005, doi 10.1016/j.imavis.2004.05.007): each round
- * takes the points of the first scan's fixed part that lie nearest to the second's surface,
- * {@value TrimmedIcp#INLIER_FRACTION} of them, and turns and shifts so that their distances along its normals become
- * least.
+ * Rigid alignment of a second scan of a body to the first, on what does not move with the breath: the spine where both
+ * scans have it, else the apex of the lungs and their posterior medial surface, which lies on the spine and the necks of
+ * the ribs. Found by trimmed iterative closest points, point to plane ({@link TrimmedIcp}).
  *
- * @param motion from the second scan's place to the first's
- * @param fixedPart what it was found on
- * @param residual distances of all points of the fixed part from the second scan's surface in its new place, by area,
- *     mm
- * @param inlierResidual the same of the points that were not trimmed
+ * @param motion from the axes of the second scan to those of the first
+ * @param fixedPart on which it was found
+ * @param residual distances of all points of the fixed part from the aligned second scan, by area, mm
+ * @param inlierResidual distances of the points that were not trimmed
  */
 public record ScanAlignment(
         RigidMotion motion, FixedPart fixedPart, DistanceSummary residual, DistanceSummary inlierResidual) {
-    /** What an alignment rests on. */
+    /** What an alignment is found on. */
     public enum FixedPart {
         /** Vertebrae that both scans have. */
         SPINE("the spine"),
@@ -44,28 +41,27 @@ public record ScanAlignment(
             this.label = label;
         }
 
+        /** Display name. */
         public String label() {
             return label;
         }
     }
 
-    private static final int LEAST_VERTEBRAE = 2;
-    /** The apex: this share of a lung's height from its top. */
+    private static final int MIN_VERTEBRAE = 2;
+    /** Share of the height of a lung that is its apex. */
     private static final double APEX = 0.12;
-    /** The posterior medial surface ends above the base: at this share of the height from the top. */
+    /** Share of the height, from the top, at which the posterior medial surface ends. */
     private static final double ABOVE_BASE = 0.65;
-    /** It is the hindmost part of a lung's depth, and of its width the part nearest to the other lung. */
+    /** Shares of depth and width of a lung that are posterior and medial. */
     private static final double POSTERIOR = 0.35;
 
     private static final double MEDIAL = 0.5;
-    /** It looks backward or to the middle; the sum of both parts of its normal is above this. */
-    private static final double LOOKS = 0.5;
+    /** Least sum of the posterior and medial components of the normal of that surface. */
+    private static final double MIN_NORMAL = 0.5;
 
     /**
-     * Finds the motion.
+     * Aligns two scans.
      *
-     * @param first the scan that stays
-     * @param second the scan that is to be moved
      * @throws IllegalArgumentException if they share neither a spine nor a lung
      */
     public static ScanAlignment of(Thorax first, Thorax second) {
@@ -77,7 +73,7 @@ public record ScanAlignment(
                 to.add(other.mesh());
             });
         }
-        if (from.size() >= LEAST_VERTEBRAE) {
+        if (from.size() >= MIN_VERTEBRAE) {
             TriangleMesh spine = MeshMerge.merge(from);
             boolean[] all = new boolean[spine.vertexCount()];
             Arrays.fill(all, true);
@@ -94,60 +90,85 @@ public record ScanAlignment(
             }
         }
         if (from.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "found neither two vertebrae nor a lung that both scans have, expected what one can be brought to the other by");
+            throw new IllegalArgumentException("found neither two vertebrae nor a lung that both scans have,"
+                    + " expected what one can be brought to the other by");
         }
         TriangleMesh lungs = MeshMerge.merge(from);
-        return new TrimmedIcp(lungs, fixed(from), MeshMerge.merge(to)).align(FixedPart.LUNGS, false);
+        return new TrimmedIcp(lungs, fixed(from, lungs), MeshMerge.merge(to)).align(FixedPart.LUNGS, false);
     }
 
-    /** Which vertices of lungs, one after the other, lie on apex or posterior medial surface. */
-    private static boolean[] fixed(List<TriangleMesh> lungs) {
-        double[] all = MeshMerge.merge(lungs).bounds();
+    /** Vertices of lungs, one lung after the other, on apex or posterior medial surface. */
+    private static boolean[] fixed(List<TriangleMesh> lungs, TriangleMesh merged) {
+        double[] all = merged.bounds();
         double middle = (all[0] + all[3]) / 2;
-        List<Boolean> fixed = new ArrayList<>();
+        boolean[] fixed = new boolean[merged.vertexCount()];
+        int next = 0;
         for (TriangleMesh lung : lungs) {
             double[] box = lung.bounds();
             double[] normals = MeshMeasure.vertexNormals(lung);
-            // Of a single lung nothing tells where the middle is: all of its back counts.
+            // A single lung does not tell where the midline is: all of its back counts.
             double centre = (box[0] + box[3]) / 2;
             double toMiddle = lungs.size() == 1 ? 0 : Math.signum(middle - centre);
             for (int v = 0; v < lung.vertexCount(); v++) {
                 double down = (box[5] - lung.z(v)) / (box[5] - box[2]);
                 double back = (lung.y(v) - box[1]) / (box[4] - box[1]);
                 double inward = 0.5 + toMiddle * (lung.x(v) - centre) / (box[3] - box[0]);
-                double looks = normals[3 * v + 1] + toMiddle * normals[3 * v];
+                double facing = normals[3 * v + 1] + toMiddle * normals[3 * v];
                 boolean besideSpine = down < ABOVE_BASE
                         && back > 1 - POSTERIOR
                         && (toMiddle == 0 || inward > 1 - MEDIAL)
-                        && looks > LOOKS;
-                fixed.add(down < APEX || besideSpine);
+                        && facing > MIN_NORMAL;
+                fixed[next++] = down < APEX || besideSpine;
             }
         }
-        boolean[] array = new boolean[fixed.size()];
-        for (int v = 0; v < array.length; v++) {
-            array[v] = fixed.get(v);
-        }
-        return array;
+        return fixed;
     }
 
-    /** The second scan's body where it belongs. */
-    public Thorax apply(Thorax second) {
-        return new Thorax(
+    /**
+     * The body of a second scan in the axes of the first, with notes on the alignment and on the distances of the lungs.
+     *
+     * @throws IllegalArgumentException if they share neither a spine nor a lung
+     */
+    public static PatientBody aligned(Thorax first, PatientBody second) {
+        ScanAlignment alignment = of(first, second.thorax());
+        PointTransform motion = alignment.motion::apply;
+        PatientBody body = new PatientBody(
                 second.name(),
                 second.structures().stream()
-                        .map(s -> s.withMesh(moved(s.mesh())))
+                        .map(s -> s.withStructure(motion.apply(s.structure())))
                         .toList(),
+                second.missing(),
                 second.notes());
+        DistanceSummary inliers = alignment.inlierResidual;
+        DistanceSummary all = alignment.residual;
+        List<String> notes = new ArrayList<>(List.of(String.format(
+                Locale.ROOT,
+                "brought rigidly to %s by %s, turned by %.2f deg: of its %d points the nearer 70 %% lie %.2f mm apart"
+                        + " (rms), all %.2f mm (median %.2f)",
+                first.name(),
+                alignment.fixedPart.label,
+                alignment.rotationDeg(),
+                all.points(),
+                inliers.rms(),
+                all.rms(),
+                all.median())));
+        LungDistances.between(first, body.thorax())
+                .forEach((side, d) -> notes.add("lungs, " + side + ", off " + first.name() + ": whole "
+                        + text(d.whole()) + ", base " + text(d.base())));
+        return body.withNotes(notes);
     }
 
-    private TriangleMesh moved(TriangleMesh mesh) {
-        double[] p = mesh.positions().clone();
-        motion.apply(p);
-        return mesh.withPositions(p);
+    private static String text(DistanceSummary d) {
+        return String.format(
+                Locale.ROOT,
+                "%.2f +- %.2f mm (rms %.2f, 95 %% %.1f)",
+                d.mean(),
+                d.deviation(),
+                d.rms(),
+                d.percentile95());
     }
 
-    /** Size of the turn, degrees. */
+    /** Angle of the rotation, degrees. */
     public double rotationDeg() {
         double trace = motion.rotation(0, 0) + motion.rotation(1, 1) + motion.rotation(2, 2);
         return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, (trace - 1) / 2))));

@@ -11,14 +11,11 @@ import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientStructure;
 
-/**
- * A structure that scan and template both have, or a part of one: pairs of points on the two that lie nearest to each
- * other.
- */
+/** A surface of the scan and its counterpart of the template, with their nearest points. */
 final class SurfacePair {
-    /** Points taken of each surface. */
+    /** Number of points taken of each surface. */
     private static final int POINTS = 500;
-    /** What lies so near to the end of the scan is no surface of the body but the cut, mm. */
+    /** Vertices nearer than this to the end of the scan belong to the cut, mm. */
     private static final double CUT_MM = 8;
 
     private final StructureKind kind;
@@ -34,18 +31,16 @@ final class SurfacePair {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     /**
-     * A part of an organ and the same part of the template.
+     * A surface, or a part of one, and its counterpart.
      *
-     * @param scan all of the organ's surface, or a part of it
-     * @param guidesBones whether bones lie by it; a lung's base says nothing of them, as it goes up and down without
-     *     them
+     * @param guidesBones whether bones follow the surface; they do not follow the base of a lung
      */
     SurfacePair(PatientStructure organ, TriangleMesh scan, TriangleMesh template, boolean guidesBones) {
         kind = organ.structure().kind();
         this.scan = scan;
         this.guidesBones = guidesBones;
         scanTree = new TriangleTree(scan);
-        whole = organ.scan().map(PatientStructure.Scan::isComplete).orElse(true);
+        whole = organ.isComplete();
         atCut = atCut(organ, scan);
         this.template = template;
         templateTree = new TriangleTree(template);
@@ -53,10 +48,7 @@ final class SurfacePair {
         atTemplateBorder = atBorder(template, guidesBones);
     }
 
-    /**
-     * Which triangles lie at the border of an open surface: what is nearest to them lies beyond, and belongs to nothing
-     * of it. Lungs end at their base where breath has left it, not where bones do.
-     */
+    /** Triangles at the border of an open surface; points nearest to them lie beyond it and have no counterpart. */
     private static boolean[] atBorder(TriangleMesh mesh, boolean counts) {
         boolean[] at = new boolean[mesh.triangleCount()];
         if (counts) {
@@ -73,7 +65,7 @@ final class SurfacePair {
         return at;
     }
 
-    /** Which vertices lie at the end of the scan. */
+    /** Vertices at the end of the scan. */
     private static boolean[] atCut(PatientStructure organ, TriangleMesh part) {
         String cutAt = organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
         boolean[] atCut = new boolean[part.vertexCount()];
@@ -110,24 +102,14 @@ final class SurfacePair {
     }
 
     void transformTemplate(PointTransform map) {
-        double[] p = template.positions().clone();
-        map.apply(p);
-        template = template.withPositions(p);
-        templateTree.refit(p);
+        template = map.apply(template);
+        templateTree.refit(template.positions());
     }
 
-    /**
-     * Points of the template and where on the scan they belong.
-     *
-     * @param from x y z each
-     * @param to x y z each, in the same order
-     */
+    /** Points of the template and, in the same order, their counterparts on the scan. */
     record Correspondences(List<double[]> from, List<double[]> to) {}
 
-    /**
-     * Points of the template and where on the scan they belong. Of a scan that is cut off, only its own points are
-     * asked: the template's may have nothing to belong to.
-     */
+    /** Nearest points, both ways; of a cut scan from its own points alone. */
     Correspondences correspondences() {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
@@ -152,7 +134,7 @@ final class SurfacePair {
         return new Correspondences(from, to);
     }
 
-    /** How far a template lies from the vertices of an organ in the scan, by area, without the cut. */
+    /** Distances of the vertices of a structure of the scan from the template, by area, without the cut. */
     static DistanceSummary distanceToScan(PatientStructure organ, TriangleMesh template) {
         TriangleMesh scan = organ.structure().mesh();
         boolean[] atCut = atCut(organ, scan);

@@ -16,16 +16,15 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
- * Which structure each label of a volume is. Several labels may be one structure, as the lobes are a lung.
+ * The structure of each label of a volume; several labels may be one structure, such as the lobes of a lung.
  *
- * @param structures name of a structure by label: one that a thorax folder knows, {@link #LUNGS} or
- *     {@link #COSTAL_CARTILAGES}
+ * @param structures names by label: of a structure of a thorax folder, {@link #LUNGS} or {@link #COSTAL_CARTILAGES}
  * @param missing labels or names that a user's table has and the volume lacks
  */
 public record LabelTable(Map<Integer, String> structures, List<String> missing) {
-    /** Both lungs under one label; they are told apart. */
+    /** Both lungs under one label, split by {@link LungSplitter}. */
     public static final String LUNGS = "lungs";
-    /** All costal cartilages under one label; they are told apart by the ribs they begin at. */
+    /** All costal cartilages under one label, split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
     /**
      * The built-in table: label numbers and names of TotalSegmentator's task {@code total} (Wasserthal et al. 2023, doi
@@ -40,16 +39,16 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         missing = List.copyOf(missing);
     }
 
-    /** A map of labels that are there. */
+    /** A table whose labels are all in the volume. */
     public LabelTable(Map<Integer, String> structures) {
         this(structures, List.of());
     }
 
     /**
-     * The table of a file with the columns {@code label} or {@code name} (as the volume names it) and
-     * {@code structure}; with both, names count where the volume has any.
+     * Reads a table with the columns {@code label} or {@code name} (of the label in the volume) and {@code structure};
+     * with both, names are used where the volume has any.
      *
-     * @throws BadInputException if it cannot be read, or a structure is none that can be built
+     * @throws BadInputException if it cannot be read, or has an unknown structure
      */
     public static LabelTable read(Path file, LabelVolume volume) {
         return of(file.toString(), CsvTable.read(file), volume, true);
@@ -61,23 +60,19 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     }
 
     /**
-     * The volume's own names: those that a thorax folder knows, and TotalSegmentator's.
+     * The table of the volume's own names, of structures of a thorax folder or of TotalSegmentator.
      *
      * @throws BadInputException if it has none of them
      */
     public static LabelTable named(String file, LabelVolume volume) {
         CsvTable table = shipped();
-        Map<String, String> known = new TreeMap<>();
-        List<String> names = table.texts("name");
-        for (int row = 0; row < names.size(); row++) {
-            known.put(names.get(row), table.texts("structure").get(row));
-        }
+        List<String> known = table.texts("name");
         Map<Integer, String> structures = new TreeMap<>();
         volume.names().forEach((label, name) -> {
             if (isStructure(name)) {
                 structures.put(label, name);
-            } else if (known.containsKey(name)) {
-                structures.put(label, known.get(name));
+            } else if (known.contains(name)) {
+                structures.put(label, table.texts("structure").get(known.lastIndexOf(name)));
             }
         });
         if (structures.isEmpty()) {

@@ -3,30 +3,29 @@ package org.phrenic.patient.segmentation;
 import java.util.Optional;
 
 /**
- * Tells two lungs under one label apart. Where they touch, the label is worn away from its surface, step by step, until
- * two large pieces are left; these grow back together, each voxel going to the nearer one. The piece farther to the
- * patient's right is the right lung.
+ * Splits two lungs under one label: erodes the label until two large components remain, then grows these back, each voxel
+ * to the nearer one. The component farther to the patient's right is the right lung.
  */
 public final class LungSplitter {
-    /** The smaller lung has at least this share of the larger: a left lung has 0.85 of a right one. */
-    private static final double LEAST_SHARE = 0.3;
+    /** Least size of the smaller lung as a share of the larger; a left lung usually has 0.85 of the right. */
+    private static final double MIN_SHARE = 0.3;
 
-    private static final int MOST_STEPS = 60;
+    private static final int MAX_EROSIONS = 60;
 
     private LungSplitter() {}
 
-    /** Replaces the part of both lungs by one each; a sentence if they cannot be told apart. */
-    public static Optional<String> split(Segmentation parts) {
-        int both = parts.find(LabelTable.LUNGS);
-        VoxelRegion flood = new VoxelRegion(parts, both);
-        flood.computeDepths();
-        byte[] piece = new byte[flood.cells()];
-        for (int worn = 0; worn < MOST_STEPS; worn++) {
-            int[] sizes = flood.connectedComponents(worn, piece);
+    /** Replaces the segment of both lungs by one each; a sentence if they cannot be split. */
+    public static Optional<String> split(Segmentation segmentation) {
+        int both = segmentation.find(LabelTable.LUNGS);
+        VoxelRegion region = new VoxelRegion(segmentation, both);
+        region.computeDepths();
+        byte[] piece = new byte[region.cells()];
+        for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
+            int[] sizes = region.connectedComponents(erosion, piece);
             int first = largest(sizes, 0);
             int second = largest(sizes, first);
-            if (second > 0 && sizes[second] > LEAST_SHARE * sizes[first]) {
-                divide(parts, flood, piece, first, second);
+            if (second > 0 && sizes[second] > MIN_SHARE * sizes[first]) {
+                divide(segmentation, region, piece, first, second);
                 return Optional.empty();
             }
             if (first == 0) {
@@ -35,7 +34,8 @@ public final class LungSplitter {
         }
         return Optional.of(
                 LabelTable.LUNGS
-                        + ": found one body that does not part into two, expected both lungs (or label one as lung_R or lung_L)");
+                        + ": found one body that does not part into two, expected both lungs"
+                        + " (or label one as lung_R or lung_L)");
     }
 
     private static int largest(int[] sizes, int but) {
@@ -48,31 +48,31 @@ public final class LungSplitter {
         return largest;
     }
 
-    private static void divide(Segmentation parts, VoxelRegion flood, byte[] piece, int first, int second) {
+    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, int first, int second) {
         double[] x = new double[2];
         double[] count = new double[2];
         for (int cell = 0; cell < piece.length; cell++) {
             int which = piece[cell] == first ? 0 : piece[cell] == second ? 1 : -1;
             if (which >= 0) {
-                x[which] += parts.coordinate(flood.voxel(cell), 0);
+                x[which] += segmentation.coordinate(region.voxel(cell), 0);
                 count[which]++;
             } else {
                 piece[cell] = 0;
             }
         }
-        flood.growRegions(piece);
+        region.growRegions(piece);
         // x runs to the patient's left.
         boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
-        byte right = (byte) parts.segment("lung_R");
-        byte left = (byte) parts.segment("lung_L");
+        byte right = (byte) segmentation.segment("lung_R");
+        byte left = (byte) segmentation.segment("lung_L");
         for (int cell = 0; cell < piece.length; cell++) {
-            if (flood.isMember(cell)) {
+            if (region.isMember(cell)) {
                 boolean isFirst = piece[cell] == first;
-                // Specks that no path joins to a lung are left out.
-                parts.voxels[flood.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
+                // Voxels connected to neither lung are left out.
+                segmentation.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
             }
         }
-        parts.inheritFrom("lung_R", LabelTable.LUNGS);
-        parts.inheritFrom("lung_L", LabelTable.LUNGS);
+        segmentation.inheritFrom("lung_R", LabelTable.LUNGS);
+        segmentation.inheritFrom("lung_L", LabelTable.LUNGS);
     }
 }

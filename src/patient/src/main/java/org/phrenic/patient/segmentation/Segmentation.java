@@ -10,34 +10,39 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * The voxels of the structures asked for, in a box that just holds them: a part's number is its place in the names plus
- * 1. Parts may be told apart further before {@link #grid}.
+ * The voxels of the structures asked for, cropped to the box that holds them. The number of a segment is the index of its
+ * structure's name plus 1.
  */
 public final class Segmentation {
-    private static final int MOST = LabelGrid.MAX_BYTE_LABEL;
-    private static final int MOST_NAMED = 8;
+    private static final int MAX_SEGMENTS = LabelGrid.MAX_BYTE_LABEL;
+    private static final int MAX_LISTED = 8;
 
     final int columns;
     final int rows;
     final int slices;
-    /** Part of each voxel, 0 for none. */
+    /** Segment of each voxel, 0 for none. */
     byte[] voxels;
 
     private final double[] toMm;
     private final List<String> names = new ArrayList<>();
-    /** Sides of the volume (as letters of LPS) that each part touches. */
+    /** Sides of the volume that each structure touches, as letters of LPS and RAI. */
     private final Map<String, String> cut = new TreeMap<>();
-    /** Labels that each part was made of. */
+    /** Labels that each structure was made of. */
     private final Map<String, List<Integer>> labels = new LinkedHashMap<>();
 
-    private Segmentation(LabelVolume volume, LabelTable map, String file) {
+    /**
+     * Crops a volume to the structures of a table.
+     *
+     * @throws BadInputException if it has none of them
+     */
+    public Segmentation(LabelVolume volume, LabelTable map, String file) {
         LabelGrid all = volume.grid();
         int[] counts = all.counts();
-        byte[] partOfLabel = new byte[LabelGrid.MAX_LABEL + 1];
+        byte[] segmentOfLabel = new byte[LabelGrid.MAX_LABEL + 1];
         for (Map.Entry<Integer, String> entry : map.structures().entrySet()) {
             int label = entry.getKey();
             if (label < counts.length && counts[label] > 0) {
-                partOfLabel[label] = (byte) segment(entry.getValue());
+                segmentOfLabel[label] = (byte) segment(entry.getValue());
                 labels.computeIfAbsent(entry.getValue(), name -> new ArrayList<>())
                         .add(label);
             }
@@ -46,7 +51,7 @@ public final class Segmentation {
             throw new BadInputException(file + ": found " + held(counts) + " and none of the "
                     + map.structures().size() + " labels asked for, expected at least one");
         }
-        int[] box = box(all, partOfLabel);
+        int[] box = box(all, segmentOfLabel);
         columns = box[3] - box[0] + 1;
         rows = box[4] - box[1] + 1;
         slices = box[5] - box[2] + 1;
@@ -56,7 +61,7 @@ public final class Segmentation {
                 int from = box[0] + all.columns() * (box[1] + j + all.rows() * (box[2] + k));
                 int to = columns * (j + rows * k);
                 for (int i = 0; i < columns; i++) {
-                    voxels[to + i] = partOfLabel[all.label(from + i)];
+                    voxels[to + i] = segmentOfLabel[all.label(from + i)];
                 }
             }
         }
@@ -66,27 +71,23 @@ public final class Segmentation {
 
     private static String held(int[] counts) {
         List<String> labels = new ArrayList<>();
-        for (int label = 1; label < counts.length && labels.size() < MOST_NAMED; label++) {
+        for (int label = 1; label < counts.length && labels.size() < MAX_LISTED; label++) {
             if (counts[label] > 0) {
                 labels.add(String.valueOf(label));
             }
         }
         return labels.isEmpty()
                 ? "background alone"
-                : "labels " + String.join(", ", labels) + (labels.size() == MOST_NAMED ? " ..." : "");
+                : "labels " + String.join(", ", labels) + (labels.size() == MAX_LISTED ? " ..." : "");
     }
 
-    public static Segmentation of(LabelVolume volume, LabelTable map, String file) {
-        return new Segmentation(volume, map, file);
-    }
-
-    private static int[] box(LabelGrid grid, byte[] partOfLabel) {
+    private static int[] box(LabelGrid grid, byte[] segmentOfLabel) {
         int[] box = {grid.columns(), grid.rows(), grid.slices(), -1, -1, -1};
         int voxel = 0;
         for (int k = 0; k < grid.slices(); k++) {
             for (int j = 0; j < grid.rows(); j++) {
                 for (int i = 0; i < grid.columns(); i++) {
-                    if (partOfLabel[grid.label(voxel++)] != 0) {
+                    if (segmentOfLabel[grid.label(voxel++)] != 0) {
                         box[0] = Math.min(box[0], i);
                         box[1] = Math.min(box[1], j);
                         box[2] = Math.min(box[2], k);
@@ -119,39 +120,39 @@ public final class Segmentation {
         return toMm;
     }
 
-    /** What reaches the first or last voxel of the volume goes on beyond it. */
+    /** A structure that reaches the first or last voxel of the volume is cut there. */
     private void findCuts(LabelGrid all, int[] box) {
         int[] last = {all.columns() - 1, all.rows() - 1, all.slices() - 1};
         int[] sizes = {columns, rows, slices};
-        int[] strides = {1, columns, columns * rows};
         for (int direction = 0; direction < 3; direction++) {
-            for (int end = 0; end < 2; end++) {
-                boolean touches = end == 0 ? box[direction] == 0 : box[3 + direction] == last[direction];
-                if (touches) {
-                    int at = end == 0 ? 0 : sizes[direction] - 1;
-                    noteCut(sizes, strides, direction, at, side(direction, end == 1));
-                }
+            if (box[direction] == 0) {
+                addCut(direction, 0, side(direction, false));
+            }
+            if (box[3 + direction] == last[direction]) {
+                addCut(direction, sizes[direction] - 1, side(direction, true));
             }
         }
     }
 
-    private void noteCut(int[] sizes, int[] strides, int direction, int at, String side) {
+    private void addCut(int direction, int at, String side) {
+        int[] sizes = {columns, rows, slices};
+        int[] strides = {1, columns, columns * rows};
         int one = (direction + 1) % 3;
         int two = (direction + 2) % 3;
-        boolean[] met = new boolean[MOST + 1];
+        boolean[] met = new boolean[MAX_SEGMENTS + 1];
         for (int i = 0; i < sizes[one]; i++) {
             for (int j = 0; j < sizes[two]; j++) {
-                met[voxels[at * strides[direction] + i * strides[one] + j * strides[two]] & MOST] = true;
+                met[voxels[at * strides[direction] + i * strides[one] + j * strides[two]] & MAX_SEGMENTS] = true;
             }
         }
-        for (int part = 1; part <= names.size(); part++) {
-            if (met[part]) {
-                cut.merge(names.get(part - 1), side, String::concat);
+        for (int segment = 1; segment <= names.size(); segment++) {
+            if (met[segment]) {
+                cut.merge(names.get(segment - 1), side, String::concat);
             }
         }
     }
 
-    /** The letter of the body's side that a direction of the grid leads to. */
+    /** The letter of the side of the body to which a direction of the grid runs. */
     private String side(int direction, boolean forward) {
         int row = 0;
         for (int k = 1; k < 3; k++) {
@@ -163,27 +164,28 @@ public final class Segmentation {
         return String.valueOf((positive ? "LPS" : "RAI").charAt(row));
     }
 
-    /** Number of the part of this name, which is made if there is none. */
+    /** Number of the segment of a structure, which is added if there is none. */
     int segment(String name) {
         if (!names.contains(name)) {
-            if (names.size() == MOST) {
-                throw new BadInputException("found more than " + MOST + " structures, expected fewer");
+            if (names.size() == MAX_SEGMENTS) {
+                throw new BadInputException("found more than " + MAX_SEGMENTS + " structures, expected fewer");
             }
             names.add(name);
         }
         return names.indexOf(name) + 1;
     }
 
-    /** Number of a part, 0 if there is none. */
+    /** Number of a segment, 0 if there is none. */
     public int find(String name) {
         return names.indexOf(name) + 1;
     }
 
+    /** Names of the structures, by segment. */
     public List<String> names() {
         return names;
     }
 
-    /** Takes over of one part what is known of the part it was cut from. */
+    /** Copies labels and cut sides of the structure that another was split from. */
     void inheritFrom(String name, String from) {
         if (cut.containsKey(from)) {
             cut.put(name, cut.get(from));
@@ -191,33 +193,29 @@ public final class Segmentation {
         labels.put(name, labels.get(from));
     }
 
-    /** Letters of the sides at which the volume ends before the part does. */
+    /** Letters of the sides at which the volume cuts a structure. */
     public String cutAt(String name) {
         return cut.getOrDefault(name, "");
     }
 
+    /** Labels that a structure was made of. */
     public List<Integer> labels(String name) {
         return labels.get(name);
     }
 
-    /** First and last column, row and slice of a part, in the order of {@link #box(LabelGrid, byte[])}. */
-    int[] box(int part) {
+    /** First, then last column, row and slice of a segment. */
+    int[] box(int segment) {
         byte[] wanted = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
-        wanted[part] = 1;
+        wanted[segment] = 1;
         return box(grid(), wanted);
     }
 
-    /**
-     * All parts as one, label 1, in voxels so many times as large: what a body with organs in it looks like from
-     * outside.
-     *
-     * @param times along columns, rows and slices
-     */
+    /** The union of all segments as label 1, in voxels larger by factors along columns, rows and slices. */
     public LabelGrid bodyOutline(int[] times) {
         int[] sizes = {(columns - 1) / times[0] + 1, (rows - 1) / times[1] + 1, (slices - 1) / times[2] + 1};
         byte[] any = new byte[sizes[0] * sizes[1] * sizes[2]];
         for (int cell = 0; cell < any.length; cell++) {
-            // The voxel in the middle of a large one stands for it; at the far end, the last.
+            // Sampled at the middle of each large voxel.
             int i = Math.min(columns - 1, times[0] * (cell % sizes[0]) + times[0] / 2);
             int j = Math.min(rows - 1, times[1] * (cell / sizes[0] % sizes[1]) + times[1] / 2);
             int k = Math.min(slices - 1, times[2] * (cell / sizes[0] / sizes[1]) + times[2] / 2);
@@ -234,20 +232,21 @@ public final class Segmentation {
         return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
     }
 
-    /** Gives the voxels' memory back: what else is known of the parts stays. */
+    /** Frees the memory of the voxels. */
     public void releaseVoxels() {
         voxels = new byte[0];
     }
 
+    /** Number of voxels by segment. */
     public int[] counts() {
         int[] counts = new int[names.size() + 1];
         for (byte voxel : voxels) {
-            counts[voxel & MOST]++;
+            counts[voxel & MAX_SEGMENTS]++;
         }
         return counts;
     }
 
-    /** x, y or z of a voxel's centre, mm. */
+    /** Coordinate x, y or z of the centre of a voxel, mm. */
     double coordinate(int voxel, int row) {
         int i = voxel % columns;
         int j = voxel / columns % rows;
@@ -255,7 +254,7 @@ public final class Segmentation {
         return toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
     }
 
-    /** The voxels as they are now and will be: they are shared, not copied. */
+    /** The voxels as a grid that shares them. */
     public LabelGrid grid() {
         return LabelGrid.of(columns, rows, slices, voxels, toMm);
     }

@@ -3,36 +3,32 @@ package org.phrenic.patient.segmentation;
 import java.util.Arrays;
 
 /**
- * Walks from voxel to voxel across faces, within one part of a volume. It has a box of its own, one voxel wider all
- * round than the part, so that no step leads out of it: a cell of this box has a number of its own, by which all arrays
- * here go.
+ * Face-connected region growing within one segment. Cells are the voxels of the segment's box with a border of one voxel,
+ * so that a step across a face never leaves it; arrays are indexed by cell.
  */
 final class VoxelRegion {
-    /** Mark of pieces that are too small to be told apart. */
+    /** Mark of components that are too small to be numbered. */
     static final byte SMALL_COMPONENT = 1;
 
-    private static final short NOT_YET = Short.MAX_VALUE;
-    /** Pieces of less than this share of the part are crumbs: fewer than 100 are not, so that a byte numbers them. */
-    private static final int LEAST_SHARE = 100;
+    private static final short UNKNOWN = Short.MAX_VALUE;
+    /** Smaller components than one part in this many of the segment are not numbered, so a byte holds all numbers. */
+    private static final int MAX_COMPONENTS = 100;
 
-    private final Segmentation parts;
-    /** First voxel of the part along columns, rows and slices. */
+    private final Segmentation segmentation;
+    /** First voxel of the box along columns, rows and slices. */
     private final int[] low;
 
     private final int wide;
     private final int high;
     private final int[] steps;
-    /**
-     * Steps from each cell of the part to the nearest one outside it; 0 outside, {@link #NOT_YET} where they are not
-     * counted.
-     */
+    /** Steps from each cell to the nearest one outside the segment; 0 outside, {@link #UNKNOWN} before counting. */
     private final short[] depth;
 
     private final int[] queue;
 
-    VoxelRegion(Segmentation parts, int part) {
-        this.parts = parts;
-        int[] box = parts.box(part);
+    VoxelRegion(Segmentation segmentation, int segment) {
+        this.segmentation = segmentation;
+        int[] box = segmentation.box(segment);
         low = new int[] {box[0], box[1], box[2]};
         wide = box[3] - box[0] + 3;
         high = box[4] - box[1] + 3;
@@ -41,11 +37,11 @@ final class VoxelRegion {
         int members = 0;
         for (int k = box[2]; k <= box[5]; k++) {
             for (int j = box[1]; j <= box[4]; j++) {
-                int voxel = parts.columns * (j + parts.rows * k);
+                int voxel = segmentation.columns * (j + segmentation.rows * k);
                 int cell = 1 - box[0] + wide * (j - box[1] + 1 + high * (k - box[2] + 1));
                 for (int i = box[0]; i <= box[3]; i++) {
-                    if (parts.voxels[voxel + i] == (byte) part) {
-                        depth[cell + i] = NOT_YET;
+                    if (segmentation.voxels[voxel + i] == (byte) segment) {
+                        depth[cell + i] = UNKNOWN;
                         members++;
                     }
                 }
@@ -54,25 +50,25 @@ final class VoxelRegion {
         queue = new int[members];
     }
 
-    /** How many cells the box has. */
+    /** Number of cells. */
     int cells() {
         return depth.length;
     }
 
-    /** Whether a cell is of the part. */
+    /** Whether a cell belongs to the segment. */
     boolean isMember(int cell) {
         return depth[cell] != 0;
     }
 
-    /** The voxel of a cell that is of the part. */
+    /** The voxel of a cell of the segment. */
     int voxel(int cell) {
         int i = low[0] + cell % wide - 1;
         int j = low[1] + cell / wide % high - 1;
         int k = low[2] + cell / wide / high - 1;
-        return i + parts.columns * (j + parts.rows * k);
+        return i + segmentation.columns * (j + segmentation.rows * k);
     }
 
-    /** Counts for each cell of the part the steps to the nearest one outside it. */
+    /** Computes the depth of each cell: its steps to the nearest one outside the segment. */
     void computeDepths() {
         int length = 0;
         for (int cell = 0; cell < depth.length; cell++) {
@@ -90,7 +86,7 @@ final class VoxelRegion {
         for (int at = 0; at < length; at++) {
             for (int step : steps) {
                 int next = queue[at] + step;
-                if (depth[next] == NOT_YET) {
+                if (depth[next] == UNKNOWN) {
                     depth[next] = (short) (depth[queue[at]] + 1);
                     queue[length++] = next;
                 }
@@ -99,32 +95,22 @@ final class VoxelRegion {
     }
 
     /**
-     * Pieces of what lies deeper than a bound.
+     * Connected components of the cells deeper than a bound.
      *
-     * @param marks gets the number of the piece of each cell, from 2, {@link #SMALL_COMPONENT} for small ones, 0
+     * @param marks receives the number of the component of each cell, from 2, {@link #SMALL_COMPONENT} for small ones, 0
      *     elsewhere
      * @return sizes by number
      */
     int[] connectedComponents(int deeperThan, byte[] marks) {
         Arrays.fill(marks, (byte) 0);
-        int[] sizes = new int[LEAST_SHARE + 2];
+        int[] sizes = new int[MAX_COMPONENTS + 2];
         int count = SMALL_COMPONENT;
         for (int seed = 0; seed < depth.length; seed++) {
             if (depth[seed] > deeperThan && marks[seed] == 0) {
-                byte mark = (byte) (count + 1);
-                marks[seed] = mark;
+                marks[seed] = (byte) (count + 1);
                 queue[0] = seed;
-                int length = 1;
-                for (int at = 0; at < length; at++) {
-                    for (int step : steps) {
-                        int next = queue[at] + step;
-                        if (depth[next] > deeperThan && marks[next] == 0) {
-                            marks[next] = mark;
-                            queue[length++] = next;
-                        }
-                    }
-                }
-                if ((long) LEAST_SHARE * length > queue.length) {
+                int length = spread(1, deeperThan, marks);
+                if ((long) MAX_COMPONENTS * length > queue.length) {
                     sizes[++count] = length;
                 } else {
                     for (int at = 0; at < length; at++) {
@@ -136,9 +122,7 @@ final class VoxelRegion {
         return Arrays.copyOf(sizes, count + 1);
     }
 
-    /**
-     * Gives each cell of the part the mark of the marked one that is fewest steps away; 0 stays where none leads there.
-     */
+    /** Gives each cell the mark of the marked cell that is fewest steps away; 0 stays where none is connected. */
     void growRegions(byte[] marks) {
         int length = 0;
         for (int cell = 0; cell < marks.length; cell++) {
@@ -146,14 +130,21 @@ final class VoxelRegion {
                 queue[length++] = cell;
             }
         }
+        spread(length, 0, marks);
+    }
+
+    /** Spreads marks from the queued cells to unmarked cells deeper than a bound; the final length of the queue. */
+    private int spread(int queued, int deeperThan, byte[] marks) {
+        int length = queued;
         for (int at = 0; at < length; at++) {
             for (int step : steps) {
                 int next = queue[at] + step;
-                if (depth[next] != 0 && marks[next] == 0) {
+                if (depth[next] > deeperThan && marks[next] == 0) {
                     marks[next] = marks[queue[at]];
                     queue[length++] = next;
                 }
             }
         }
+        return length;
     }
 }

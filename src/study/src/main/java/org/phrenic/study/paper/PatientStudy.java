@@ -31,8 +31,8 @@ import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.registration.BodyCompletion;
-import org.phrenic.patient.registration.SecondScan;
-import org.phrenic.patient.segmentation.AxesOverride;
+import org.phrenic.patient.registration.ScanAlignment;
+import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -72,7 +72,7 @@ public final class PatientStudy {
     /**
      * Real patients, the first few.
      *
-     * @param axes see {@link AxesOverride}; empty for those of the files
+     * @param axes see {@link GeometryOverride#axes}; empty for those of the files
      * @throws BadInputException if a scan cannot be used, or shows no lungs
      */
     public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
@@ -110,7 +110,7 @@ public final class PatientStudy {
         Thorax body = expired.thorax();
         PatientBody inspired;
         try {
-            inspired = SecondScan.alignedTo(body, imported(pair.inspiration(), axes, pair.name()));
+            inspired = ScanAlignment.aligned(body, imported(pair.inspiration(), axes, pair.name()));
         } catch (IllegalArgumentException apart) {
             throw new BadInputException(
                     pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
@@ -137,7 +137,7 @@ public final class PatientStudy {
     private static PatientBody imported(Path file, Optional<String> axes, String name) {
         LabelVolume read = LabelVolumeFiles.read(file);
         LabelVolume volume =
-                axes.map(stated -> AxesOverride.apply(read, stated)).orElse(read);
+                axes.map(stated -> GeometryOverride.axes(read, stated)).orElse(read);
         LabelTable map = volume.names().isEmpty()
                 ? new LabelTable(Map.of(1, LabelTable.LUNGS))
                 : LabelTable.named(file.toString(), volume);

@@ -11,12 +11,12 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.ScanSamples;
 
-class SpacingOverrideTest {
+class GeometryOverrideTest {
     @Test
     void voxelsGetTheStatedSizeAboutTheSameMiddle() {
         LabelGrid before = ScanSamples.volume().grid();
         LabelGrid after =
-                SpacingOverride.apply(ScanSamples.volume(), "1.75, 1.5,1.25").grid();
+                GeometryOverride.spacing(ScanSamples.volume(), "1.75, 1.5,1.25").grid();
         assertThat(new double[] {after.spacing(0), after.spacing(1), after.spacing(2)})
                 .containsExactly(new double[] {1.75, 1.5, 1.25}, within(1e-12));
         double[] a = new double[3];
@@ -29,7 +29,7 @@ class SpacingOverrideTest {
     @ParameterizedTest
     @ValueSource(strings = {"1.75", "1,2", "1,2,0", "1,2,-3", "a,b,c", "1,2,3,4", "1,2,NaN", "1,2,99"})
     void anythingElseIsRefusedInOneSentence(String text) {
-        assertThatThrownBy(() -> SpacingOverride.apply(ScanSamples.volume(), text))
+        assertThatThrownBy(() -> GeometryOverride.spacing(ScanSamples.volume(), text))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("--spacing: found '" + text + "', expected");
     }
