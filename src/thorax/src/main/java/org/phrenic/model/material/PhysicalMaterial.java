@@ -46,6 +46,7 @@ final class PhysicalMaterial extends TissueMaterial {
                         new BoneAttachments(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
                         new Lungs(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
                         new Mediastinum(),
+                        new Gravity(),
                         new Breathing(),
                         new PassiveSprings(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
                         new RigidTendon(),

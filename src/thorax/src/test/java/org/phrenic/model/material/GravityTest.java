@@ -1,0 +1,85 @@
+package org.phrenic.model.material;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Percentage.withPercentage;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.simulation.Runs;
+import org.phrenic.simulation.Simulation;
+
+class GravityTest {
+    private static final double EARTH = 9.81;
+    /** Longer than a ramp of 0.2 s. */
+    private static final int STEPS = 400;
+
+    /** Mean displacement of the sheet along an axis after gravity has come on, breath held at expiration, mm. */
+    private static double sag(int axis, double tilt, double roll) {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("hold=true")), Runs.male())) {
+            simulation.change(List.of(
+                    Assignment.of("test", Gravity.ACCELERATION, EARTH),
+                    Assignment.of("test", Gravity.TILT, tilt),
+                    Assignment.of("test", Gravity.ROLL, roll)));
+            for (int i = 0; i < STEPS; i++) {
+                simulation.step();
+            }
+            Scene scene = simulation.scene();
+            double[] now = new double[scene.restPositions().length];
+            scene.layout().toCaller(scene.system().positions(), now);
+            double sum = 0;
+            for (int i = axis; i < now.length; i += 3) {
+                sum += now[i] - scene.restPositions()[i];
+            }
+            return 3 * sum / now.length;
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 0, 0, -1", "2, 180, 0, 1", "1, 90, 0, 1", "0, 0, 90, 1"})
+    void theSheetSagsToWhereGravityPoints(int axis, double tilt, double roll, int sign) {
+        assertThat(sign * sag(axis, tilt, roll)).isBetween(0.02, 40.0);
+    }
+
+    @Test
+    void theNodesCarryTheMassOfSheetAndLiver() {
+        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("liver=true")), Runs.male())) {
+            Scene scene = simulation.scene();
+            int nodes = scene.layout().nodeCount();
+            double sheet = Arrays.stream(Gravity.masses(scene.diaphragm(), null, nodes))
+                    .sum();
+            double both = Arrays.stream(
+                            Gravity.masses(scene.diaphragm(), scene.liver().orElseThrow(), nodes))
+                    .sum();
+            // 3.15 kg/m² a face; a liver of 1.06 g/ml.
+            assertThat(sheet)
+                    .isCloseTo(
+                            3.15e-3
+                                    * MeshMeasure.area(
+                                            scene.diaphragm().diaphragm.sheet()),
+                            withPercentage(1e-6));
+            double volume = MeshMeasure.signedVolume(
+                    scene.liver().orElseThrow().structure.mesh());
+            assertThat(both - sheet)
+                    .isCloseTo(1.06e-3 * volume, withPercentage(1e-6))
+                    .isBetween(800.0, 2500.0);
+        }
+    }
+
+    @Test
+    void withoutGravityThePostureChangesNoBit() {
+        try (Simulation standing = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male());
+                Simulation lying = Simulation.of(Runs.scenario(Runs.sheetAlone("gravity_tilt_deg=90")), Runs.male())) {
+            for (int i = 0; i < 20; i++) {
+                standing.step();
+                lying.step();
+            }
+            assertThat(lying.stateHash()).isEqualTo(standing.stateHash());
+        }
+    }
+}
