@@ -1,12 +1,9 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
@@ -16,12 +13,10 @@ import org.phrenic.study.bare.BareSettings;
 import org.phrenic.study.bare.BareWorkload;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
-/** {@code phrenic bench}: how many steps a second the engine does on a bare mesh; its sub-commands measure the rest. */
+/** {@code phrenic bench}: steps per second of the engine on a bare mesh; its subcommands measure the rest. */
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
@@ -34,12 +29,9 @@ import picocli.CommandLine.Spec;
             "",
             "Index files hold vertex numbers from 0, one a line; --links two a line."
         })
-final class BenchCommand implements Callable<Integer> {
+final class BenchCommand extends ReportingCommand {
 
-    @Spec
-    private CommandSpec spec;
-
-    /** A group, so that its files are asked for together, and not by sub-commands. */
+    /** A group: its files are required together, and not by subcommands. */
     @ArgGroup(exclusive = false)
     private Files files;
 
@@ -76,14 +68,10 @@ final class BenchCommand implements Callable<Integer> {
             description = "How forces of springs are computed: ${DEFAULT-VALUE}, the only way there is.")
     private String kernel = BareWorkload.KERNEL;
 
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
-
     @Override
     public Integer call() {
         if (files == null) {
-            throw new ParameterException(
-                    spec.commandLine(), "found neither --mesh nor a sub-command, expected one of them");
+            throw new ParameterException(commandLine(), "found neither --mesh nor a sub-command, expected one of them");
         }
         if (threads > Numerics.MAX_THREADS) {
             throw new BadInputException("threads: found " + threads + ", expected 1 to " + Numerics.MAX_THREADS);
@@ -101,10 +89,8 @@ final class BenchCommand implements Callable<Integer> {
         }
         BareResult result = BareWorkload.run(scene, settings);
         if (!Double.isFinite(result.meanDz200())) {
-            spec.commandLine()
-                    .getErr()
-                    .println("phrenic: the workload diverged within " + BareWorkload.CHECKED_STEPS
-                            + " steps of integrator " + result.integrator());
+            err().println("phrenic: the workload diverged within " + BareWorkload.CHECKED_STEPS
+                    + " steps of integrator " + result.integrator());
             return ExitCode.FAILURE;
         }
         print(result);
@@ -128,14 +114,8 @@ final class BenchCommand implements Callable<Integer> {
         values.put("floor_steps_per_s", result.roofline().stepsPerSecond());
         values.put("fraction_of_floor", result.fractionOfRoofline());
         values.put("state_sha256", result.stateSha256());
-        PrintWriter out = spec.commandLine().getOut();
-        if (json) {
-            out.print(JsonWriter.format(values));
-        } else {
-            TextTable table = new TextTable(false, false);
-            values.forEach((key, value) -> table.row(key, String.valueOf(value)));
-            out.print(table.text());
-        }
-        out.flush();
+        TextTable table = new TextTable(false, false);
+        values.forEach((key, value) -> table.row(key, String.valueOf(value)));
+        print(values, table::text);
     }
 }

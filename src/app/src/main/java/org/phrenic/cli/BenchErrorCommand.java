@@ -1,6 +1,5 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,19 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.chart.ErrorChart;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
-import org.phrenic.cli.report.LineProgress;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
-import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -31,11 +27,9 @@ import org.phrenic.study.error.ErrorTable;
 import org.phrenic.study.error.MeshRefinementError;
 import org.phrenic.study.error.SolverGrid;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code phrenic bench error}: what settings cost and how far from a reference they are. */
+/** {@code phrenic bench error}: cost of settings and their distance from a reference. */
 @Command(
         name = "error",
         description = "Measure speed against error: one breath under many settings, held against a reference.",
@@ -47,10 +41,10 @@ import picocli.CommandLine.Spec;
             "  phrenic bench error --material physical --integrator verlet,rk4 --sweeps 1,2,4 --max-error 0.02",
             "",
             "DIR gets error.csv, error.md, error.json and error.png. Without --quick it takes minutes (docs/error.md).",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class BenchErrorCommand implements Callable<Integer> {
-    /** What the command itself decides on. */
+final class BenchErrorCommand extends ReportingCommand {
+    /** Keys that the command sets itself. */
     private static final Set<String> RESERVED = Set.of(
             "material",
             "resolution",
@@ -64,9 +58,6 @@ final class BenchErrorCommand implements Callable<Integer> {
             "changes",
             "hold",
             "meshes_every_s");
-
-    @Spec
-    private CommandSpec spec;
 
     @Option(
             names = "--material",
@@ -122,9 +113,6 @@ final class BenchErrorCommand implements Callable<Integer> {
                     "Table to put the rows into, such as data/error/settings.csv, from which run --max-error chooses.")
     private Path table;
 
-    @Option(names = "--json", description = "Print JSON instead of tables.")
-    private boolean json;
-
     @Override
     public Integer call() {
         if (out != null) {
@@ -134,7 +122,7 @@ final class BenchErrorCommand implements Callable<Integer> {
         ErrorTable earlier = table != null && Files.exists(table) ? ErrorTable.read(table) : null;
         List<Scenario> scenarios = scenarios();
         scenarios.forEach(this::grid);
-        ProgressListener progress = new LineProgress(spec.commandLine().getErr());
+        ProgressListener progress = progress();
         List<ErrorStudy> studies = new ArrayList<>();
         for (Scenario scenario : scenarios) {
             studies.add(ErrorStudy.of(scenario, grid(scenario), quick, progress));
@@ -147,7 +135,15 @@ final class BenchErrorCommand implements Callable<Integer> {
         if (table != null) {
             (earlier == null ? measured : earlier.with(measured)).write(table);
         }
-        print(studies, measured, report, scenarios, most);
+        List<String> cheapest = Double.isNaN(most)
+                ? List.of()
+                : scenarios.stream()
+                        .map(s -> measured.cheapest(s, most).sentence())
+                        .toList();
+        print(report.values(), () -> text(studies, report, cheapest));
+        if (isJson()) {
+            cheapest.forEach(err()::println);
+        }
         return ExitCode.SUCCESS;
     }
 
@@ -161,15 +157,7 @@ final class BenchErrorCommand implements Callable<Integer> {
     }
 
     private List<Scenario> scenarios() {
-        List<Assignment> more = new ArrayList<>();
-        for (String text : settings) {
-            Assignment assignment = Assignment.parse(text);
-            if (RESERVED.contains(assignment.key())) {
-                throw new BadInputException(
-                        assignment.origin() + ": found a key that the measurement sets itself, expected any other key");
-            }
-            more.add(assignment);
-        }
+        List<Assignment> more = OptionValues.assignments(settings, RESERVED, "the measurement");
         List<Scenario> scenarios = new ArrayList<>();
         for (String material : OptionValues.split(materials)) {
             for (String resolution : quick ? List.of("low") : OptionValues.split(resolutions)) {
@@ -192,7 +180,7 @@ final class BenchErrorCommand implements Callable<Integer> {
         return scenarios;
     }
 
-    /** The settings to measure: those of the material, but for the lists that are given. */
+    /** The settings to measure: those of the material, except given lists. */
     private SolverGrid grid(Scenario scenario) {
         SolverGrid usual = quick ? SolverGrid.quick(scenario.material()) : SolverGrid.of(scenario.material());
         return new SolverGrid(
@@ -217,53 +205,30 @@ final class BenchErrorCommand implements Callable<Integer> {
     }
 
     private void write(ErrorTable measured, ErrorReport report) {
-        Path csv = out.resolve("error.csv");
-        measured.write(csv);
+        measured.write(out.resolve("error.csv"));
         AtomicFile.write(out.resolve("error.md"), MarkdownPage.format(report.document()));
         JsonWriter.write(out.resolve("error.json"), report.values());
         System.setProperty("java.awt.headless", "true");
         if (Annotations.hasFonts()) {
-            ErrorChart.write(csv, "Speed against error", out.resolve("error.png"));
+            ErrorChart.write(measured, "Speed against error", out.resolve("error.png"));
         } else {
-            spec.commandLine().getErr().println("This Java has no fonts: no chart is drawn.");
+            err().println("This Java has no fonts: no chart is drawn.");
         }
     }
 
-    private void print(
-            List<ErrorStudy> studies, ErrorTable measured, ErrorReport report, List<Scenario> scenarios, double most) {
-        PrintWriter stdout = spec.commandLine().getOut();
-        if (json) {
-            stdout.print(JsonWriter.format(report.values()));
-        } else {
-            for (ErrorStudy study : studies) {
-                stdout.println(ErrorReport.heading(study));
-                stdout.println();
-                stdout.print(text(study));
-                study.equilibrium().forEach(q -> stdout.println(ErrorReport.lagSentence(study, q)));
-                study.skipped().forEach(line -> stdout.println("not run: " + line));
-                stdout.println();
-            }
-            report.meshSentences().forEach(stdout::println);
+    private String text(List<ErrorStudy> studies, ErrorReport report, List<String> cheapest) {
+        StringBuilder text = new StringBuilder();
+        for (ErrorStudy study : studies) {
+            text.append(ErrorReport.heading(study)).append("\n\n");
+            text.append(TextTable.of(ErrorReport.COLUMNS, ErrorReport.cells(study)));
+            study.equilibrium()
+                    .forEach(q -> text.append(ErrorReport.lagSentence(study, q)).append('\n'));
+            study.skipped()
+                    .forEach(line -> text.append("not run: ").append(line).append('\n'));
+            text.append('\n');
         }
-        PrintWriter told = json ? spec.commandLine().getErr() : stdout;
-        if (!Double.isNaN(most)) {
-            scenarios.forEach(s -> told.println(measured.cheapest(s, most).sentence()));
-        }
-        if (!json) {
-            stdout.println(CliNotice.TEXT);
-        }
-        stdout.flush();
-        told.flush();
-    }
-
-    private static String text(ErrorStudy study) {
-        boolean[] right = new boolean[ErrorReport.COLUMNS.size()];
-        for (int i = 0; i < right.length; i++) {
-            right[i] = ErrorReport.COLUMNS.get(i).number();
-        }
-        TextTable lines = new TextTable(right);
-        lines.row(ErrorReport.COLUMNS.stream().map(c -> c.heading()).toArray(String[]::new));
-        ErrorReport.cells(study).forEach(line -> lines.row(line.toArray(String[]::new)));
-        return lines.text();
+        report.meshSentences().forEach(line -> text.append(line).append('\n'));
+        cheapest.forEach(line -> text.append(line).append('\n'));
+        return text.append(Disclaimer.TEXT).append('\n').toString();
     }
 }

@@ -1,12 +1,9 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.LineProgress;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -17,11 +14,9 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.StabilityReport;
 import org.phrenic.study.stability.StabilityStudy;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code phrenic bench stability}: the hard cases under every integrator. */
+/** {@code phrenic bench stability}: demanding cases under every integrator. */
 @Command(
         name = "stability",
         description = "Run scenes chosen to break a simulation: each must stay stable, be noticed and recovered, or be"
@@ -36,11 +31,8 @@ import picocli.CommandLine.Spec;
             "DIR gets stability.md, stability.csv and stability.json. Exit code 3 if a cell fails in silence.",
             "The cases: docs/stability.md."
         })
-final class BenchStabilityCommand implements Callable<Integer> {
+final class BenchStabilityCommand extends ReportingCommand {
     private static final double MAX_SPEND = 1e15;
-
-    @Spec
-    private CommandSpec spec;
 
     @Option(names = "--quick", description = "Shorter times on coarser domes: a minute or two.")
     private boolean quick;
@@ -67,26 +59,19 @@ final class BenchStabilityCommand implements Callable<Integer> {
             description = "Folder for the reports; without it, nothing is written.")
     private Path out;
 
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
-
     @Override
     public Integer call() {
         if (out != null) {
             OutputFolder.requireWritable(out);
         }
-        StabilityStudy study = StabilityStudy.of(
-                settings(), new LineProgress(spec.commandLine().getErr(), "cells done"));
+        StabilityStudy study = StabilityStudy.of(settings(), progress("cells done"));
         StabilityReport report = new StabilityReport(study);
         if (out != null) {
             AtomicFile.write(out.resolve("stability.md"), report.markdown());
             AtomicFile.write(out.resolve("stability.csv"), report.csv());
             JsonWriter.write(out.resolve("stability.json"), report.values());
         }
-        PrintWriter stdout = spec.commandLine().getOut();
-        stdout.print(
-                json ? JsonWriter.format(report.values()) : table(report.table()) + "\n" + report.summary() + "\n");
-        stdout.flush();
+        print(report.values(), () -> table(report.table()) + "\n" + report.summary() + "\n");
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 

@@ -1,19 +1,16 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
 import org.phrenic.cli.option.PictureOptions;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.CompareReport;
 import org.phrenic.document.CsvWriter;
-import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -27,10 +24,8 @@ import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic compare}: the distance between two surfaces. */
 @Command(
@@ -44,20 +39,14 @@ import picocli.CommandLine.Spec;
             "  phrenic compare simulated.vtp scan.ply --ply coloured.ply --picture map.png --view superior --range 0:10",
             "",
             "Both files are taken to be in mm and in the same axes; nothing is aligned.",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class CompareCommand implements Callable<Integer> {
-    @Spec
-    private CommandSpec spec;
-
+final class CompareCommand extends ReportingCommand {
     @Parameters(index = "0", paramLabel = "A", description = "A mesh: stl, obj, ply, vtk, vtp.")
     private Path a;
 
     @Parameters(index = "1", paramLabel = "B", description = "The mesh to compare it with.")
     private Path b;
-
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
 
     @Option(names = "--csv", paramLabel = "FILE", description = "Distance of every vertex of A from B, as a table.")
     private Path csv;
@@ -103,9 +92,7 @@ final class CompareCommand implements Callable<Integer> {
         }
         List<String> pictures = picture == null ? List.of() : pictures(from, comparison, shots, scale);
         CompareReport report = new CompareReport(a, b, comparison);
-        PrintWriter out = spec.commandLine().getOut();
-        out.print(json ? JsonWriter.format(report.values(pictures)) : report.table() + "\n" + CliNotice.TEXT + "\n");
-        out.flush();
+        print(report.values(pictures), () -> withDisclaimer(report.table()));
         return ExitCode.SUCCESS;
     }
 
@@ -133,7 +120,7 @@ final class CompareCommand implements Callable<Integer> {
         return columns;
     }
 
-    /** As asked, else signed where there are signs, up to a round number that holds 95 % of the surface. */
+    /** The given range, else a round one that holds 95 % of the surface; diverging for signed distances. */
     private ColourScale scale(SurfaceComparison comparison) {
         double round = ColourScale.roundRange(comparison.aToB().byArea().percentile95());
         String unit = ColourField.DISTANCE.unit();

@@ -20,7 +20,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Turns whatever was thrown into one sentence on one line and an exit code. */
+/** Turns exceptions into one sentence on one line and an exit code. */
 final class FailureHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
     private final BooleanSupplier debug;
 
@@ -79,7 +79,7 @@ final class FailureHandler implements IParameterExceptionHandler, IExecutionExce
                 || failure instanceof UncheckedIOException;
     }
 
-    /** The messages of file-system exceptions are a bare path: their kind is said too. */
+    /** Messages of file-system exceptions are a bare path: the kind is added. */
     private static String sentence(Exception failure) {
         Throwable cause = failure instanceof UncheckedIOException ? failure.getCause() : failure;
         if (!(cause instanceof FileSystemException)) {

@@ -1,23 +1,17 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.FitPictures;
-import org.phrenic.cli.report.FitPrinter;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
-import org.phrenic.document.report.HtmlPage;
-import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
-import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitReport;
@@ -33,10 +27,8 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic fit}: tunes a body to a second breath level. */
 @Command(
@@ -53,14 +45,11 @@ import picocli.CommandLine.Spec;
             "",
             "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted breath again) and",
             "journal.csv, which keeps every evaluation: the same command goes on from it.",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class FitCommand implements Callable<Integer> {
+final class FitCommand extends ReportingCommand {
     private static final String HALF = "half";
     private static final double MINUTE_S = 60;
-
-    @Spec
-    private CommandSpec spec;
 
     @Parameters(
             arity = "0..1",
@@ -128,16 +117,13 @@ final class FitCommand implements Callable<Integer> {
     @Option(names = "--no-sensitivity", description = "Do not move each parameter to both sides in the end.")
     private boolean noSensitivity;
 
-    @Option(names = "--json", description = "Print JSON instead of tables.")
-    private boolean json;
-
     @Option(names = "--no-pictures", description = "Draw nothing.")
     private boolean noPictures;
 
     @Override
     public Integer call() {
         OutputFolder.requireWritable(out);
-        FitPrinter printer = new FitPrinter(spec.commandLine().getErr(), ConsoleProgress.isTerminal());
+        ConsoleProgress printer = progress();
         if (synthetic != null) {
             return synthetic(printer);
         }
@@ -170,17 +156,20 @@ final class FitCommand implements Callable<Integer> {
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
         printer.end();
         FitReport report = new FitReport(result);
-        List<ReportDocument.Picture> pictures = noPictures
-                ? List.of()
-                : FitPictures.draw(result, out, spec.commandLine().getErr());
+        List<ReportDocument.Picture> pictures = noPictures ? List.of() : FitPictures.draw(result, out, err());
         report.write(out);
-        AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(pictures)));
-        AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report.document(pictures)));
-        print(report);
+        writePages(out, "report", report.document(pictures));
+        print(
+                report.values(),
+                () -> withDisclaimer(String.join(
+                        "\n",
+                        TextTable.of(FitReport.DISTANCES, report.distances()),
+                        TextTable.of(FitReport.PARAMETERS, report.parameters()),
+                        report.summary())));
         return ExitCode.SUCCESS;
     }
 
-    private int synthetic(FitPrinter printer) {
+    private int synthetic(ConsoleProgress printer) {
         if (thorax != null || !targets.isEmpty() || !heldOut.isEmpty() || !tune.isEmpty() || !settings.isEmpty()) {
             throw new BadInputException("--synthetic " + synthetic
                     + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
@@ -195,14 +184,8 @@ final class FitCommand implements Callable<Integer> {
                 printer);
         printer.end();
         JsonWriter.write(out.resolve("synthetic.json"), study.values());
-        AtomicFile.write(out.resolve("synthetic.md"), MarkdownPage.format(study.document()));
-        AtomicFile.write(out.resolve("synthetic.html"), HtmlPage.format(study.document()));
-        PrintWriter stdout = spec.commandLine().getOut();
-        stdout.print(
-                json
-                        ? JsonWriter.format(study.values())
-                        : table(SyntheticStudy.COLUMNS, study.cells()) + "\n" + CliNotice.TEXT + "\n");
-        stdout.flush();
+        writePages(out, "synthetic", study.document());
+        print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
         return ExitCode.SUCCESS;
     }
 
@@ -234,7 +217,7 @@ final class FitCommand implements Callable<Integer> {
             list.add(target);
         }
         list = FitTarget.withBases(list);
-        // Without a lung its base is not fitted to either.
+        // The base of a held-out lung is held out too.
         list.replaceAll(t -> heldOut.contains(t.part().label())
                         || heldOut.contains(t.part().label().replace("_base", ""))
                 ? t.withWeight(0)
@@ -266,28 +249,5 @@ final class FitCommand implements Callable<Integer> {
             list.add(parameter);
         }
         return list;
-    }
-
-    private void print(FitReport report) {
-        PrintWriter stdout = spec.commandLine().getOut();
-        if (json) {
-            stdout.print(JsonWriter.format(report.values()));
-        } else {
-            stdout.print(table(FitReport.DISTANCES, report.distances()) + "\n"
-                    + table(FitReport.PARAMETERS, report.parameters()) + "\n" + report.summary() + "\n" + CliNotice.TEXT
-                    + "\n");
-        }
-        stdout.flush();
-    }
-
-    private static String table(List<ReportDocument.Column> columns, List<List<String>> rows) {
-        boolean[] right = new boolean[columns.size()];
-        for (int i = 0; i < right.length; i++) {
-            right[i] = columns.get(i).number();
-        }
-        TextTable table = new TextTable(right);
-        table.row(columns.stream().map(ReportDocument.Column::heading).toArray(String[]::new));
-        rows.forEach(row -> table.row(row.toArray(String[]::new)));
-        return table.text();
     }
 }

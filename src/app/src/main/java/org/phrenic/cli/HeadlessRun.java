@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.phrenic.cli.chart.RunChart;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.RunReport;
@@ -16,7 +17,7 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.Transparency;
 
-/** What {@code phrenic} does where no window can be shown: a quiet breath in numbers, curves and pictures. */
+/** {@code phrenic} without a display: a quiet breath in numbers, curves and pictures. */
 final class HeadlessRun {
     private static final int SIDE = 1000;
     private static final int SAMPLES = 4;
@@ -26,11 +27,12 @@ final class HeadlessRun {
 
     /**
      * Runs the default scenario into a folder: what {@code phrenic run} writes, {@code curves.png}, and pictures at the
-     * ends of expiration and inspiration. Where pictures cannot be made, that is said and the rest stays.
+     * ends of expiration and inspiration. Where nothing can draw, a line says so.
      */
     static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
         Scenario scenario = Scenario.defaults();
-        RunReport.run(scenario, out, false, stdout, stderr);
+        stdout.print(RunReport.table(RunReport.run(scenario, Map.of(), out, stderr)));
+        stdout.flush();
         Path observables = out.resolve("observables.csv");
         System.setProperty("java.awt.headless", "true");
         if (Annotations.hasFonts()) {
@@ -46,7 +48,7 @@ final class HeadlessRun {
         double[] time = observables.numbers("time_s");
         double[] volume = observables.numbers("lung_volume_change_ml");
         int most = 0;
-        // The first of the breaths: later ones would only take longer to simulate.
+        // In the first half: later breaths take longer to simulate.
         for (int i = 1; i < time.length && time[i] < time[time.length - 1] / 2; i++) {
             most = volume[i] > volume[most] ? i : most;
         }
@@ -54,7 +56,7 @@ final class HeadlessRun {
     }
 
     private static void pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
-        ConsoleProgress progress = new ConsoleProgress(stderr, ConsoleProgress.isTerminal());
+        ConsoleProgress progress = new ConsoleProgress(stderr);
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
             SceneStyle style = SceneStyle.atlas(studio.surfaces())
                     .withTransparency(Transparency.TWO_PASS)

@@ -1,6 +1,5 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -8,15 +7,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
@@ -35,10 +32,8 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic import}: a volume of labels becomes a thorax folder. */
 @Command(
@@ -53,13 +48,10 @@ import picocli.CommandLine.Spec;
             "  phrenic import inspiration.mha --labels lungs.csv --align-to patient --out inspired",
             "",
             "A table for --labels has the columns label (or name) and structure: 1,lungs.",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class ImportCommand implements Callable<Integer> {
+final class ImportCommand extends ReportingCommand {
     private static final double MAX_EDGE_MM = 50;
-
-    @Spec
-    private CommandSpec spec;
 
     @Parameters(paramLabel = "LABELS", description = "A label volume: nii, nii.gz, nrrd, nhdr, mha, mhd.")
     private Path file;
@@ -109,15 +101,12 @@ final class ImportCommand implements Callable<Integer> {
                     "A body made of another scan of the same patient: this scan is brought to it rigidly, by the spine or by apex and back of the lungs, and the distances of the lungs are told. Nothing is completed.")
     private Path alignTo;
 
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
-
     @Override
     public Integer call() {
         OutputFolder.requireWritable(out);
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
-        ImportProgress progress = new Lines(spec.commandLine().getErr());
+        ImportProgress progress = progress();
         LabelVolume read = LabelVolumeFiles.read(file);
         LabelVolume turned = axes == null ? read : GeometryOverride.axes(read, axes);
         LabelVolume volume = spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
@@ -130,11 +119,9 @@ final class ImportCommand implements Callable<Integer> {
                 ? template.map(t -> completed(scanned, t, progress)).orElse(scanned)
                 : alignedTo(scanned, ThoraxFolder.load(alignTo));
         Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
-        report.put("notice", CliNotice.TEXT);
+        report.put("notice", Disclaimer.TEXT);
         PatientFolder.write(out, body, report);
-        PrintWriter stdout = spec.commandLine().getOut();
-        stdout.print(json ? JsonWriter.format(report) : text(volume.grid(), body));
-        stdout.flush();
+        print(report, () -> text(volume.grid(), body));
         return ExitCode.SUCCESS;
     }
 
@@ -166,20 +153,6 @@ final class ImportCommand implements Callable<Integer> {
         return labels.equals(LabelTable.TOTALSEGMENTATOR)
                 ? LabelTable.totalSegmentator(volume)
                 : LabelTable.read(Path.of(labels), volume);
-    }
-
-    /** A line a stage. */
-    private record Lines(PrintWriter err) implements ImportProgress {
-        @Override
-        public void meshed(int count, int total, String structure) {
-            stage(count + " of " + total + " structures meshed: " + structure);
-        }
-
-        @Override
-        public void stage(String what) {
-            err.println(what);
-            err.flush();
-        }
     }
 
     private String text(LabelGrid grid, PatientBody body) {
@@ -221,7 +194,7 @@ final class ImportCommand implements Callable<Integer> {
             text.append("This body cannot breathe: it takes a diaphragm and ribs.\n");
         }
         body.notes().forEach(note -> text.append(note).append(".\n"));
-        return text.append('\n').append(CliNotice.TEXT).append('\n').toString();
+        return text.append('\n').append(Disclaimer.TEXT).append('\n').toString();
     }
 
     private static String[] cells(Map<?, ?> row) {

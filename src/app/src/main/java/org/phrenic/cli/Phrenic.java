@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
             "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
     private static final Path DEFAULT_OUT = Path.of("phrenic-out");
@@ -65,7 +65,7 @@ public final class Phrenic implements Callable<Integer> {
     }
 
     /**
-     * Does what {@code args} say.
+     * Runs the command line {@code args}.
      *
      * @param out for results
      * @param err for log, progress and the one sentence of a failure

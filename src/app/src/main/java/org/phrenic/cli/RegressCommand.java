@@ -1,28 +1,22 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.LineProgress;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.regression.Regression;
 import org.phrenic.study.regression.RegressionComparison;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code phrenic regress}: scenes computed anew and held against what they gave before. */
+/** {@code phrenic regress}: scenes computed again and compared with stored references. */
 @Command(
         name = "regress",
         description = "Compute a list of scenes anew and hold them against their stored references, node by node.",
@@ -35,10 +29,7 @@ import picocli.CommandLine.Spec;
             "",
             "Exit code 3 if a scene is farther from its references than its tolerance. The scenes: docs/regression.md."
         })
-final class RegressCommand implements Callable<Integer> {
-    @Spec
-    private CommandSpec spec;
-
+final class RegressCommand extends ReportingCommand {
     @Option(names = "--scene", paramLabel = "NAME,...", description = "Only these scenes.")
     private String only;
 
@@ -54,13 +45,10 @@ final class RegressCommand implements Callable<Integer> {
             description = "Compare nothing: write what the scenes give as references into DIR.")
     private Path write;
 
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
-
     @Override
     public Integer call() {
         List<String> scenes = only == null ? List.of() : OptionValues.split(only);
-        ProgressListener progress = new LineProgress(spec.commandLine().getErr(), "scenes done");
+        ProgressListener progress = progress("scenes done");
         if (write != null) {
             if (references != null) {
                 throw new BadInputException(
@@ -71,9 +59,7 @@ final class RegressCommand implements Callable<Integer> {
         }
         List<RegressionComparison> comparisons = new Regression(references).check(scenes, progress);
         boolean hold = comparisons.stream().allMatch(RegressionComparison::passes);
-        PrintWriter out = spec.commandLine().getOut();
-        out.print(json ? JsonWriter.format(values(comparisons, hold)) : table(comparisons, hold));
-        out.flush();
+        print(values(comparisons, hold), () -> table(comparisons, hold));
         return hold ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 

@@ -5,28 +5,25 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.QuantityKey;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
 import org.phrenic.scene.gl.NoGraphicsException;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic rehearse}: a planned needle attempt on the breathing body, and its report. */
 @Command(
@@ -40,20 +37,14 @@ import picocli.CommandLine.Spec;
             "",
             "DIR gets report.json, report.html and pictures. Exit code 3: what the plan counts as done was not reached.",
             "",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class RehearseCommand implements Callable<Integer> {
-    @Spec
-    private CommandSpec spec;
-
+final class RehearseCommand extends ReportingCommand {
     @Parameters(paramLabel = "PLAN", description = "YAML file: body and breathing, target, needle, steps.")
     private Path planFile;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
-
-    @Option(names = "--json", description = "Print the report as JSON instead of a table.")
-    private boolean json;
 
     @Option(names = "--no-pictures", description = "Draw nothing.")
     private boolean noPictures;
@@ -61,8 +52,8 @@ final class RehearseCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         OutputFolder.requireWritable(out);
-        PrintWriter err = spec.commandLine().getErr();
-        ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
+        PrintWriter err = err();
+        ConsoleProgress progress = progress();
         Rehearsal rehearsal = Rehearsal.play(RehearsalPlan.read(planFile), progress);
         progress.end();
         RehearsalReport report = new RehearsalReport(rehearsal);
@@ -74,7 +65,7 @@ final class RehearseCommand implements Callable<Integer> {
         }
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
         JsonWriter.write(out.resolve("report.json"), values);
-        print(rehearsal, values);
+        print(values, () -> text(rehearsal));
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
@@ -95,29 +86,21 @@ final class RehearseCommand implements Callable<Integer> {
         }
     }
 
-    private void print(Rehearsal rehearsal, Map<String, Object> values) {
-        PrintWriter stdout = spec.commandLine().getOut();
-        if (json) {
-            stdout.print(JsonWriter.format(values));
-        } else {
-            TextTable table = new TextTable(false, true, false);
-            rehearsal.record().headlines().forEach((key, value) -> {
-                QuantityKey quantity = QuantityKey.parse(key);
-                table.row(quantity.label(), QuantityKey.format(value), quantity.unit());
-            });
-            stdout.print(table.text());
-            List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
-            if (!goals.isEmpty()) {
-                TextTable asked = new TextTable(false, true, true, false).row("goal", "asked", "reached", "");
-                goals.forEach(g -> asked.row(
-                        g.goal(),
-                        QuantityKey.format(g.limit()),
-                        QuantityKey.format(g.value()),
-                        g.reached() ? "yes" : "NO"));
-                stdout.print("\n" + asked.text());
-            }
-            stdout.print("\n" + (rehearsal.goalsReached() ? "done" : "not done") + "\n" + CliNotice.TEXT + "\n");
+    private static String text(Rehearsal rehearsal) {
+        TextTable table = new TextTable(false, true, false);
+        rehearsal.record().headlines().forEach(table::quantity);
+        StringBuilder text = new StringBuilder(table.text());
+        List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
+        if (!goals.isEmpty()) {
+            TextTable asked = new TextTable(false, true, true, false).row("goal", "asked", "reached", "");
+            goals.forEach(g -> asked.row(
+                    g.goal(),
+                    QuantityKey.format(g.limit()),
+                    QuantityKey.format(g.value()),
+                    g.reached() ? "yes" : "NO"));
+            text.append('\n').append(asked.text());
         }
-        stdout.flush();
+        text.append('\n').append(rehearsal.goalsReached() ? "done" : "not done");
+        return withDisclaimer(text.toString());
     }
 }

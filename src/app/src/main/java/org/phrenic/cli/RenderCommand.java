@@ -8,17 +8,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.option.OutputFolder;
 import org.phrenic.cli.option.PictureOptions;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.option.StyleOptions;
 import org.phrenic.cli.option.TimeOptions;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.QuantityKey;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
@@ -31,9 +29,7 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic render}: pictures and movies of a scenario without a window and without a display. */
 @Command(
@@ -49,12 +45,9 @@ import picocli.CommandLine.Spec;
             "Without --frames or --movie: one picture a view and time, as anterior.png or anterior_1.50s.png. With",
             "--frames: anterior_0001.png and so on. Exit code 4: nothing here can draw.",
             "",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class RenderCommand implements Callable<Integer> {
-    @Spec
-    private CommandSpec spec;
-
+final class RenderCommand extends ReportingCommand {
     @Mixin
     private ScenarioOptions scenarioOptions;
 
@@ -74,9 +67,6 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private StyleOptions styleOptions;
 
-    @Option(names = "--json", description = "List what was made as JSON instead of a table.")
-    private boolean json;
-
     private final List<Map<String, Object>> written = new ArrayList<>();
 
     @Override
@@ -88,8 +78,8 @@ final class RenderCommand implements Callable<Integer> {
         if (timeOptions.movie() != null && shots.size() > 1) {
             throw new BadInputException("--movie: found " + shots.size() + " views, expected one");
         }
-        PrintWriter err = spec.commandLine().getErr();
-        ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
+        PrintWriter err = err();
+        ConsoleProgress progress = progress();
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
             if (!Annotations.hasFonts()) {
                 progress.note("This Java has no fonts: the pictures have no letters.");
@@ -190,27 +180,20 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void report(ScenarioRenderer studio) {
-        PrintWriter stdout = spec.commandLine().getOut();
-        if (json) {
-            Map<String, Object> report = new LinkedHashMap<>();
-            report.put("pictures", written);
-            report.put("graphics", studio.graphicsInfo().renderer());
-            report.put("opengl", studio.graphicsInfo().version());
-            report.put("notice", CliNotice.TEXT);
-            stdout.print(JsonWriter.format(report));
-        } else {
-            TextTable table =
-                    new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
-            for (Map<String, Object> row : written) {
-                table.row(
-                        row.get("file").toString(),
-                        row.get("view").toString(),
-                        QuantityKey.format(row.get("time_s")),
-                        row.get("width") + "x" + row.get("height"),
-                        row.get("frames").toString());
-            }
-            stdout.print(table.text() + "\n" + CliNotice.TEXT + "\n");
+        Map<String, Object> report = new LinkedHashMap<>();
+        report.put("pictures", written);
+        report.put("graphics", studio.graphicsInfo().renderer());
+        report.put("opengl", studio.graphicsInfo().version());
+        report.put("notice", Disclaimer.TEXT);
+        TextTable table = new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
+        for (Map<String, Object> row : written) {
+            table.row(
+                    row.get("file").toString(),
+                    row.get("view").toString(),
+                    QuantityKey.format(row.get("time_s")),
+                    row.get("width") + "x" + row.get("height"),
+                    row.get("frames").toString());
         }
-        stdout.flush();
+        print(report, () -> withDisclaimer(table.text()));
     }
 }

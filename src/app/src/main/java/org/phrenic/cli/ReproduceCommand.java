@@ -10,10 +10,9 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.ConsoleProgress;
-import org.phrenic.cli.report.LineProgress;
 import org.phrenic.cli.report.PatientPictures;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
@@ -50,7 +49,7 @@ import picocli.CommandLine.Spec;
             "DIR gets report.html, report.md and pictures/. The report comes last: a folder that has one is complete.",
             "Where nothing draws, it has a sentence in place of each picture, and the exit code is 4.",
             "",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
 final class ReproduceCommand implements Callable<Integer> {
     private static final int PICTURE = 960;
@@ -88,11 +87,11 @@ final class ReproduceCommand implements Callable<Integer> {
     public Integer call() {
         OutputFolder.requireWritable(out);
         PrintWriter err = spec.commandLine().getErr();
-        ProgressListener progress = new LineProgress(err, "measured");
+        ProgressListener progress = new ConsoleProgress(err, "measured");
         Optional<List<PatientScans>> scans = scans();
         Map<Integer, List<FigureImage>> figures = figures(err);
         Reproduction found = Reproduction.of(quick, progress);
-        PatientResults people = patientResults(scans, new LineProgress(err, "patients done"));
+        PatientResults people = patientResults(scans, new ConsoleProgress(err, "patients done"));
         Map<Integer, List<Picture>> pictures = new TreeMap<>();
         figures.forEach((number, of) -> pictures.put(number, writeFigures(of)));
         Map<String, List<Picture>> segmented = new TreeMap<>();
@@ -111,7 +110,7 @@ final class ReproduceCommand implements Callable<Integer> {
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report));
         PrintWriter stdout = spec.commandLine().getOut();
         stdout.println(out.resolve("report.html"));
-        stdout.println(CliNotice.TEXT);
+        stdout.println(Disclaimer.TEXT);
         stdout.flush();
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;
     }
@@ -175,7 +174,7 @@ final class ReproduceCommand implements Callable<Integer> {
     }
 
     private Map<Integer, List<FigureImage>> figures(PrintWriter err) {
-        ConsoleProgress progress = new ConsoleProgress(err, ConsoleProgress.isTerminal());
+        ConsoleProgress progress = new ConsoleProgress(err);
         Map<Integer, List<FigureImage>> figures = new TreeMap<>();
         Scenario breath = quick
                 ? PaperScenarios.defaultModel("quiet", Resolution.LOW).with("rate_per_min=60")

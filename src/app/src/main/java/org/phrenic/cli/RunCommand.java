@@ -3,20 +3,17 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ScenarioOptions;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.cli.report.RunReport;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.error.ErrorTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code phrenic run}: simulates a scenario without a window. */
 @Command(
@@ -33,23 +30,17 @@ import picocli.CommandLine.Spec;
             "DIR gets summary.json, observables.csv, scenario.yaml and, with --meshes, scene.pvd for ParaView.",
             "Keys of --set are those of a scenario file: docs/usage.md and docs/parameters.md.",
             "",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class RunCommand implements Callable<Integer> {
+final class RunCommand extends ReportingCommand {
     private static final double MIN_ERROR_MM = 1e-9;
     private static final double MAX_ERROR_MM = 1000;
-
-    @Spec
-    private CommandSpec spec;
 
     @Mixin
     private ScenarioOptions options;
 
     @Option(names = "--out", paramLabel = "DIR", description = "Folder to write into; without it, nothing is written.")
     private Path out;
-
-    @Option(names = "--json", description = "Print the summary as JSON instead of a table.")
-    private boolean json;
 
     @Option(names = "--meshes", paramLabel = "every=S", description = "Write the moving surfaces every S seconds.")
     private String meshes;
@@ -71,13 +62,8 @@ final class RunCommand implements Callable<Integer> {
             scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));
             remarks.put("chosen", chosen.sentence());
         }
-        RunReport.run(
-                scenario,
-                remarks,
-                out,
-                json,
-                spec.commandLine().getOut(),
-                spec.commandLine().getErr());
+        Map<String, Object> summary = RunReport.run(scenario, remarks, out, err());
+        print(summary, () -> RunReport.table(summary));
         return ExitCode.SUCCESS;
     }
 

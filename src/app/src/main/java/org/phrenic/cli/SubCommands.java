@@ -4,8 +4,8 @@ import java.util.List;
 import picocli.CommandLine;
 
 /**
- * The commands under {@code phrenic}. Reading the options of all of them takes longer than many a command; so where the
- * first argument names one, that one alone is read. For help, and for what is said of a name that is none, it is all.
+ * The subcommands of {@code phrenic}. Reading the options of all takes longer than many a command: if the first
+ * argument names one, only that one is registered; all are for help and for messages about unknown names.
  */
 final class SubCommands {
     private static final List<String> NAMES = List.of(
@@ -24,7 +24,7 @@ final class SubCommands {
 
     private SubCommands() {}
 
-    /** The command line of {@code phrenic} with the commands that these arguments can ask for. */
+    /** The command line of {@code phrenic} with the subcommands that these arguments need. */
     static CommandLine commandLine(Phrenic phrenic, String... args) {
         CommandLine line = new CommandLine(phrenic);
         List<String> wanted = args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES;

@@ -1,22 +1,18 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.cli.report.CliNotice;
-import org.phrenic.cli.report.LineProgress;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
@@ -32,11 +28,9 @@ import org.phrenic.study.validation.PhysiologyTable;
 import org.phrenic.study.validation.Validation;
 import org.phrenic.study.validation.ValidationReport;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code phrenic validate}: holds the model's breaths against what is known of people's. */
+/** {@code phrenic validate}: compares the model's breaths with a table of physiology. */
 @Command(
         name = "validate",
         description = "Run the breathing presets and hold them against a table of physiology.",
@@ -51,16 +45,13 @@ import picocli.CommandLine.Spec;
             "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json; with --liver liver.json.",
             "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
             "",
-            CliNotice.TEXT
+            Disclaimer.TEXT
         })
-final class ValidateCommand implements Callable<Integer> {
+final class ValidateCommand extends ReportingCommand {
     private static final String DEFAULT_BODY = "virtual/adult-male";
-    /** What the command itself decides on. */
+    /** Keys that the command sets itself. */
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
-
-    @Spec
-    private CommandSpec spec;
 
     @Option(
             names = "--anatomy",
@@ -99,9 +90,6 @@ final class ValidateCommand implements Callable<Integer> {
     @Option(names = "--threads", paramLabel = "N", description = "Runs at a time; the numbers do not depend on it.")
     private String threads;
 
-    @Option(names = "--json", description = "Print JSON instead of a table.")
-    private boolean json;
-
     @Override
     public Integer call() {
         if (out != null) {
@@ -112,7 +100,7 @@ final class ValidateCommand implements Callable<Integer> {
         int atATime = threads == null
                 ? scenario.threads()
                 : OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS);
-        ProgressListener progress = new LineProgress(spec.commandLine().getErr());
+        ProgressListener progress = progress();
         if (liver) {
             return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
         }
@@ -137,9 +125,7 @@ final class ValidateCommand implements Callable<Integer> {
         if (out != null) {
             JsonWriter.write(out.resolve("liver.json"), motion.values());
         }
-        PrintWriter stdout = spec.commandLine().getOut();
-        stdout.print(json ? JsonWriter.format(motion.values()) : table(motion.table()) + "\n" + CliNotice.TEXT + "\n");
-        stdout.flush();
+        print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
         return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
@@ -148,14 +134,7 @@ final class ValidateCommand implements Callable<Integer> {
         if (resolution != null) {
             list.add(Assignment.read("--resolution " + resolution, "resolution", resolution));
         }
-        for (String text : settings) {
-            Assignment assignment = Assignment.parse(text);
-            if (RESERVED.contains(assignment.key())) {
-                throw new BadInputException(
-                        assignment.origin() + ": found a key that a validation sets itself, expected any other key");
-            }
-            list.add(assignment);
-        }
+        list.addAll(OptionValues.assignments(settings, RESERVED, "a validation"));
         return Scenario.defaults().with(list);
     }
 
@@ -180,22 +159,19 @@ final class ValidateCommand implements Callable<Integer> {
     }
 
     private void print(Validation validation, ValidationReport report, SensitivityReport effects) {
-        PrintWriter stdout = spec.commandLine().getOut();
-        if (json) {
-            Map<String, Object> values = new LinkedHashMap<>(report.values());
-            if (effects != null) {
-                values.put("sensitivity", effects.values());
-            }
-            stdout.print(JsonWriter.format(values));
-        } else {
-            validation.bodies().forEach(body -> stdout.print(table(body)));
-            if (effects != null) {
-                stdout.print(table(effects.cells()) + "\n");
-            }
-            stdout.print((validation.passes() ? "passed" : "failed: a range of confidence S or R+ is missed") + "\n"
-                    + CliNotice.TEXT + "\n");
+        Map<String, Object> values = new LinkedHashMap<>(report.values());
+        if (effects != null) {
+            values.put("sensitivity", effects.values());
         }
-        stdout.flush();
+        print(values, () -> {
+            StringBuilder text = new StringBuilder();
+            validation.bodies().forEach(body -> text.append(table(body)));
+            if (effects != null) {
+                text.append(TextTable.ofNumbers(effects.cells())).append('\n');
+            }
+            text.append(validation.passes() ? "passed" : "failed: a range of confidence S or R+ is missed");
+            return withDisclaimer(text.toString());
+        });
     }
 
     private static String table(Validation.Body body) {
@@ -213,13 +189,5 @@ final class ValidateCommand implements Callable<Integer> {
                     (f.isMiss() ? "OUT" : f.verdict().label()) + (f.reason().isEmpty() ? "" : ": " + f.reason()));
         }
         return table.text() + ValidationReport.summary(body) + "\n\n";
-    }
-
-    private static String table(List<List<String>> cells) {
-        boolean[] right = new boolean[cells.get(0).size()];
-        Arrays.fill(right, 1, right.length, true);
-        TextTable table = new TextTable(right);
-        cells.forEach(line -> table.row(line.toArray(String[]::new)));
-        return table.text();
     }
 }

@@ -1,6 +1,6 @@
 package org.phrenic.cli;
 
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 import picocli.CommandLine.IVersionProvider;
 
 /** The version that the jar states. */
@@ -9,7 +9,7 @@ final class VersionProvider implements IVersionProvider {
     public String[] getVersion() {
         String version = Phrenic.class.getPackage().getImplementationVersion();
         return new String[] {
-            "phrenic " + (version == null ? "(not packaged)" : version) + ", Java " + Runtime.version(), CliNotice.TEXT
+            "phrenic " + (version == null ? "(not packaged)" : version) + ", Java " + Runtime.version(), Disclaimer.TEXT
         };
     }
 }

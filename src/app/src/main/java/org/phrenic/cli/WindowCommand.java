@@ -3,7 +3,7 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -14,7 +14,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "window",
         description = "Open the window. Without a display: exit code 4 and one sentence.",
-        footer = {"", "Examples:", "  phrenic window", "  phrenic window data/scenarios/deep.yaml", "", CliNotice.TEXT})
+        footer = {"", "Examples:", "  phrenic window", "  phrenic window data/scenarios/deep.yaml", "", Disclaimer.TEXT
+        })
 final class WindowCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;

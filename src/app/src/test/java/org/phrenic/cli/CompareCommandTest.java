@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.cli.report.CliNotice;
 import org.phrenic.document.CsvTable;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 
@@ -49,7 +49,7 @@ class CompareCommandTest {
                 .containsPattern("A to B +vertex +8 +1\\.000 +1\\.000 +1\\.414 +0\\.000 +2\\.000 +2\\.000")
                 .containsPattern("A to B[^\\n]*\\n +area[^\\n]* \\+1\\.000")
                 .contains("Hausdorff distance 2.000 mm")
-                .contains(CliNotice.TEXT);
+                .contains(Disclaimer.TEXT);
         assertThat(run.err()).isEmpty();
     }
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 
 /** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
 class HeadlessTest {
@@ -146,7 +146,7 @@ class HeadlessTest {
         assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
         assertThat(code).as(Files.readString(folder.resolve("stderr"))).isZero();
         assertThat(Files.readString(folder.resolve("stdout")))
-                .contains("superior.png", "\"graphics\": ", CliNotice.TEXT);
+                .contains("superior.png", "\"graphics\": ", Disclaimer.TEXT);
         try (Stream<Path> files = Files.list(out)) {
             assertThat(files.map(file -> file.getFileName().toString()))
                     .containsExactlyInAnyOrder("left.png", "superior.png");

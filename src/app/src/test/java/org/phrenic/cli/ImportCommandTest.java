@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.patient.ScanSamples;
 
 /** {@code phrenic import} and {@code phrenic info} on a small volume of two lungs and a liver. */
@@ -41,7 +41,7 @@ class ImportCommandTest {
                 CommandLineRun.of("import", volume.toString(), "--complete", "none", "--out", out.toString());
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
         assertThat(run.out())
-                .contains("lung_L", "lung_R", "liver", "rib_01_R to rib_12_R", "cannot breathe", CliNotice.TEXT);
+                .contains("lung_L", "lung_R", "liver", "rib_01_R to rib_12_R", "cannot breathe", Disclaimer.TEXT);
         assertThat(run.err()).contains("3 of 3 structures meshed");
         assertThat(out.resolve("lung_R.vtp")).exists();
         assertThat(Files.readString(out.resolve("thorax.yaml"))).contains("axes: LPS", "lung_R: lung_R.vtp");

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.cli.report.CliNotice;
+import org.phrenic.document.report.Disclaimer;
 
 /** {@code phrenic validate}: exit codes and files. */
 class ValidateCommandTest {
@@ -67,9 +67,9 @@ class ValidateCommandTest {
         assertThat(run.err()).isEqualTo("1 of 1 runs done: virtual/adult-male, quiet" + System.lineSeparator());
         assertThat(run.exitCode()).isZero();
         assertThat(run.out())
-                .contains("dome_falls", "within", "not measurable here: nothing is driven", "passed", CliNotice.TEXT);
-        assertThat(out.resolve("validation.md")).content().contains("**passed**", CliNotice.TEXT, "dome_falls");
-        assertThat(out.resolve("validation.json")).content().contains("\"passes\": true", CliNotice.TEXT);
+                .contains("dome_falls", "within", "not measurable here: nothing is driven", "passed", Disclaimer.TEXT);
+        assertThat(out.resolve("validation.md")).content().contains("Verdict: passed", Disclaimer.TEXT, "dome\\_falls");
+        assertThat(out.resolve("validation.json")).content().contains("\"passes\": true", Disclaimer.TEXT);
         assertThat(run.out()).as("a stated reason of a row that is met").doesNotContain("nothing moves");
         assertThat(out.resolve("validation.md")).content().doesNotContain("nothing moves");
         assertThat(out.resolve("validation.json")).content().doesNotContain("nothing moves");
@@ -85,7 +85,7 @@ class ValidateCommandTest {
                         "\"verdict\": \"out\"",
                         "\"passes\": false",
                         "\"missed_because\": \"nothing moves a dome so far\"");
-        assertThat(out.resolve("validation.md")).content().contains("**out**: nothing moves a dome so far");
+        assertThat(out.resolve("validation.md")).content().contains("OUT: nothing moves a dome so far");
     }
 
     @Test

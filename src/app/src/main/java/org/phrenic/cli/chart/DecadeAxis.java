@@ -1,6 +1,5 @@
 package org.phrenic.cli.chart;
 
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -23,8 +22,7 @@ final class DecadeAxis extends LogAxis {
 
     DecadeAxis(String label, double low, double high) {
         super(label);
-        setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 15));
-        setTickLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
+        ChartStyle.axis(this);
         setAutoRange(false);
         setRange(low, high);
     }

@@ -1,11 +1,17 @@
 package org.phrenic.cli.option;
 
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.phrenic.document.KeySuggestion;
 import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.style.ColourScale;
 
-/** Numbers and lists that options give as text. */
+/** Converts the text of options to values, with one sentence for what is wrong. */
 public final class OptionValues {
     private OptionValues() {}
 
@@ -22,7 +28,7 @@ public final class OptionValues {
                 return value;
             }
         } catch (NumberFormatException none) {
-            // Told below.
+            // The message below says it.
         }
         throw new BadInputException(where + ": found '" + text + "', expected a number");
     }
@@ -63,7 +69,41 @@ public final class OptionValues {
         return usual.withRange(min, max);
     }
 
-    /** The parts of a list with commas; empty parts are kept, to be complained about. */
+    /**
+     * The assignments of {@code --set}.
+     *
+     * @param reserved keys that are refused
+     * @param setter what sets these itself, such as "a validation"
+     */
+    public static List<Assignment> assignments(List<String> settings, Set<String> reserved, String setter) {
+        List<Assignment> assignments = settings.stream().map(Assignment::parse).toList();
+        assignments.stream().filter(a -> reserved.contains(a.key())).findFirst().ifPresent(a -> {
+            throw new BadInputException(
+                    a.origin() + ": found a key that " + setter + " sets itself, expected any other key");
+        });
+        return assignments;
+    }
+
+    /**
+     * One of several values, by its name in lower case with hyphens.
+     *
+     * @throws BadInputException with the nearest name, or all of them
+     */
+    public static <E extends Enum<E>> E choice(String option, String found, List<E> values) {
+        Map<String, E> byLabel = new LinkedHashMap<>();
+        values.forEach(
+                value -> byLabel.put(value.name().toLowerCase(Locale.ROOT).replace('_', '-'), value));
+        E value = byLabel.get(found.strip().toLowerCase(Locale.ROOT));
+        if (value == null) {
+            throw new BadInputException(option + ": found '" + found + "', "
+                    + KeySuggestion.nearest(found, byLabel.keySet())
+                            .map(near -> "did you mean '" + near + "'?")
+                            .orElse("expected one of " + String.join(", ", byLabel.keySet())));
+        }
+        return value;
+    }
+
+    /** The parts of a list with commas; empty parts are kept and refused later. */
     public static List<String> split(String list) {
         return Arrays.stream(list.split(",", -1)).map(String::strip).toList();
     }

@@ -9,7 +9,7 @@ public final class OutputFolder {
     private OutputFolder() {}
 
     /**
-     * Refuses a folder that cannot be made or written to, before anything is computed; makes nothing.
+     * Refuses a folder that cannot be created or written to, before anything is computed; creates nothing.
      *
      * @throws BadInputException with one sentence
      */

@@ -9,7 +9,7 @@ import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PictureSettings;
 import picocli.CommandLine.Option;
 
-/** From where and how large pictures are taken. */
+/** Options of view and size of pictures. */
 public final class PictureOptions {
     private static final double LEAST_ZOOM = 0.1;
     private static final double MOST_ZOOM = 50;
@@ -32,7 +32,7 @@ public final class PictureOptions {
     @Option(names = "--no-annotations", description = "No letters, figure, scale, time or notice.")
     private boolean noAnnotations;
 
-    /** A shot for each view asked for. */
+    /** The settings of each view. */
     public List<PictureSettings> settings(String title) {
         String[] sides = size.toLowerCase(java.util.Locale.ROOT).split("x", -1);
         if (sides.length != 2) {
@@ -56,11 +56,7 @@ public final class PictureOptions {
         }
         Set<AnatomicalView> found = new LinkedHashSet<>();
         for (String label : OptionValues.split(views)) {
-            try {
-                found.add(AnatomicalView.parse(label));
-            } catch (IllegalArgumentException unknown) {
-                throw new BadInputException("--view: " + unknown.getMessage(), unknown);
-            }
+            found.add(OptionValues.choice("--view", label, List.of(AnatomicalView.values())));
         }
         return found;
     }

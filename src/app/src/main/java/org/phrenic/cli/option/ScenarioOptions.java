@@ -10,7 +10,7 @@ import org.phrenic.scenario.ScheduledChange;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** What is to be simulated: the scenario and the options that change it, alike for every command that simulates. */
+/** The scenario and the options that change it, shared by the commands that simulate. */
 public final class ScenarioOptions {
     @Parameters(
             arity = "0..1",
@@ -58,9 +58,9 @@ public final class ScenarioOptions {
     private List<String> settings = new ArrayList<>();
 
     /**
-     * The scenario with what the options say; what {@code --set} says counts last.
+     * The scenario with the options applied, {@code --set} last.
      *
-     * @param more what other options of the command say
+     * @param more assignments by other options of the command
      */
     public Scenario resolved(Assignment... more) {
         Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);

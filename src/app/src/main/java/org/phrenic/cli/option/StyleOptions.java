@@ -2,13 +2,11 @@ package org.phrenic.cli.option;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.phrenic.document.KeySuggestion;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -23,12 +21,17 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 import picocli.CommandLine.Option;
 
-/** What of a scene is drawn and how. */
+/** Options of what a scene shows and how. */
 public final class StyleOptions {
     private static final int SAMPLES = 4;
     private static final double DISPLACEMENT_MM = 20;
     private static final double STRAIN_PERCENT = 20;
     private static final double FARTHEST_CLIP_MM = 1e5;
+    private static final String CLIP_SIDES = "LRAPSI";
+    /** Normals of these sides in LPS. */
+    private static final double[][] CLIP_NORMALS = {{1, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}
+    };
+
     private static final String DIAPHRAGM = "diaphragm";
 
     @Option(
@@ -74,7 +77,7 @@ public final class StyleOptions {
             description = "springs, rigid-links, attachments, fibres, action-lines, helical-axes; may be repeated.")
     private List<String> overlays = new ArrayList<>();
 
-    /** Refuses, before anything is computed, what is wrong whatever the body. */
+    /** Refuses, before anything is computed, what is invalid for every body. */
     public void validate() {
         colourField();
         if ((colourField() == ColourField.DISTANCE) != (reference != null)) {
@@ -129,14 +132,8 @@ public final class StyleOptions {
     }
 
     private ColourField colourField() {
-        return field == null
-                ? ColourField.NONE
-                : switch (field) {
-                    case "displacement" -> ColourField.DISPLACEMENT;
-                    case "strain" -> ColourField.STRAIN;
-                    case "distance" -> ColourField.DISTANCE;
-                    default -> throw unknown("--field", field, List.of("displacement", "strain", "distance"));
-                };
+        List<ColourField> offered = List.of(ColourField.DISPLACEMENT, ColourField.STRAIN, ColourField.DISTANCE);
+        return field == null ? ColourField.NONE : OptionValues.choice("--field", field, offered);
     }
 
     private ColourScale scale() {
@@ -154,11 +151,7 @@ public final class StyleOptions {
     }
 
     private SceneBackground sceneBackground() {
-        return switch (background) {
-            case "light" -> SceneBackground.LIGHT;
-            case "dark" -> SceneBackground.DARK;
-            default -> throw unknown("--background", background, List.of("light", "dark"));
-        };
+        return OptionValues.choice("--background", background, List.of(SceneBackground.values()));
     }
 
     private Optional<ClipPlane> clipPlane() {
@@ -166,7 +159,7 @@ public final class StyleOptions {
             return Optional.empty();
         }
         int side = clip.indexOf(':') == 1
-                ? "LRAPSI".indexOf(clip.toUpperCase(Locale.ROOT).charAt(0))
+                ? CLIP_SIDES.indexOf(clip.toUpperCase(Locale.ROOT).charAt(0))
                 : -1;
         if (side < 0) {
             throw new BadInputException(
@@ -176,35 +169,13 @@ public final class StyleOptions {
         if (Math.abs(mm) > FARTHEST_CLIP_MM) {
             throw new BadInputException("--clip: found " + clip.substring(2) + " mm, expected at most 100000 mm");
         }
-        return Optional.of(
-                switch (side) {
-                    case 0 -> new ClipPlane(1, 0, 0, mm);
-                    case 1 -> new ClipPlane(-1, 0, 0, mm);
-                    case 2 -> new ClipPlane(0, -1, 0, mm);
-                    case 3 -> new ClipPlane(0, 1, 0, mm);
-                    case 4 -> new ClipPlane(0, 0, 1, mm);
-                    default -> new ClipPlane(0, 0, -1, mm);
-                });
+        double[] normal = CLIP_NORMALS[side];
+        return Optional.of(new ClipPlane(normal[0], normal[1], normal[2], mm));
     }
 
     private Set<Overlay.Kind> overlayKinds() {
-        List<String> labels = Arrays.stream(Overlay.Kind.values())
-                .map(kind -> kind.name().toLowerCase(Locale.ROOT).replace('_', '-'))
-                .toList();
         Set<Overlay.Kind> kinds = new LinkedHashSet<>();
-        for (String overlay : overlays) {
-            if (!labels.contains(overlay)) {
-                throw unknown("--overlay", overlay, labels);
-            }
-            kinds.add(Overlay.Kind.valueOf(overlay.toUpperCase(Locale.ROOT).replace('-', '_')));
-        }
+        overlays.forEach(label -> kinds.add(OptionValues.choice("--overlay", label, List.of(Overlay.Kind.values()))));
         return kinds;
-    }
-
-    private static BadInputException unknown(String option, String found, List<String> known) {
-        return new BadInputException(option + ": found '" + found + "', "
-                + KeySuggestion.nearest(found, known)
-                        .map(near -> "did you mean '" + near + "'?")
-                        .orElse("expected one of " + String.join(", ", known)));
     }
 }

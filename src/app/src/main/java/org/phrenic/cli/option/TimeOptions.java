@@ -8,7 +8,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scene.export.GifMovieWriter;
 import picocli.CommandLine.Option;
 
-/** When pictures are taken, and whether they become a movie. */
+/** Options of the times of pictures, and of a movie. */
 public final class TimeOptions {
     private static final int MAX_FRAMES = 100_000;
     private static final double DEFAULT_FPS = 20;
@@ -34,7 +34,7 @@ public final class TimeOptions {
             description = "Frames a second of the movie. Default: as fast as the thorax breathes.")
     private String fps;
 
-    /** Refuses what is wrong whatever the duration. */
+    /** Refuses what is invalid for every duration. */
     public void validate() {
         if (at != null && (frames != null || movie != null || fps != null)) {
             throw new BadInputException(
@@ -66,7 +66,7 @@ public final class TimeOptions {
                         .toArray();
     }
 
-    /** The movie asked for; null for none. */
+    /** The movie; null for none. */
     public Path movie() {
         return movie;
     }
@@ -115,7 +115,7 @@ public final class TimeOptions {
         return fps == null ? DEFAULT_FPS : OptionValues.number("--fps", fps);
     }
 
-    /** Frames a second of the movie, so that it breathes as fast as the thorax unless told otherwise. */
+    /** Frames a second of the movie; by default it breathes in real time. */
     public double framesPerS(int count, double totalS) {
         return fps != null ? frameRate() : Math.max(1, Math.min(GifMovieWriter.MAX_FRAMES_PER_S, count / totalS));
     }

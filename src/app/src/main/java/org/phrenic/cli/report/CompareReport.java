@@ -1,17 +1,31 @@
 package org.phrenic.cli.report;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.query.DistanceHistogram;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 
-/** What {@code phrenic compare} says. */
+/** The results of {@code phrenic compare}. */
 public final class CompareReport {
     private static final int BINS = 20;
+    /** Figures of a distance by their keys, in the order of the table. */
+    private static final Map<String, ToDoubleFunction<DistanceSummary>> FIGURES = new LinkedHashMap<>();
+
+    static {
+        FIGURES.put("mean_mm", DistanceSummary::mean);
+        FIGURES.put("sd_mm", DistanceSummary::deviation);
+        FIGURES.put("rms_mm", DistanceSummary::rms);
+        FIGURES.put("median_mm", DistanceSummary::median);
+        FIGURES.put("percentile_95_mm", DistanceSummary::percentile95);
+        FIGURES.put("maximum_mm", DistanceSummary::maximum);
+    }
 
     private final Path a;
     private final Path b;
@@ -39,7 +53,7 @@ public final class CompareReport {
         if (!pictures.isEmpty()) {
             values.put("pictures", pictures);
         }
-        values.put("notice", CliNotice.TEXT);
+        values.put("notice", Disclaimer.TEXT);
         return values;
     }
 
@@ -60,12 +74,7 @@ public final class CompareReport {
     private static Map<String, Object> figures(DistanceSummary d) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("vertices", d.points());
-        values.put("mean_mm", d.mean());
-        values.put("sd_mm", d.deviation());
-        values.put("rms_mm", d.rms());
-        values.put("median_mm", d.median());
-        values.put("percentile_95_mm", d.percentile95());
-        values.put("maximum_mm", d.maximum());
+        FIGURES.forEach((key, figure) -> values.put(key, figure.applyAsDouble(d)));
         return values;
     }
 
@@ -85,20 +94,9 @@ public final class CompareReport {
     }
 
     private static void row(TextTable table, String way, String weight, DistanceSummary d, double signedMean) {
-        table.row(
-                way,
-                weight,
-                Integer.toString(d.points()),
-                shown(d.mean()),
-                shown(d.deviation()),
-                shown(d.rms()),
-                shown(d.median()),
-                shown(d.percentile95()),
-                shown(d.maximum()),
-                Double.isNaN(signedMean) ? "" : String.format(Locale.ROOT, "%+.3f", signedMean));
-    }
-
-    private static String shown(double mm) {
-        return String.format(Locale.ROOT, "%.3f", mm);
+        List<String> cells = new ArrayList<>(List.of(way, weight, Integer.toString(d.points())));
+        FIGURES.values().forEach(figure -> cells.add(String.format(Locale.ROOT, "%.3f", figure.applyAsDouble(d))));
+        cells.add(Double.isNaN(signedMean) ? "" : String.format(Locale.ROOT, "%+.3f", signedMean));
+        table.row(cells.toArray(String[]::new));
     }
 }

@@ -3,28 +3,40 @@ package org.phrenic.cli.report;
 import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.fit.FitProgress;
+import org.phrenic.patient.ImportProgress;
 import org.phrenic.simulation.SimulationRun;
 
-/** How far a run is: a bar that is drawn over itself on a terminal, else a plain line every few seconds. No colours. */
-public final class ConsoleProgress implements SimulationRun.Progress {
+/**
+ * Progress on stderr. What advances continuously is a line drawn over itself on a terminal, else a plain line every few
+ * seconds; what is counted is a line each. No colours.
+ */
+public final class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress {
     private static final int BAR_WIDTH = 30;
     private static final long LINE_INTERVAL_NS = 5_000_000_000L;
     private static final long BAR_INTERVAL_NS = 100_000_000L;
 
     private final PrintWriter err;
-    private final boolean terminal;
+    private final String counted;
+    private final boolean terminal = isTerminal();
     private long last = System.nanoTime();
     private boolean drawn;
 
-    public ConsoleProgress(PrintWriter err, boolean terminal) {
-        this.err = err;
-        this.terminal = terminal;
+    /** Counts runs. */
+    public ConsoleProgress(PrintWriter err) {
+        this(err, "runs done");
     }
 
-    /** Whether someone looks at a terminal that can draw over a line. */
-    @SuppressWarnings("SystemConsoleNull")
-    public // null before Java 22, asked from there on
-    static boolean isTerminal() {
+    /** @param counted what {@link #done} counts, such as "cells done" */
+    public ConsoleProgress(PrintWriter err, String counted) {
+        this.err = err;
+        this.counted = counted;
+    }
+
+    /** Whether stderr is a terminal that can redraw a line. */
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22, asked from there on
+    private static boolean isTerminal() {
         Console console = System.console();
         String kind = System.getenv("TERM");
         if (console == null || kind == null || kind.equals("dumb")) {
@@ -41,33 +53,58 @@ public final class ConsoleProgress implements SimulationRun.Progress {
 
     @Override
     public void advanced(double simulatedS, double totalS, double stepsPerS) {
-        long now = System.nanoTime();
-        boolean over = simulatedS >= totalS;
-        if (now - last < (terminal ? BAR_INTERVAL_NS : LINE_INTERVAL_NS) && !(over && drawn)) {
-            return;
-        }
-        last = now;
-        double share = Math.min(1, simulatedS / totalS);
-        String figures =
-                String.format(Locale.ROOT, "%.2f of %.2f s simulated, %.0f steps/s", simulatedS, totalS, stepsPerS);
-        if (terminal) {
-            int full = (int) (BAR_WIDTH * share);
-            err.print("\r[" + "#".repeat(full) + " ".repeat(BAR_WIDTH - full) + "] " + figures + "  ");
-            drawn = true;
-        } else {
-            err.print(figures + "\n");
-        }
-        err.flush();
+        int full = (int) (BAR_WIDTH * Math.min(1, simulatedS / totalS));
+        String bar = terminal ? "[" + "#".repeat(full) + " ".repeat(BAR_WIDTH - full) + "] " : "";
+        draw(simulatedS >= totalS, bar + "%.2f of %.2f s simulated, %.0f steps/s", simulatedS, totalS, stepsPerS);
     }
 
     @Override
-    public void note(String sentence) {
-        end();
-        err.println(sentence);
+    public void evaluated(int count, int most, double bestMm, double initialMm) {
+        draw(
+                false,
+                "%d of at most %d breaths, mean distance %.3f mm, %.3f of the initial",
+                count,
+                most,
+                bestMm,
+                bestMm / initialMm);
     }
 
-    /** Leaves the line on which the bar stands. */
-    public void end() {
+    private synchronized void draw(boolean complete, String format, Object... figures) {
+        long now = System.nanoTime();
+        if (now - last < (terminal ? BAR_INTERVAL_NS : LINE_INTERVAL_NS) && !(complete && drawn)) {
+            return;
+        }
+        last = now;
+        String line = String.format(Locale.ROOT, format, figures);
+        err.print(terminal ? "\r" + line + "  " : line + "\n");
+        err.flush();
+        drawn = terminal;
+    }
+
+    @Override
+    public void done(int count, int total, String what) {
+        note(count + " of " + total + " " + counted + ": " + what);
+    }
+
+    @Override
+    public void meshed(int count, int total, String structure) {
+        note(count + " of " + total + " structures meshed: " + structure);
+    }
+
+    @Override
+    public void stage(String what) {
+        note(what);
+    }
+
+    @Override
+    public synchronized void note(String sentence) {
+        end();
+        err.println(sentence);
+        err.flush();
+    }
+
+    /** Ends the line that is drawn over itself. */
+    public synchronized void end() {
         if (drawn) {
             err.println();
             drawn = false;

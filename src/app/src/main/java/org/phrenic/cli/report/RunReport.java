@@ -5,13 +5,13 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
 import org.phrenic.cli.option.OutputFolder;
-import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /** Runs a scenario and prints what it gave. */
 public final class RunReport {
-    /** How fast it went and with what: told after what was breathed. */
+    /** Performance figures: listed after what was breathed. */
     private static final Set<String> PERFORMANCE_KEYS = Set.of(
             "steps",
             "substeps",
@@ -26,56 +26,40 @@ public final class RunReport {
     private RunReport() {}
 
     /**
+     * Runs a scenario and returns its summary.
+     *
+     * @param remarks also in the summary, and printed as the run begins
      * @param out folder to write into; null for none
-     * @param json whether to print the summary as JSON
      */
-    public static void run(Scenario scenario, Path out, boolean json, PrintWriter stdout, PrintWriter stderr) {
-        run(scenario, Map.of(), out, json, stdout, stderr);
-    }
-
-    /** As the other; the summary says these remarks too, and they are printed as the run begins. */
-    public static void run(
-            Scenario scenario,
-            Map<String, String> remarks,
-            Path out,
-            boolean json,
-            PrintWriter stdout,
-            PrintWriter stderr) {
+    public static Map<String, Object> run(
+            Scenario scenario, Map<String, String> remarks, Path out, PrintWriter stderr) {
         if (out != null) {
             OutputFolder.requireWritable(out);
         }
-        ConsoleProgress progress = new ConsoleProgress(stderr, ConsoleProgress.isTerminal());
+        ConsoleProgress progress = new ConsoleProgress(stderr);
         remarks.values().forEach(progress::note);
-        Map<String, Object> summary;
         try {
-            summary = SimulationRun.run(scenario, out, progress, remarks);
+            return SimulationRun.run(scenario, out, progress, remarks);
         } finally {
             progress.end();
         }
-        stdout.print(json ? JsonWriter.format(summary) : table(summary));
-        stdout.flush();
     }
 
-    /** Quantity, value, unit: first what was breathed, then how fast, then the notice. */
+    /** Quantity, value, unit: what was breathed, then performance, then the disclaimer. */
     public static String table(Map<String, Object> summary) {
         TextTable table = new TextTable(false, true, false).row("quantity", "value", "unit");
         summary.forEach((key, value) -> {
             if (value instanceof Number && !PERFORMANCE_KEYS.contains(key)) {
-                row(table, key, value);
+                table.quantity(key, value);
             }
         });
         table.row("", "", "");
         summary.forEach((key, value) -> {
             if (PERFORMANCE_KEYS.contains(key)) {
-                row(table, key, value);
+                table.quantity(key, value);
             }
         });
         Object chosen = summary.get("chosen");
-        return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + CliNotice.TEXT + "\n";
-    }
-
-    private static void row(TextTable table, String key, Object value) {
-        QuantityKey quantity = QuantityKey.parse(key);
-        table.row(quantity.label(), QuantityKey.format(value), quantity.unit());
+        return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + Disclaimer.TEXT + "\n";
     }
 }

@@ -4,15 +4,35 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.phrenic.document.report.ReportDocument.Column;
 
-/** Columns of text, aligned: the first to the left, numbers to the right. */
+/** Aligned columns of text. */
 public final class TextTable {
     private final List<String[]> rows = new ArrayList<>();
     private final boolean[] rightAligned;
 
-    /** @param right for each column, whether it is aligned to the right */
-    public TextTable(boolean... right) {
-        this.rightAligned = right.clone();
+    /** @param rightAligned for each column, whether it is aligned to the right */
+    public TextTable(boolean... rightAligned) {
+        this.rightAligned = rightAligned.clone();
+    }
+
+    /** A table with headings; numbers are aligned to the right. */
+    public static String of(List<Column> columns, List<List<String>> rows) {
+        boolean[] right = new boolean[columns.size()];
+        for (int i = 0; i < right.length; i++) {
+            right[i] = columns.get(i).number();
+        }
+        return new TextTable(right)
+                .row(columns.stream().map(Column::heading).toArray(String[]::new))
+                .rows(rows)
+                .text();
+    }
+
+    /** A table whose columns but the first are aligned to the right. */
+    public static String ofNumbers(List<List<String>> rows) {
+        boolean[] right = new boolean[rows.get(0).size()];
+        Arrays.fill(right, 1, right.length, true);
+        return new TextTable(right).rows(rows).text();
     }
 
     public TextTable row(String... cells) {
@@ -25,7 +45,13 @@ public final class TextTable {
         return this;
     }
 
-    /** The lines, each ended; blanks at their ends are left out. */
+    /** Adds label, value and unit of a key such as {@code dome_excursion_right_mm}. */
+    public TextTable quantity(String key, Object value) {
+        QuantityKey quantity = QuantityKey.parse(key);
+        return row(quantity.label(), QuantityKey.format(value), quantity.unit());
+    }
+
+    /** The lines, each with a line break and without blanks at its end. */
     public String text() {
         int[] width = new int[rightAligned.length];
         for (String[] row : rows) {

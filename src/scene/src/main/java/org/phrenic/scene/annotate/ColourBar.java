@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.scene.style.ColourScale;
 
-/** The colours of a scale as an upright bar with its range, round values between, name and unit. */
+/** A vertical colour bar with the ends of its range, round values between, name and unit. */
 final class ColourBar {
     private static final double WIDTH = 14;
     private static final double TEXT_SIZE = 11;
     private static final double GAP = 5;
     private static final int MAX_TICKS = 5;
-    /** Room between two numbers, in their heights. */
+    /** Least distance of two numbers, in their heights. */
     private static final double MIN_TICK_SPACING = 1.9;
 
     private ColourBar() {}
@@ -84,7 +84,7 @@ final class ColourBar {
         return values;
     }
 
-    /** 1, 2 or 5 times a power of ten, so that a range has at most five of them. */
+    /** 1, 2 or 5 times a power of ten, with at most five steps in a range. */
     private static double tickStep(double range) {
         double power = Math.pow(10, Math.floor(Math.log10(range / MAX_TICKS)));
         for (double times : new double[] {1, 2, 5}) {
@@ -95,7 +95,7 @@ final class ColourBar {
         return 10 * power;
     }
 
-    /** As many decimals as it takes to tell all values. */
+    /** A format with enough decimals to distinguish all values. */
     private static String numberPattern(List<Double> values) {
         double largest = values.stream().mapToDouble(Math::abs).max().orElse(1);
         if (largest >= 1e6 || largest < 1e-4) {

@@ -2,7 +2,7 @@ package org.phrenic.scene.annotate;
 
 import java.awt.geom.Path2D;
 
-/** A bar of a round length in millimetres, for parallel projection, where a length is the same everywhere. */
+/** A scale bar of a round length in millimetres, for parallel projection. */
 final class Ruler {
     private static final double[] ROUND_LENGTHS_MM = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
     private static final double TEXT_SIZE = 11.5;

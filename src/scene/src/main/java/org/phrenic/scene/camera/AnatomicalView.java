@@ -1,10 +1,6 @@
 package org.phrenic.scene.camera;
 
-import java.util.Arrays;
-import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
-import org.phrenic.document.KeySuggestion;
 
 /**
  * The standard anatomical views, named by the side of the patient that is looked at. None is mirrored. From the front
@@ -28,12 +24,12 @@ public enum AnatomicalView {
         this.elevationDeg = elevationDeg;
     }
 
-    /** Where the viewer stands about the patient's long axis, degrees: 0 in front, 90 at the patient's left. */
+    /** Azimuth of the viewer about the patient's long axis, degrees: 0 in front, 90 at the patient's left. */
     public double azimuthDeg() {
         return azimuthDeg;
     }
 
-    /** How high the viewer stands, degrees: 90 is right above. */
+    /** Elevation of the viewer, degrees: 90 is straight above. */
     public double elevationDeg() {
         return elevationDeg;
     }
@@ -41,34 +37,5 @@ public enum AnatomicalView {
     /** Its name in a command or a file name: {@code anterior}. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
-    }
-
-    /** The same axis from the other end. */
-    public AnatomicalView opposite() {
-        return switch (this) {
-            case ANTERIOR -> POSTERIOR;
-            case POSTERIOR -> ANTERIOR;
-            case LEFT -> RIGHT;
-            case RIGHT -> LEFT;
-            case SUPERIOR -> INFERIOR;
-            case INFERIOR -> SUPERIOR;
-        };
-    }
-
-    /**
-     * The view of this name.
-     *
-     * @throws IllegalArgumentException if there is none; the sentence has the nearest name
-     */
-    public static AnatomicalView parse(String label) {
-        String sought = label.strip().toLowerCase(Locale.ROOT);
-        List<String> labels = Arrays.stream(values()).map(AnatomicalView::label).toList();
-        return Arrays.stream(values())
-                .filter(view -> view.label().equals(sought))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("found an unknown view '" + label + "', "
-                        + KeySuggestion.nearest(sought, labels)
-                                .map(near -> "did you mean '" + near + "'?")
-                                .orElse("expected one of " + labels.stream().collect(Collectors.joining(", ")))));
     }
 }

@@ -1,15 +1,15 @@
 package org.phrenic.scene.camera;
 
 /**
- * One way to take a picture.
+ * View, size and annotation of a picture.
  *
  * @param view from where
  * @param width pixels
  * @param height pixels
  * @param orthographic parallel projection; else perspective
  * @param zoom enlargement about the middle, 1 for all of the body
- * @param annotated whether letters, figure, scale and notice are written over it
- * @param title what is shown, written over it
+ * @param annotated whether annotations are drawn over it
+ * @param title of the annotations
  */
 public record PictureSettings(
         AnatomicalView view,
@@ -27,7 +27,7 @@ public record PictureSettings(
         return new PictureSettings(view, width, height, false, 1, true, title);
     }
 
-    /** Camera of this shot on a box that is to be seen. */
+    /** Camera that shows a box. */
     public Camera camera(double[] bounds) {
         Camera whole = Camera.of(view, bounds, (double) width / height).withProjection(orthographic);
         return whole.zoom(zoom, width / 2.0, height / 2.0, width, height);

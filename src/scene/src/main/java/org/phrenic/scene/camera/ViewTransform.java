@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import org.phrenic.scene.style.ClipPlane;
 
 /**
- * The transforms of one picture: what all shaders need to know of camera and picture.
+ * The transforms of one picture for all shaders.
  *
  * @param view world to eye coordinates
  * @param projection eye to clip coordinates of this tile

@@ -10,24 +10,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/**
- * Whether an X server answers. Asked before JOGL is: JOGL settles on a window system once a process and does not go
- * back.
- */
+/** Whether an X server answers. Asked before JOGL is loaded, which chooses a window system once for the process. */
 final class DisplayServer {
     private static final int FIRST_PORT = 6000;
     private static final int TIMEOUT_MS = 2000;
 
     private DisplayServer() {}
 
-    /** Whether this platform draws without an X server or any other display to ask for. */
+    /** Whether this platform draws without an X server. */
     static boolean isNotNeeded() {
         String os = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         return os.contains("mac") || os.contains("win");
     }
 
     /**
-     * Whether the server that the variable DISPLAY names takes a connection.
+     * Whether the server that the variable DISPLAY names accepts a connection.
      *
      * @param display such as {@code :0}, {@code localhost:10.0}; null or empty for none
      */

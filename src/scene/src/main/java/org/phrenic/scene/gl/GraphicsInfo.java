@@ -7,9 +7,9 @@ import java.util.Locale;
 /**
  * The OpenGL implementation of a context.
  *
- * @param vendor as the driver says
- * @param renderer as the driver says
- * @param version of OpenGL, as the driver says
+ * @param vendor as the driver states
+ * @param renderer as the driver states
+ * @param version of OpenGL, as the driver states
  * @param software whether the processor renders in place of a graphics card
  * @param maxSamples most samples a pixel
  * @param maxSize longest side of a picture without tiles, pixels

@@ -30,7 +30,7 @@ import org.phrenic.simulation.observe.Surface;
  * drawing.
  */
 public final class Renderer {
-    /** Told when a pass has been handed to the driver. */
+    /** Called when a pass has been submitted to the driver. */
     interface PassListener {
         void done(GL3 gl, String pass);
     }
@@ -310,7 +310,7 @@ public final class Renderer {
         listener = told;
     }
 
-    /** What the last picture cost. */
+    /** Statistics of the last picture. */
     public FrameStatistics statistics() {
         return statistics;
     }

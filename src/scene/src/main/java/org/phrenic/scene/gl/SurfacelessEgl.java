@@ -13,19 +13,15 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 
 /**
- * Readies JOGL to draw through EGL where no X server runs (Linux). JOGL does not do so by itself: it has to be told
- * before it is first used that there is no window system, that Mesa has no surface to share a context by, and which
- * library holds desktop OpenGL; and it takes its EGL display from X unless another is put in its place, which only
- * reflection reaches.
+ * Prepares JOGL to draw through EGL without an X server (Linux). JOGL needs to know before its first use that there is
+ * no window system, that Mesa has no surface to share a context by, and which library holds desktop OpenGL; and its EGL
+ * display, by default that of X, can be replaced by reflection only.
  */
 final class SurfacelessEgl extends JNILibLoaderBase {
     /** EGL_PLATFORM_SURFACELESS_MESA. */
     private static final int PLATFORM_SURFACELESS_MESA = 0x31DD;
 
-    /**
-     * NativeWindowFactory.TYPE_EGL, which to ask for would be too early: that class reads the property below as it
-     * loads.
-     */
+    /** NativeWindowFactory.TYPE_EGL, spelled out because that class reads the property below when it is loaded. */
     private static final String WINDOW_SYSTEM = ".egl";
 
     private static final String UNKNOWN_VERSION =
@@ -33,7 +29,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
 
     private SurfacelessEgl() {}
 
-    /** Must come before anything else of JOGL in this process. */
+    /** Must be called before anything else of JOGL in this process. */
     static GLDrawableFactory factory() throws NoGraphicsException {
         System.setProperty("nativewindow.ws.name", WINDOW_SYSTEM);
         overrideQuirks();
@@ -56,7 +52,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
         return factory;
     }
 
-    /** As the properties jogl.quirks.force and jogl.quirks.ignore would, which are read aloud on stderr. */
+    /** Has the effect of the properties jogl.quirks.force and jogl.quirks.ignore, which JOGL would print on stderr. */
     private static void overrideQuirks() throws NoGraphicsException {
         try {
             override("_bitmaskOverrideForce", GLRendererQuirks.NoSurfacelessCtx);
@@ -104,8 +100,8 @@ final class SurfacelessEgl extends JNILibLoaderBase {
     }
 
     /**
-     * The driver takes the display back as the process ends. JOGL would then say on stderr that it was left open, which
-     * is of no use to anyone; so it forgets it first.
+     * The driver closes the display when the process ends. JOGL would report it on stderr as left open; it is removed
+     * from JOGL's list before.
      */
     private static void suppressShutdownWarning(Class<?> displays) throws ReflectiveOperationException {
         Field open = displays.getDeclaredField("openEGLDisplays");

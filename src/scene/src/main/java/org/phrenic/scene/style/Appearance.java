@@ -5,7 +5,7 @@ package org.phrenic.scene.style;
  *
  * @param visible whether it is drawn at all
  * @param rgb sRGB red, green, blue, 0 to 1; not to be written to
- * @param opacity 1 hides what lies behind; 0 is clear
+ * @param opacity 1 opaque, 0 invisible
  * @param wireframe its edges instead of its faces
  */
 public record Appearance(boolean visible, float[] rgb, float opacity, boolean wireframe) {

@@ -1,7 +1,7 @@
 package org.phrenic.scene.style;
 
 /**
- * Cuts the body open: what lies on the side the normal points to, {@code n . x > offset}, is left out.
+ * A plane that cuts the body open: the side the normal points to, {@code n . x > offset}, is removed.
  *
  * @param nx normal in LPS, of unit length
  * @param ny as above
@@ -21,17 +21,17 @@ public record ClipPlane(double nx, double ny, double nz, double offsetMm) {
         nz /= length;
     }
 
-    /** The coronal plane at y; what lies in front of it is left out. */
+    /** The coronal plane at y; what lies in front of it is removed. */
     public static ClipPlane coronal(double y) {
         return new ClipPlane(0, -1, 0, -y);
     }
 
-    /** The sagittal plane at x; what lies to the patient's left of it is left out. */
+    /** The sagittal plane at x; what lies to the patient's left of it is removed. */
     public static ClipPlane sagittal(double x) {
         return new ClipPlane(1, 0, 0, x);
     }
 
-    /** The axial plane at z; what lies above it is left out. */
+    /** The axial plane at z; what lies above it is removed. */
     public static ClipPlane axial(double z) {
         return new ClipPlane(0, 0, 1, z);
     }

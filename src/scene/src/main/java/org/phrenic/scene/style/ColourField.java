@@ -1,17 +1,15 @@
 package org.phrenic.scene.style;
 
-import org.phrenic.scene.gl.Renderer;
-
 /** A quantity that is shown in colours on a surface. */
 public enum ColourField {
     NONE("", ""),
-    /** Distance of each vertex from where it rests. */
+    /** Distance of each vertex from its rest position. */
     DISPLACEMENT("Displacement", "mm"),
     /** Change of area against rest, mean of the triangles about a vertex: 100 (A / A0 - 1). */
     STRAIN("Change of area", "%"),
-    /** Values given by {@link Renderer#setField}: the distance to another surface, say. */
+    /** Distance to another surface, set in the renderer. */
     DISTANCE("Distance", "mm"),
-    /** Values given by {@link Renderer#setField}: in how much of a breath a path from a point of the skin is free. */
+    /** Share of a breath in which a path from a point of the skin is free, set in the renderer. */
     ACCESS("Free path", "% of a breath");
 
     private final String label;

@@ -1,12 +1,12 @@
 package org.phrenic.scene.style;
 
 /**
- * A way to show a number as a colour: perceptually uniform and readable with any colour vision. Colours are 33 sRGB
- * values at equal steps, with straight lines between.
+ * A perceptually uniform colour map, legible with any colour vision: 33 sRGB colours at equal steps, interpolated
+ * linearly.
  *
  * <p>{@link #VIRIDIS}, for magnitudes: Smith and van der Walt 2015, dedicated to the public domain (CC0), sampled from
- * its 256 values. {@link #COOL_WARM}, for what has a sign: Moreland 2009 (doi 10.1007/978-3-642-10520-3_9), worked out
- * from the equations of the paper with its end points (59, 76, 192) and (180, 4, 38); the middle is a light grey.
+ * its 256 values. {@link #COOL_WARM}, for signed values: Moreland 2009 (doi 10.1007/978-3-642-10520-3_9), computed from
+ * the equations of the paper with its end points (59, 76, 192) and (180, 4, 38); the middle is a light grey.
  */
 public enum ColourMap {
     /** From dark blue over green to yellow; the larger the lighter. */
@@ -18,8 +18,8 @@ public enum ColourMap {
             + "aec9fdb8d0f9c2d5f4ccd9eed5dbe6dddddde5d8d1ecd3c6f1ccb9f5c4adf7bba0"
             + "f7b194f7a687f49a7bf18d6fec7f63e57057de614cd55042cb3e38c0282fb40426"),
     /**
-     * How far something is free: the colour of skin for never, light to deep amber for in part, bluish green for
-     * always. Told apart with any colour vision by lightness and hue.
+     * Access: the colour of skin for never free, light to deep amber for free in part of a breath, bluish green for
+     * always. Distinguished with any colour vision by lightness and hue.
      */
     ACCESS("dbb9a2f6d56bf5d268f4cf65f3cc62f2c95ef1c65bf0c358efc055eebc52edb94e"
             + "ecb64bebb348eab045e9ad42e8aa3fe8a73ce7a438e6a135e59e32e49b2fe3982c"
@@ -58,7 +58,7 @@ public enum ColourMap {
         return Math.round(rgb[0] * 255) << 16 | Math.round(rgb[1] * 255) << 8 | Math.round(rgb[2] * 255);
     }
 
-    /** Colours at {@code count} equal steps, three sRGB numbers each, 0 to 1: what a one-dimensional texture holds. */
+    /** Colours at {@code count} equal steps, three sRGB numbers each, 0 to 1: for a one-dimensional texture. */
     public float[] table(int count) {
         float[] table = new float[3 * count];
         float[] rgb = new float[3];

@@ -16,7 +16,7 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
     private static final List<Double> ROUND_RANGES =
             List.of(1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0);
 
-    /** @throws IllegalArgumentException if the range is none, with one sentence */
+    /** @throws IllegalArgumentException with one sentence, if the range is empty or not finite */
     public ColourScale {
         rangeProblem(min, max).ifPresent(problem -> {
             throw new IllegalArgumentException("colour scale: " + problem);
@@ -38,7 +38,7 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
         return new ColourScale(ColourMap.COOL_WARM, -max, max, unit);
     }
 
-    /** What is wrong with a range, as "found 5 to 3, expected the smaller number first"; empty if nothing. */
+    /** Why a range is invalid: "found 5 to 3, expected the smaller number first"; empty if it is valid. */
     public static Optional<String> rangeProblem(double min, double max) {
         if (!Double.isFinite(min) || !Double.isFinite(max)) {
             return Optional.of("found " + min + " to " + max + ", expected two finite numbers");
@@ -55,7 +55,7 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
         return new ColourScale(map, from, to, unit);
     }
 
-    /** Where a value lies in the range: 0 at its beginning, 1 at its end, not clamped. */
+    /** Fraction of the range at a value: 0 at its beginning, 1 at its end, not clamped. */
     public double fraction(double value) {
         return (value - min) / (max - min);
     }

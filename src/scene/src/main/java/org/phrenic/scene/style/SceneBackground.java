@@ -1,6 +1,6 @@
 package org.phrenic.scene.style;
 
-/** What is behind the body: a soft gradient, lighter in the middle. */
+/** The background: a gradient, lighter in the middle. */
 public enum SceneBackground {
     LIGHT(0xfbfaf7, 0xd5dae0),
     DARK(0x38404a, 0x14181d);

@@ -7,7 +7,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.simulation.observe.Surface;
 
-/** What structures are called when people read it: {@code rib_05_R} is "Rib 5 right". */
+/** Names of structures for people: {@code rib_05_R} is "Rib 5 right". */
 public final class StructureLabels {
     private StructureLabels() {}
 

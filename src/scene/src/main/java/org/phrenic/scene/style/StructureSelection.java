@@ -12,8 +12,7 @@ import org.phrenic.document.KeySuggestion;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Which structures people mean: one by its name ({@code rib_05_R}, "Rib 5 right"), or all of a kind ({@code rib},
- * "Ribs").
+ * Finds structures by words: one by its name ({@code rib_05_R}, "Rib 5 right"), or all of a kind ({@code rib}, "Ribs").
  */
 public final class StructureSelection {
     private final Map<String, Set<String>> byWord = new LinkedHashMap<>();
@@ -46,9 +45,9 @@ public final class StructureSelection {
     }
 
     /**
-     * Names of the surfaces that a word means.
+     * Names of the surfaces that a word denotes.
      *
-     * @throws IllegalArgumentException if it means none; the sentence has the nearest word
+     * @throws IllegalArgumentException if it denotes none; the message has the nearest word
      */
     public Set<String> resolve(String text) {
         Set<String> found = byWord.get(word(text));
@@ -61,7 +60,7 @@ public final class StructureSelection {
         return found;
     }
 
-    /** A style in which what a word means is visible or not. */
+    /** A style in which the structures of a word are visible or not. */
     public SceneStyle withVisibility(SceneStyle style, String word, boolean shown) {
         SceneStyle changed = style;
         for (String name : resolve(word)) {

@@ -3,10 +3,10 @@ package org.phrenic.scene.style;
 import org.phrenic.anatomy.StructureKind;
 
 /**
- * What a kind of structure looks like in an atlas: colour, and how it shines.
+ * Appearance and specular reflection of a kind of structure in an atlas.
  *
  * @param appearance colour and opacity
- * @param specular strength of the highlight
+ * @param specular strength of the specular highlight
  * @param shininess exponent of the highlight: larger is smaller and sharper
  */
 public record SurfaceMaterial(Appearance appearance, float specular, float shininess) {

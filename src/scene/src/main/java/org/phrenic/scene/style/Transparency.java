@@ -1,12 +1,9 @@
 package org.phrenic.scene.style;
 
-/** How what can be seen through is put together. */
+/** How translucent surfaces are blended. */
 public enum Transparency {
-    /**
-     * Back faces from the outside in, then front faces from the inside out: right for shells within each other, and
-     * cheap.
-     */
+    /** Back faces from the outside in, then front faces from the inside out: correct for nested shells, and fast. */
     TWO_PASS,
-    /** The four nearest layers of each pixel in their true order: for pictures that may take their time. */
+    /** Depth peeling: the four nearest layers of each pixel in their true order; slower. */
     PEELED
 }

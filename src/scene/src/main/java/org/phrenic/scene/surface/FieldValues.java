@@ -25,7 +25,7 @@ public final class FieldValues {
         areas(FloatBuffer.wrap(p), restArea);
     }
 
-    /** Distance of each vertex from its rest, mm. */
+    /** Distance of each vertex from its rest position, mm. */
     public float[] displacement(FloatBuffer now) {
         double[] r = rest.positions();
         for (int i = 0; i < values.length; i++) {
@@ -58,7 +58,7 @@ public final class FieldValues {
         return values;
     }
 
-    /** Of what neither moves nor deforms. */
+    /** Zero at each vertex. */
     public float[] zeros() {
         Arrays.fill(values, 0);
         return values;

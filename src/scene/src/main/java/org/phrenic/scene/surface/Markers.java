@@ -14,9 +14,9 @@ import org.phrenic.simulation.observe.Surface;
 public final class Markers {
     private static final int SEGMENTS = 24;
     private static final int RINGS = SEGMENTS / 2;
-    /** Movable markers rest here, away from all that would shade them. */
+    /** Rest place of movable markers, outside all ambient occlusion. */
     private static final Matrix4d PARKED = new Matrix4d().translation(0, 0, -5000);
-    /** What names of movable markers begin with. */
+    /** Prefix of the names of movable markers. */
     public static final String PREFIX = "marker_";
     /** Radius 1, about the origin. */
     private static final TriangleMesh BALL = ball();
@@ -30,12 +30,12 @@ public final class Markers {
         return name.startsWith(PREFIX);
     }
 
-    /** A ball of radius 1 that {@link #ballPose} puts somewhere. */
+    /** A ball of radius 1 to be placed by {@link #ballPose}. */
     public static Surface movingBall(String name) {
         return surface(name, BALL, PARKED);
     }
 
-    /** A rod of length and radius 1 that {@link #rodPose} puts somewhere. */
+    /** A rod of length and radius 1 to be placed by {@link #rodPose}. */
     public static Surface movingRod(String name) {
         return surface(name, ROD, PARKED);
     }
@@ -55,12 +55,12 @@ public final class Markers {
         return Arrays.copyOf(fromParked.transpose().get(new float[16]), 12);
     }
 
-    /** A ball that stays where it is. */
+    /** A fixed ball. */
     public static Surface ball(String name, double[] centre, double radius) {
         return surface(name, BALL, ballTransform(centre, radius));
     }
 
-    /** A round rod between two points that stays where it is. */
+    /** A fixed round rod between two points. */
     public static Surface rod(String name, double[] from, double[] to, double radius) {
         return surface(name, ROD, rodTransform(from, to, radius));
     }

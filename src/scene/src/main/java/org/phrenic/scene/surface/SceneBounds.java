@@ -3,11 +3,11 @@ package org.phrenic.scene.surface;
 import java.util.List;
 import org.phrenic.simulation.observe.Surface;
 
-/** The box about surfaces at rest. */
+/** The bounding box of surfaces at rest. */
 public final class SceneBounds {
     private SceneBounds() {}
 
-    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinities (min above max) about nothing. */
+    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinite (min above max) without surfaces. */
     public static double[] of(List<Surface> surfaces) {
         double[] box = {
             Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,

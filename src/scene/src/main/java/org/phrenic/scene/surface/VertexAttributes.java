@@ -18,7 +18,7 @@ import org.phrenic.simulation.observe.Surface;
 public final class VertexAttributes {
     private static final int BYTE = 0xff;
     private static final int SMOOTHING_ROUNDS = 3;
-    /** Skin is opaque at this distance from its border, mm, and clear at the other. */
+    /** Distance from the border from which skin is opaque, mm. */
     private static final double FADE_END_MM = 45;
 
     private static final double FADE_START_MM = 6;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /**
  * Smooth normals: the sum of the normals of the triangles about a vertex, each as long as its area. Packed into ten
- * bits a component, signed, as {@code GL_INT_2_10_10_10_REV} wants them.
+ * bits a component, signed, in the format {@code GL_INT_2_10_10_10_REV}.
  */
 public final class VertexNormals {
     private static final float MAX_COMPONENT = 511;
@@ -21,7 +21,7 @@ public final class VertexNormals {
     }
 
     /**
-     * Works out the normals.
+     * Computes the normals.
      *
      * @param p positions, three numbers a vertex
      * @param packed receives one number a vertex, from the beginning on
@@ -68,7 +68,7 @@ public final class VertexNormals {
         sum[at + 2] += z;
     }
 
-    /** The direction last worked out at a vertex; of any length. */
+    /** The normal last computed at a vertex, of any length. */
     void normal(int vertex, double[] n) {
         for (int i = 0; i < 3; i++) {
             n[i] = sum[3 * vertex + i];

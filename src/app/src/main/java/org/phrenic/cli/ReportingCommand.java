@@ -1,0 +1,69 @@
+package org.phrenic.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.file.AtomicFile;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** A command that prints its results as text or, with {@code --json}, as JSON. */
+abstract class ReportingCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--json", description = "Print JSON instead of tables.")
+    private boolean json;
+
+    final CommandLine commandLine() {
+        return spec.commandLine();
+    }
+
+    final boolean isJson() {
+        return json;
+    }
+
+    final PrintWriter out() {
+        return spec.commandLine().getOut();
+    }
+
+    final PrintWriter err() {
+        return spec.commandLine().getErr();
+    }
+
+    final ConsoleProgress progress() {
+        return new ConsoleProgress(err());
+    }
+
+    /** @param counted what a line of progress counts, such as "cells done" */
+    final ConsoleProgress progress(String counted) {
+        return new ConsoleProgress(err(), counted);
+    }
+
+    /** Prints values as JSON, or a text. */
+    final void print(Map<String, ?> values, Supplier<String> text) {
+        out().print(json ? JsonWriter.format(values) : text.get());
+        out().flush();
+    }
+
+    /** A text with the disclaimer below. */
+    static String withDisclaimer(String text) {
+        return text + "\n" + Disclaimer.TEXT + "\n";
+    }
+
+    /** Writes a report as Markdown and HTML. */
+    static void writePages(Path folder, String name, ReportDocument report) {
+        AtomicFile.write(folder.resolve(name + ".html"), HtmlPage.format(report));
+        AtomicFile.write(folder.resolve(name + ".md"), MarkdownPage.format(report));
+    }
+}

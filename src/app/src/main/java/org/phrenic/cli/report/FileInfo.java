@@ -1,0 +1,232 @@
+package org.phrenic.cli.report;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.Setting;
+import org.phrenic.scenario.RunSettings;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
+
+/** What {@code phrenic info} says of a mesh, a label volume, a scenario or a thorax folder. */
+public final class FileInfo {
+    private static final int RIBS = 12;
+    private static final double MM3_PER_ML = 1000;
+
+    private FileInfo() {}
+
+    /**
+     * Keys and values.
+     *
+     * @throws BadInputException with one sentence if it is none of these
+     */
+    public static Map<String, Object> of(Path file) {
+        if (!Files.exists(file)) {
+            throw new BadInputException(
+                    file + ": no such file, expected a mesh, a volume, a scenario or a folder of meshes");
+        }
+        Map<String, Object> info = new LinkedHashMap<>();
+        info.put("file", file.toString());
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        if (Files.isDirectory(file)) {
+            info.put("kind", "thorax");
+            putThorax(info, ThoraxFolder.load(file));
+        } else if (name.endsWith(".yaml") || name.endsWith(".yml")) {
+            info.put("kind", "scenario");
+            putScenario(info, Scenario.read(file), YamlDocument.read(file).keys());
+        } else if (LabelVolumeFiles.isVolume(file)) {
+            info.put("kind", "label volume");
+            putVolume(info, LabelVolumeFiles.read(file));
+        } else if (MeshFiles.isMesh(file)) {
+            info.put("kind", "mesh");
+            putMesh(info, MeshFiles.read(file));
+        } else {
+            throw new BadInputException(
+                    file + ": found no mesh, volume, scenario or folder, expected a name that ends in yaml, "
+                            + String.join(", ", MeshFiles.READABLE) + " or "
+                            + String.join(", ", LabelVolumeFiles.READABLE));
+        }
+        return info;
+    }
+
+    /** Lengths are in the file's own unit, which a mesh file does not state. */
+    private static void putMesh(Map<String, Object> info, TriangleMesh mesh) {
+        MeshTopology topology = new MeshTopology(mesh);
+        MeshMeasure.EdgeLengths edges = MeshMeasure.edgeLengthSummary(mesh, topology);
+        long unused =
+                mesh.vertexCount() - Arrays.stream(mesh.triangles()).distinct().count();
+        List<Double> bounds = list(mesh.bounds());
+        info.put("vertices", mesh.vertexCount());
+        info.put("unused_vertices", unused);
+        info.put("triangles", mesh.triangleCount());
+        info.put("edges", topology.edgeCount());
+        info.put("components", topology.componentCount() - unused);
+        info.put("closed", topology.isClosed());
+        info.put("manifold", topology.isManifold());
+        info.put("boundary_loops", topology.boundaryLoops().size());
+        info.put("euler_characteristic", topology.eulerCharacteristic());
+        info.put("area", MeshMeasure.area(mesh));
+        info.put("volume", topology.isClosed() ? MeshMeasure.signedVolume(mesh) : null);
+        info.put("bounds_minimum", bounds.subList(0, 3));
+        info.put("bounds_maximum", bounds.subList(3, 6));
+        info.put("edge_length_minimum", edges.minimum());
+        info.put("edge_length_mean", edges.mean());
+        info.put("edge_length_maximum", edges.maximum());
+        info.put(
+                "smallest_angle_deg",
+                Arrays.stream(MeshMeasure.smallestAngles(mesh)).min().orElse(0));
+    }
+
+    private static void putVolume(Map<String, Object> info, LabelVolume volume) {
+        LabelGrid grid = volume.grid();
+        double[] first = new double[3];
+        double[] last = new double[3];
+        grid.voxelToMm(0, 0, 0, first);
+        grid.voxelToMm(grid.columns() - 1, grid.rows() - 1, grid.slices() - 1, last);
+        info.put("voxels", List.of(grid.columns(), grid.rows(), grid.slices()));
+        info.put("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)));
+        info.put("first_voxel_lps_mm", list(first));
+        info.put("last_voxel_lps_mm", list(last));
+        Map<String, Object> labels = new LinkedHashMap<>();
+        int[] counts = grid.counts();
+        for (int label = 1; label < counts.length; label++) {
+            if (counts[label] > 0) {
+                String name = volume.names().getOrDefault(label, "");
+                labels.put((label + " " + name).strip(), counts[label] * grid.voxelVolume() / MM3_PER_ML);
+            }
+        }
+        info.put("labels_ml", labels);
+        info.put("notes", volume.notes());
+    }
+
+    /** Every key with its value, and whether the file, the preset or the program sets it. */
+    private static void putScenario(Map<String, Object> info, Scenario scenario, Set<String> stated) {
+        for (Setting<?> setting : Settings.all()) {
+            Object value = setting == RunSettings.DURATION ? duration(scenario) : scenario.plain(setting);
+            if (value != null) {
+                boolean ofPreset =
+                        setting == RunSettings.DURATION || (setting instanceof Parameter p && p.isGivenByPreset());
+                boolean hasUnit =
+                        setting instanceof Parameter || !setting.unit().equals("1");
+                Map<String, Object> entry = new LinkedHashMap<>();
+                entry.put("value", value);
+                entry.put("unit", hasUnit ? setting.unit() : "");
+                entry.put("from", stated.contains(setting.key()) ? "file" : ofPreset ? "preset" : "default");
+                info.put(setting.key(), entry);
+            }
+        }
+    }
+
+    /** Simulated time, s; null if a recording determines it. */
+    private static Object duration(Scenario scenario) {
+        if (!Double.isNaN(scenario.durationS()) || scenario.trace().isPresent()) {
+            return scenario.plain(RunSettings.DURATION);
+        }
+        BreathingParameters breath = scenario.breathing().parameters().withRatePerMin(scenario.get(Breathing.RATE));
+        return scenario.durationS(scenario.breathing().pattern(breath));
+    }
+
+    private static void putThorax(Map<String, Object> info, Thorax thorax) {
+        Map<String, Object> counts = new LinkedHashMap<>();
+        for (StructureKind kind : StructureKind.values()) {
+            if (!thorax.structuresOf(kind).isEmpty()) {
+                counts.put(
+                        kind.name().toLowerCase(Locale.ROOT),
+                        thorax.structuresOf(kind).size());
+            }
+        }
+        info.put("name", thorax.name());
+        // The loader's first note says which axes and unit the folder states or the body suggests.
+        info.put("frame", thorax.notes().get(0));
+        info.put("structures", counts);
+        info.put(
+                "triangles",
+                thorax.structures().stream()
+                        .mapToInt(s -> s.mesh().triangleCount())
+                        .sum());
+        info.put("missing", missing(thorax));
+        info.put("notes", thorax.notes().subList(1, thorax.notes().size()));
+    }
+
+    private static List<String> missing(Thorax thorax) {
+        List<String> missing = new ArrayList<>();
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            String suffix = side == Side.RIGHT ? "_R" : "_L";
+            for (int level = 1; level <= RIBS; level++) {
+                if (thorax.find(StructureKind.RIB, level, side).isEmpty()) {
+                    missing.add(String.format(Locale.ROOT, "rib_%02d%s", level, suffix));
+                }
+            }
+            if (thorax.structuresOf(StructureKind.LUNG).stream().noneMatch(lung -> lung.side() == side)) {
+                missing.add("lung" + suffix);
+            }
+        }
+        for (StructureKind kind : List.of(
+                StructureKind.STERNUM,
+                StructureKind.COSTAL_CARTILAGE,
+                StructureKind.VERTEBRA,
+                StructureKind.LIVER,
+                StructureKind.SKIN)) {
+            if (thorax.structuresOf(kind).isEmpty()) {
+                missing.add(kind.name().toLowerCase(Locale.ROOT));
+            }
+        }
+        return missing;
+    }
+
+    private static List<Double> list(double[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
+    }
+
+    /** What {@link #of} gives, as text: a heading, then a line for each value. */
+    public static String text(Map<String, Object> info) {
+        TextTable table = new TextTable(false, false, false);
+        info.forEach((key, value) -> {
+            if (!key.equals("file") && !key.equals("kind")) {
+                append(table, "  " + key, value);
+            }
+        });
+        return info.get("file") + ": " + info.get("kind") + "\n" + table.text();
+    }
+
+    private static void append(TextTable table, String label, Object value) {
+        if (value instanceof Map<?, ?> map && map.containsKey("from")) {
+            String unit = map.get("unit").equals("1") ? "" : " " + map.get("unit");
+            table.row(label, QuantityKey.format(map.get("value")) + unit, String.valueOf(map.get("from")));
+        } else if (value instanceof Map<?, ?> map) {
+            table.row(label, "", "");
+            map.forEach((key, item) -> append(table, "  " + label.substring(0, 2) + key, item));
+        } else if (value instanceof List<?> list && list.stream().anyMatch(item -> item instanceof String)) {
+            table.row(label, "", "");
+            list.forEach(item -> table.row("    " + item, "", ""));
+        } else if (value instanceof List<?> list) {
+            String items = list.stream().map(QuantityKey::format).collect(Collectors.joining("  "));
+            table.row(label, items.isEmpty() ? "none" : items, "");
+        } else {
+            table.row(label, value == null ? "-" : QuantityKey.format(value), "");
+        }
+    }
+}
