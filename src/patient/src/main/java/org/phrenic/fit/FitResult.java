@@ -6,22 +6,20 @@ import org.phrenic.fit.search.FitParameter;
 import org.phrenic.scenario.Scenario;
 
 /**
- * What a fit found.
+ * The result of a fit.
  *
- * @param setup what was asked
- * @param values of the parameters, in their order
- * @param bestMm mean distance of the targets that count, by their weights, on what was fitted to
- * @param initialMm the same of the body at end-expiration
- * @param untunedMm the same with the parameters where the search began
- * @param targets each target before and after
- * @param sensitivity what each parameter does near the values found; empty if that was not asked for
- * @param observed what the fitted body does: observables by their names
- * @param scenario takes the body to the same state, as {@code phrenic run} does
- * @param reproduced whether it was run and gave the same state bit by bit
- * @param trials the distance of every evaluation, in order
+ * @param values of the parameters, in the order of the setup
+ * @param bestMm the objective: weighted mean distance from the targets
+ * @param initialMm the objective at end-expiration
+ * @param untunedMm the objective at the start of the search
+ * @param sensitivity to each parameter near the values found; empty if not requested
+ * @param observed observables of the fitted body by name
+ * @param scenario with which {@code phrenic run} reaches the same state
+ * @param reproduced whether that scenario was run and gave the same state bit by bit
+ * @param trials objective of every evaluation, in order
  * @param ended why the search ended, in words
- * @param cpuPerEvaluationS processor time of an evaluation made now, mean; NaN where all were known
- * @param wallS time that it took now, s
+ * @param cpuPerEvaluationS mean processor time of the evaluations of this run; NaN if all were in the journal
+ * @param wallS duration of this run, s
  */
 public record FitResult(
         FitSetup setup,
@@ -40,13 +38,8 @@ public record FitResult(
         double wallS) {
 
     /**
-     * A target before and after.
-     *
-     * @param initial body at end-expiration, all of the surface
-     * @param residual body as fitted, all of the surface
-     * @param initialHeldOut body at end-expiration, the half held out; null where none is
-     * @param residualHeldOut body as fitted, the half held out; null where none is
-     * @param residualFitted body as fitted, the half fitted to; null where none is held out
+     * Distances from a target: initial at end-expiration, residual of the fitted body; of the whole surface, and of the
+     * two halves, null if none is held out.
      */
     public record TargetResult(
             FitTarget target,
@@ -63,12 +56,11 @@ public record FitResult(
     }
 
     /**
-     * What a parameter does near the values found.
+     * Effect of a parameter near the values found.
      *
-     * @param parameter which
-     * @param step by how much it was moved, in its unit
-     * @param belowMm mean distance with so much less; NaN beyond the bound
-     * @param aboveMm mean distance with so much more; NaN beyond the bound
+     * @param step by which it is moved, in its unit
+     * @param belowMm objective with a step less; NaN beyond the bound
+     * @param aboveMm objective with a step more; NaN beyond the bound
      */
     public record Effect(FitParameter parameter, double step, double belowMm, double aboveMm) {}
 

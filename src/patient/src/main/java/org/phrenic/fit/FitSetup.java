@@ -2,6 +2,7 @@ package org.phrenic.fit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.Hashes;
 import org.phrenic.fit.search.FitParameter;
@@ -63,7 +64,7 @@ public record FitSetup(
                 text.append(key).append('=').append(value).append('\n');
             }
         });
-        parameters.forEach(p -> text.append(p + " " + p.relativeSigma() + "\n"));
+        parameters.forEach(p -> text.append(text(p) + "\n"));
         text.append(options.holdOutHalf + " " + options.search.seed() + " " + populationSize() + " "
                 + options.search.sigma() + " descent of an even sheet");
         List<double[]> arrays = new ArrayList<>();
@@ -76,5 +77,21 @@ public record FitSetup(
         thorax.structures().forEach(structure -> arrays.add(structure.mesh().positions()));
         arrays.add(text.chars().asDoubleStream().toArray());
         return Hashes.sha256(arrays.toArray(double[][]::new)).substring(0, 12);
+    }
+
+    /** A parameter in the fingerprint, with its key in capitals and without unit; part of the format of journals. */
+    static String text(FitParameter p) {
+        String name =
+                switch (p.parameter().key()) {
+                    case "tendon_stiffness_ratio" -> "TENDON_RATIO";
+                    case "action_line_radius_mm" -> "ACTION_RADIUS";
+                    default ->
+                        p.parameter()
+                                .key()
+                                .replaceFirst("_(n_per_m|kg_per_m2|ns_per_m|per_s|per_min|kpa|mm|mn|kg)$", "")
+                                .toUpperCase(Locale.ROOT);
+                };
+        return "FitParameter[parameter=" + name + ", minimum=" + p.minimum() + ", maximum=" + p.maximum() + ", start="
+                + p.start() + "] " + p.relativeSigma();
     }
 }

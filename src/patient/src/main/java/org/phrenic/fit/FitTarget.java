@@ -3,6 +3,7 @@ package org.phrenic.fit;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -12,12 +13,10 @@ import org.phrenic.patient.registration.DiaphragmaticSurface;
 /**
  * Where a part of the body is at the second breath level: a surface, or pairs of points. In the axes of the body, mm.
  *
- * @param name what to call it
- * @param part of the body
- * @param surface where it is; null for pairs of points
- * @param from points at end-expiration, x, y, z in turn, that lie on the part or near it; empty for a surface
- * @param to where they are at the second breath level
- * @param weight what it counts beside other targets, 0 if it is only reported on
+ * @param surface null for pairs of points
+ * @param from points on or near the part at end-expiration, x, y, z in turn; empty for a surface
+ * @param to the same points at the second breath level
+ * @param weight beside other targets; 0 if it is only reported on
  */
 public record FitTarget(String name, FitPart part, TriangleMesh surface, double[] from, double[] to, double weight) {
     private static final String[] FROM = {"x_mm", "y_mm", "z_mm"};
@@ -38,24 +37,24 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         to = to.clone();
     }
 
-    /** A surface that counts once. */
+    /** A surface of weight 1. */
     public static FitTarget of(FitPart part, TriangleMesh surface) {
         return new FitTarget(part.label(), part, surface, new double[0], new double[0], 1);
     }
 
-    /** Pairs of points that count once. */
+    /** Pairs of points of weight 1. */
     public static FitTarget ofPointPairs(FitPart part, double[] from, double[] to) {
         return new FitTarget(part.label() + "_points", part, null, from, to, 1);
     }
 
-    /** The same with another weight; 0 holds it out: it is reported on and not fitted to. */
+    /** The target with another weight. */
     public FitTarget withWeight(double other) {
         return new FitTarget(name, part, surface, from, to, other);
     }
 
     /**
-     * The targets, and after each lung its base as a target of its own with the same weight, where none is given and
-     * its shape has one: a dome is a small part of a lung's surface, and alone decides how its base lies.
+     * The targets, with the base of each lung as a further target of the same weight where none is given. The base is a
+     * small part of the surface of a lung, but it alone shows the dome.
      */
     public static List<FitTarget> withBases(List<FitTarget> targets) {
         List<FitTarget> all = new ArrayList<>();
@@ -71,7 +70,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         return all;
     }
 
-    /** Whether it is pairs of points. */
+    /** Whether the target is pairs of points. */
     public boolean isPointPairs() {
         return surface == null;
     }
@@ -91,7 +90,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         FitPart part = FitPart.of(label)
                 .orElseThrow(() -> new BadInputException("--target " + text + ": found part '" + label
                         + "', expected PART=FILE with one of " + FitPart.labels()));
-        if (text.toLowerCase(java.util.Locale.ROOT).endsWith(".csv")) {
+        if (text.toLowerCase(Locale.ROOT).endsWith(".csv")) {
             CsvTable table = CsvTable.read(file);
             if (table.rowCount() == 0) {
                 throw new BadInputException(file + ": found no row, expected pairs of points");

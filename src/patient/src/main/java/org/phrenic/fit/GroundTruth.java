@@ -16,16 +16,14 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Where a synthetic patient is at the second breath level, as a scan would show it. What made it is not what is fitted:
- * the body is meshed otherwise, its central tendon is another one (all above a plane), two rigid links a node, a
- * sternum that moves as one body, and the breath is taken at a breath's own pace; the surfaces are halved and each
- * vertex is moved along its normal by noise.
+ * The known second breath level of a synthetic patient, as a scan would show it. It is simulated by a model other than
+ * the fitted one: another mesh, a central tendon above a plane, two rigid links per node, a kinematic sternum, and a
+ * breath of usual duration; the surfaces are decimated to half their vertices and displaced along the normals by noise.
  *
- * @param targets the parts that are seen
- * @param domeRightMm height of the right dome from end-expiration
- * @param domeLeftMm that of the left
- * @param floorMm mean distance, both ways by area, of the targets from themselves without noise and not halved: no fit
- *     can be expected to come nearer
+ * @param targets the visible parts
+ * @param domeRightMm displacement of the right dome from end-expiration
+ * @param domeLeftMm displacement of the left dome
+ * @param floorMm mean symmetric distance of the targets from the exact surfaces; no fit can be expected to come nearer
  */
 public record GroundTruth(List<FitTarget> targets, double domeRightMm, double domeLeftMm, double floorMm) {
     private static final double STEP_S = 1e-3;
@@ -33,7 +31,7 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
     private static final long STEPS = 3200;
 
     /**
-     * Breathes, and shows both lungs.
+     * Simulates the breath; both lungs are visible.
      *
      * @param resolution of the truth
      * @param noiseMm standard deviation of the noise
@@ -43,7 +41,7 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
         return of(patient, resolution, List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT), noiseMm, seed);
     }
 
-    /** Breathes, and shows these parts; parameters as for the other. */
+    /** As above, with other visible parts. */
     static GroundTruth of(
             SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
         List<String> settings = new ArrayList<>(List.of(

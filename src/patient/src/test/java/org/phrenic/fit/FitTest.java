@@ -20,6 +20,7 @@ import org.phrenic.fit.search.FitSearch;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.model.material.Lungs;
 import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.scenario.Scenario;
@@ -135,6 +136,15 @@ class FitTest {
         FitDistances d = distance.atRest(half);
         return Arrays.stream(d.modelWeights()).sum()
                 + Arrays.stream(d.targetWeights()).sum();
+    }
+
+    /** The journals of earlier versions carry this text in their fingerprint. */
+    @Test
+    void parametersKeepTheirTextInTheFingerprint() {
+        assertThat(FitSetup.text(new FitParameter(Lungs.LUNG_STIFFNESS, 1, 20, 5)))
+                .isEqualTo("FitParameter[parameter=LUNG_STIFFNESS, minimum=1.0, maximum=20.0, start=5.0] 0.4");
+        assertThat(FitSetup.text(new FitParameter(Muscle.MUSCLE_ACTIVATION, 0.1, 0.8, 0.6)))
+                .isEqualTo("FitParameter[parameter=MUSCLE_ACTIVATION, minimum=0.1, maximum=0.8, start=0.6] 1.0");
     }
 
     @Test

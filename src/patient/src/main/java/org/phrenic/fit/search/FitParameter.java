@@ -16,16 +16,13 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
 /**
- * A number that a fit may tune, and how far. The search sees it as a place from 0 to 1 between its bounds, by its
- * logarithm where the bounds are far apart.
+ * A parameter that a fit tunes, with bounds. The search uses a coordinate from 0 to 1 between the bounds, logarithmic
+ * where they are far apart.
  *
- * @param parameter which
- * @param minimum least value
- * @param maximum greatest value
- * @param start where the search begins
+ * @param start value at which the search begins
  */
 public record FitParameter(Parameter parameter, double minimum, double maximum, double start) {
-    /** Bounds farther apart than by this factor are searched by the logarithm. */
+    /** Ratio of the bounds from which the coordinate is logarithmic. */
     private static final double WIDE = 4;
 
     public FitParameter {
@@ -38,9 +35,9 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     }
 
     /**
-     * A parameter with its usual bounds, beginning at its value in a scenario.
+     * A parameter with its usual bounds, starting at its value in a scenario.
      *
-     * @throws BadInputException if the scenario does not use it, or it says how fast is breathed
+     * @throws BadInputException if the held breath does not use it
      */
     public static FitParameter of(Parameter parameter, Scenario scenario) {
         double start = scenario.get(parameter);
@@ -81,10 +78,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         }
     }
 
-    /**
-     * What is tuned where nothing else is said, with usual bounds: drives of muscle, pressure and ribs, their balance
-     * by side, group and place, and stiffness.
-     */
+    /** The default parameters: drives of muscle, pressure and ribs, their distribution, and stiffness. */
     public static List<FitParameter> defaults(Scenario scenario) {
         return Stream.of(
                         Muscle.MUSCLE_ACTIVATION,
@@ -107,8 +101,8 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     }
 
     /**
-     * How widely it is searched at first beside others: what says how far muscle and ribs go on the whole is looked for
-     * widely, what only bends that less so, or its scatter would drown the rest in the first generations.
+     * Initial standard deviation relative to others: the main drives are searched more widely than parameters that only
+     * modify them, whose scatter would dominate the first generations.
      */
     public double relativeSigma() {
         return parameter.fitRange().spread();
@@ -118,7 +112,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         return minimum > 0 && maximum / minimum >= WIDE;
     }
 
-    /** The value at a place from 0 to 1 between the bounds. */
+    /** The value at a coordinate from 0 to 1. */
     public double fromUnit(double unit) {
         double u = Math.max(0, Math.min(1, unit));
         double value = isLogarithmic()
@@ -127,7 +121,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         return Math.max(minimum, Math.min(maximum, value));
     }
 
-    /** The place of a value between the bounds, 0 to 1. */
+    /** The coordinate of a value, 0 to 1. */
     public double toUnit(double value) {
         return isLogarithmic()
                 ? StrictMath.log(value / minimum) / StrictMath.log(maximum / minimum)

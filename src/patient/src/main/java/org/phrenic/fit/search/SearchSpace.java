@@ -8,13 +8,13 @@ import org.phrenic.model.material.TransdiaphragmaticPressure;
 import org.phrenic.parameter.Parameter;
 
 /**
- * The unit cube that is searched, and the values of the parameters at its places. Each parameter lies between its
- * bounds ({@link FitParameter}). A scenario gives a drive to the stronger side and a ratio to the other, so that its
- * effect has a kink where the sides are alike; here the strength goes with the geometric mean of the sides where both
- * are tuned: {@code value = at(u) prod sqrt(max(q, 1/q))} over its ratios q, within the bounds.
+ * The unit cube that is searched, and the parameter values at its points, each within its bounds
+ * ({@link FitParameter}). A scenario gives a drive for the stronger side and a ratio for the other, so its effect has a
+ * kink where the sides are equal. Where both are tuned, the coordinate u of a drive stands for the geometric mean of
+ * the sides: {@code value = fromUnit(u) prod sqrt(max(q, 1/q))} over its ratios q, within the bounds.
  */
 public record SearchSpace(List<FitParameter> parameters) {
-    /** Ratios that share out a strength. */
+    /** Ratios that distribute a drive. */
     private static final Map<Parameter, List<Parameter>> SHARED = Map.of(
             Muscle.MUSCLE_ACTIVATION, List.of(Muscle.LEFT_OVER_RIGHT, Muscle.FRONT_OVER_BACK),
             TransdiaphragmaticPressure.GREATEST_PRESSURE, List.of(TransdiaphragmaticPressure.PRESSURE_LEFT_OVER_RIGHT),
@@ -24,7 +24,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         parameters = List.copyOf(parameters);
     }
 
-    /** Where the search begins. */
+    /** The start of the search. */
     double[] startPoint() {
         double[] values = parameters.stream().mapToDouble(FitParameter::start).toArray();
         double[] unit = new double[values.length];
@@ -35,7 +35,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         return unit;
     }
 
-    /** Values at a place of the cube. */
+    /** Parameter values at a point of the cube. */
     public double[] values(double[] unit) {
         double[] values = new double[unit.length];
         for (int i = 0; i < values.length; i++) {
@@ -49,10 +49,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         return shared;
     }
 
-    /**
-     * The stronger side over the geometric mean of both, of all ratios of a strength that are tuned; 1 of what has
-     * none.
-     */
+    /** The stronger side over the geometric mean of both, for all tuned ratios of a drive; 1 if there are none. */
     private double strongerSideOverMean(FitParameter strength, double[] values) {
         double product = 1;
         for (Parameter ratio : SHARED.getOrDefault(strength.parameter(), List.of())) {
