@@ -233,13 +233,4 @@ public final class OpposingVertices {
             count = 0;
         }
     }
-
-    /** Share of vertices that have an opposing one in reach. */
-    public double coverage() {
-        int covered = 0;
-        for (int i = 0; i < opposing.length; i++) {
-            covered += opposing[i].length > 0 || opposingWithin(far, i, near, reach, null).length > 0 ? 1 : 0;
-        }
-        return covered / (double) opposing.length;
-    }
 }

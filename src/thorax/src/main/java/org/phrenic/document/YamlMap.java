@@ -131,13 +131,6 @@ public final class YamlMap {
         return (has(key) ? values.get(key).place() : place.key(key, place.line())).bad(problem);
     }
 
-    /** This mapping with the values of {@code other} over its own; mappings inside are laid over each other alike. */
-    public YamlMap overlaidWith(YamlMap other) {
-        Map<String, YamlValue> merged = new LinkedHashMap<>(values);
-        other.values.forEach((key, value) -> merged.merge(key, value, YamlValue::overlaidWith));
-        return new YamlMap(place, merged);
-    }
-
     /**
      * Plain maps, lists, numbers (Long, Double), booleans, texts and nulls, in order, for {@link YamlWriter} or
      * {@link JsonWriter}.

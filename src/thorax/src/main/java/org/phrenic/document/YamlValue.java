@@ -116,13 +116,6 @@ record YamlValue(Place place, Object content, boolean quoted) {
         throw not(expected);
     }
 
-    YamlValue overlaidWith(YamlValue other) {
-        if (content instanceof YamlMap below && other.content instanceof YamlMap above) {
-            return new YamlValue(other.place, below.overlaidWith(above), false);
-        }
-        return other;
-    }
-
     Object plain() {
         if (content instanceof YamlMap map) {
             return map.toMap();

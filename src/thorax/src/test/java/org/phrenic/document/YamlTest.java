@@ -162,14 +162,14 @@ class YamlTest {
     }
 
     @Test
-    void valuesLaidOverOthersReplaceThemAndSayWhereTheyCameFrom() {
-        YamlMap merged = scenario()
-                .overlaidWith(YamlDocument.parse("--set", "muscle: {activation: strong, rest_mm: 3}\nthreads: 4"));
-        assertThat(merged.integer("threads")).isEqualTo(4);
-        assertThat(merged.map("muscle").keys()).containsExactly("activation", "quoted", "rest_mm");
-        refused(
-                () -> merged.map("muscle").number("activation"),
-                "--set: line 1, key 'muscle.activation': found 'strong', expected a number");
+    void anAliasStandsForTheValueOfItsAnchor() {
+        YamlMap yaml = YamlDocument.parse(
+                "s.yaml", "a: &x {p: 1, q: [1, 2]}\nb: *x\n&k key: &v word\nc: {*k : *v}\nd: [*v, '5']\n");
+        assertThat(yaml.map("b").toMap()).isEqualTo(yaml.map("a").toMap());
+        assertThat(yaml.map("c").text("key")).isEqualTo("word");
+        assertThat(yaml.texts("d")).containsExactly("word", "5");
+        refused(() -> yaml.number("b"), "s.yaml: line 2, key 'b': found a mapping, expected a number");
+        refusedText("a: *nope\n", "line 1", "key 'a'", "undefined alias 'nope'");
     }
 
     @Test

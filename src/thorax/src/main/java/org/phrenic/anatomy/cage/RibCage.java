@@ -45,13 +45,8 @@ public final class RibCage {
         }
     }
 
-    /** The ribs that a thorax has, its sternum if ribs enough lead it, and the trunk. */
-    public static RibCage of(Thorax thorax, RibAxisTable table) {
-        return of(thorax, table, true);
-    }
-
     /**
-     * The same, with or without a sternum that moves.
+     * The ribs that a thorax has, its sternum if at least three true ribs move it, and the trunk.
      *
      * @param movingSternum false leaves the sternum to the trunk, which stays
      */

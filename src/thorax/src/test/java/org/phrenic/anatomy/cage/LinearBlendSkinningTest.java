@@ -33,7 +33,7 @@ class LinearBlendSkinningTest {
     @BeforeAll
     static void make() throws IOException {
         male = VirtualBodies.grow("adult-male", Resolution.LOW);
-        cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT));
+        cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         bones = SkinningWeights.of(male, cage);
     }
 

@@ -28,7 +28,7 @@ class MovingChestWallTest {
     @BeforeAll
     static void make() throws IOException {
         Thorax male = VirtualBodies.grow("adult-male", Resolution.LOW);
-        cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT));
+        cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         bones = SkinningWeights.of(male, cage);
         low = male.find("rib_09_R").orElseThrow().mesh().bounds()[2];
         wall = aboutACylinder();
