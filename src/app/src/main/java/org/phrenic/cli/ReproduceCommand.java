@@ -29,6 +29,7 @@ import org.phrenic.study.paper.PatientCase;
 import org.phrenic.study.paper.PatientResults;
 import org.phrenic.study.paper.PatientScans;
 import org.phrenic.study.paper.PatientStudy;
+import org.phrenic.study.paper.ReportPictures;
 import org.phrenic.study.paper.Reproduction;
 import org.phrenic.study.paper.ReproductionReport;
 import org.phrenic.ui.window.WindowSnapshot;
@@ -100,10 +101,7 @@ final class ReproduceCommand implements Callable<Integer> {
         ReportDocument report = new ReproductionReport(
                         found,
                         people,
-                        pictures,
-                        segmented,
-                        distances,
-                        noPictures,
+                        new ReportPictures(pictures, segmented, distances, noPictures),
                         new VersionProvider().getVersion()[0])
                 .document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report));

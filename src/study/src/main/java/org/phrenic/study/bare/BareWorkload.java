@@ -9,13 +9,14 @@ import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.Hashes;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
  * The engine alone on a mesh, so that engines can be compared at the same work: one particle a vertex, a spring with a
- * dashpot on each edge (rest length: the initial one), a dead load on some vertices, others held still, and optionally
- * rigid links between pairs, put back to their length after each step, half to each end along the line between them.
- * The run starts at rest.
+ * dashpot on each edge (rest length: the initial one), a constant load on some vertices, others fixed, and optionally
+ * rigid links between pairs, corrected once after each step, half at each end along the line between them. The run
+ * starts at rest.
  */
 public final class BareWorkload implements AutoCloseable {
     /** Steps from rest after which displacement and hash are taken. */
@@ -47,12 +48,9 @@ public final class BareWorkload implements AutoCloseable {
         Arrays.fill(mass, settings.mass());
         workers = Workers.of(settings.threads());
         system = new ParticleSystem(layout, rest, mass, workers);
-        long[] pairs = edges(mesh.triangles());
-        edges = pairs.length;
-        Springs springs = Springs.between(
-                        layout,
-                        Arrays.stream(pairs).mapToInt(e -> (int) (e >>> 32)).toArray(),
-                        Arrays.stream(pairs).mapToInt(e -> (int) e).toArray())
+        int[] pairs = new EdgeTable(mesh).edges();
+        edges = pairs.length / 2;
+        Springs springs = Springs.between(layout, column(pairs, 0), column(pairs, 1))
                 .stiffness(settings.stiffness())
                 .damping(settings.damping())
                 .restLengthsAt(rest)
@@ -70,34 +68,21 @@ public final class BareWorkload implements AutoCloseable {
         integrator = settings.integrator().create(system);
     }
 
-    /** Each edge of the triangles once: lower vertex in the high half, higher in the low half; sorted. */
-    private static long[] edges(int[] triangles) {
-        long[] out = new long[triangles.length];
-        for (int i = 0; i < out.length; i++) {
-            int a = triangles[i];
-            int b = triangles[i % 3 == 2 ? i - 2 : i + 1];
-            out[i] = (long) Math.min(a, b) << 32 | Math.max(a, b);
-        }
-        return Arrays.stream(out).sorted().distinct().toArray();
-    }
-
     private static int[] column(int[] pairs, int which) {
         int[] out = new int[pairs.length / 2];
         Arrays.setAll(out, i -> pairs[2 * i + which]);
         return out;
     }
 
-    /** Particles. */
     public int nodeCount() {
         return system.nodeCount();
     }
 
-    /** Springs. */
     public int edgeCount() {
         return edges;
     }
 
-    /** Does so many more steps. */
+    /** Advances by so many steps. */
     public void advance(int steps) {
         double h = settings.step();
         for (int i = 0; i < steps; i++) {
@@ -106,7 +91,7 @@ public final class BareWorkload implements AutoCloseable {
         }
     }
 
-    /** Mean z displacement of the loaded nodes since the start, mm; not a number where none is loaded. */
+    /** Mean z displacement of the loaded nodes since the start, mm; NaN where none is loaded. */
     public double meanDz() {
         double[] now = new double[3];
         double sum = 0;

@@ -1,23 +1,21 @@
 package org.phrenic.study.measure;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import org.phrenic.anatomy.DiaphragmFaces;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
-import org.phrenic.mesh.MeshTopology;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * The zone of apposition: the part of the diaphragm's thoracic face that leans on the rib cage below the lung. A
- * triangle belongs to it if its middle is within 15 mm of a rib or cartilage (half of an intercostal space and the
- * muscle in it), not within 5 mm of a lung, and its normal is within 60 degrees of level and looks away from the middle
- * line of the body. By the same rule but that about the lung, the lungs' surface has a part that leans on the rib cage;
- * both together are its inner area. The height at the side is the zone's area within 20 degrees of straight to the side
- * over the width of that sector.
+ * The zone of apposition: the part of the diaphragm's thoracic face that touches the rib cage below the lung. A
+ * triangle belongs to it if its centroid is within 15 mm of a rib or cartilage (half of an intercostal space and the
+ * muscle in it), not within 5 mm of a lung, and its normal is within 60 degrees of horizontal and points away from the
+ * body's midline. By the same rule, without the lung's, the lungs' surface has a costal part; both together are the
+ * inner area of the rib cage. The lateral height is the zone's area within 20 degrees of lateral over the width of that
+ * sector.
  */
 final class AppositionMeasure implements SceneMeasure {
     static final List<String> NAMES =
@@ -40,21 +38,11 @@ final class AppositionMeasure implements SceneMeasure {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     AppositionMeasure(SceneGeometry view) {
-        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
+        sheet = view.diaphragm();
         lungs = view.indicesOf(StructureKind.LUNG);
         bones = view.indicesOf(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.COSTAL_CARTILAGE);
-        TriangleMesh rest = view.surface(sheet).rest();
-        DiaphragmFaces faces = new DiaphragmFaces(rest, new MeshTopology(rest));
-        int[] t = rest.triangles();
-        thoracic = new boolean[t.length / 3];
-        for (int i = 0; i < thoracic.length; i++) {
-            int votes = 0;
-            for (int c = 0; c < 3; c++) {
-                votes += faces.isThoracic(t[3 * i + c]) ? 1 : 0;
-            }
-            thoracic[i] = votes >= 2;
-        }
-        double[] box = rest.bounds();
+        thoracic = view.thoracicTriangles();
+        double[] box = view.surface(sheet).rest().bounds();
         middleX = 0.5 * (box[0] + box[3]);
         middleY = 0.5 * (box[1] + box[4]);
         boneTrees = trees(view, bones);
@@ -141,11 +129,6 @@ final class AppositionMeasure implements SceneMeasure {
     }
 
     private boolean isNear(TriangleTree[] trees, double reach, double x, double y, double z) {
-        for (TriangleTree tree : trees) {
-            if (tree.closest(x, y, z, reach, hit)) {
-                return true;
-            }
-        }
-        return false;
+        return Arrays.stream(trees).anyMatch(tree -> tree.closest(x, y, z, reach, hit));
     }
 }

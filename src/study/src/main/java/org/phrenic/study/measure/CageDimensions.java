@@ -1,6 +1,7 @@
 package org.phrenic.study.measure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -53,22 +54,18 @@ final class CageDimensions implements SceneMeasure {
     }
 
     private static String length(int level) {
-        return "rib_" + (level < 10 ? "0" : "") + level + "_length_mm";
+        return SceneGeometry.name("rib", level, "length_mm");
     }
 
-    /** From the highest to the lowest point, aslant. */
+    /** From the highest to the lowest point, in the median plane. */
     private static double extent(SceneGeometry view, int[] parts) {
         double[] low = {0, 0, Double.POSITIVE_INFINITY};
         double[] high = {0, 0, Double.NEGATIVE_INFINITY};
         for (int part : parts) {
             double[] p = view.surface(part).rest().positions();
             for (int k = 0; k < p.length; k += 3) {
-                if (p[k + 2] < low[2]) {
-                    System.arraycopy(p, k, low, 0, 3);
-                }
-                if (p[k + 2] > high[2]) {
-                    System.arraycopy(p, k, high, 0, 3);
-                }
+                low = p[k + 2] < low[2] ? new double[] {p[k], p[k + 1], p[k + 2]} : low;
+                high = p[k + 2] > high[2] ? new double[] {p[k], p[k + 1], p[k + 2]} : high;
             }
         }
         double dy = high[1] - low[1];
@@ -84,8 +81,8 @@ final class CageDimensions implements SceneMeasure {
         }
         double[] low = new double[3];
         double[] high = new double[3];
-        java.util.Arrays.fill(low, Double.POSITIVE_INFINITY);
-        java.util.Arrays.fill(high, Double.NEGATIVE_INFINITY);
+        Arrays.fill(low, Double.POSITIVE_INFINITY);
+        Arrays.fill(high, Double.NEGATIVE_INFINITY);
         for (int rib : ribs) {
             double[] p = view.positions(rib);
             for (int k = 0; k < p.length; k++) {

@@ -2,11 +2,7 @@ package org.phrenic.study.measure;
 
 import java.util.List;
 import java.util.Map;
-import org.phrenic.anatomy.DiaphragmFaces;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
-import org.phrenic.mesh.MeshTopology;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -19,12 +15,11 @@ final class DiaphragmAreaMeasure implements SceneMeasure {
             List.of("diaphragm_area_cm2", "tendon_area_cm2", "tendon_share_percent", "diaphragm_swept_ml");
 
     private final int sheet;
-    private final DiaphragmFaces faces;
+    private final boolean[] thoracic;
 
     DiaphragmAreaMeasure(SceneGeometry view) {
-        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
-        TriangleMesh rest = view.surface(sheet).rest();
-        faces = new DiaphragmFaces(rest, new MeshTopology(rest));
+        sheet = view.diaphragm();
+        thoracic = view.thoracicTriangles();
     }
 
     @Override
@@ -40,14 +35,12 @@ final class DiaphragmAreaMeasure implements SceneMeasure {
         double[] then = new double[3];
         double[] normal = new double[3];
         for (int i = 0; i < t.length; i += 3) {
-            int thoracic = 0;
+            if (!thoracic[i / 3]) {
+                continue;
+            }
             int inTendon = 0;
             for (int c = 0; c < 3; c++) {
-                thoracic += faces.isThoracic(t[i + c]) ? 1 : 0;
                 inTendon += tendon[t[i + c]] ? 1 : 0;
-            }
-            if (thoracic < 2) {
-                continue;
             }
             Triangles.cross(rest, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], then);
             double size = 0.5 * Triangles.cross(now, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normal);

@@ -2,7 +2,6 @@ package org.phrenic.study.measure;
 
 import java.util.List;
 import java.util.Map;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.observe.Frame;
 
 /**
@@ -24,7 +23,7 @@ final class DiaphragmSectionMeasure implements SceneMeasure {
     private final double coronal;
 
     DiaphragmSectionMeasure(SceneGeometry view) {
-        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
+        sheet = view.diaphragm();
         triangles = view.surface(sheet).rest().triangles();
         double[] box = view.surface(sheet).rest().bounds();
         middle = 0.5 * (box[0] + box[3]);

@@ -43,7 +43,7 @@ final class DomeLevelMeasure implements SceneMeasure {
     private final int[] ribs;
 
     DomeLevelMeasure(SceneGeometry view) {
-        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
+        sheet = view.diaphragm();
         double[] box = view.surface(sheet).rest().bounds();
         middle = 0.5 * (box[0] + box[3]);
         clavicular = 0.5 * MIDCLAVICULAR * (box[3] - box[0]);
@@ -112,7 +112,7 @@ final class DomeLevelMeasure implements SceneMeasure {
         for (int r : ribs) {
             if (view.surface(r).side() == side) {
                 double[] p = view.positions(r);
-                double turn = lateralY(p, side.sign());
+                double turn = p[SceneGeometry.mostLateral(p, side.sign()) + 1];
                 double sum = 0;
                 int count = 0;
                 for (int k = 0; k < p.length; k += 3) {
@@ -127,15 +127,6 @@ final class DomeLevelMeasure implements SceneMeasure {
             }
         }
         return levels;
-    }
-
-    /** How far back the most lateral point is. */
-    private static double lateralY(double[] p, int sign) {
-        int best = 0;
-        for (int k = 0; k < p.length; k += 3) {
-            best = sign * p[k] > sign * p[best] ? k : best;
-        }
-        return p[best + 1];
     }
 
     /** Where a height stands among levels, by straight lines between them; NaN outside. */

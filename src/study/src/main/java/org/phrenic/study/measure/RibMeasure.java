@@ -54,10 +54,7 @@ final class RibMeasure implements SceneMeasure {
         rib.surface = index;
         rib.sign = s.side().sign();
         double[] p = s.rest().positions();
-        int lateral = 0;
-        for (int k = 0; k < p.length; k += 3) {
-            lateral = rib.sign * p[k] > rib.sign * p[lateral] ? k : lateral;
-        }
+        int lateral = SceneGeometry.mostLateral(p, rib.sign);
         double[] end = RibEnds.find(s.rest(), s.side()).anterior();
         rib.points = new double[] {end[0], end[1], end[2], p[lateral], p[lateral + 1], p[lateral + 2]};
         return rib;
@@ -65,14 +62,11 @@ final class RibMeasure implements SceneMeasure {
 
     private static List<String> names() {
         List<String> names = new ArrayList<>();
-        IntStream.rangeClosed(1, LEVELS).forEach(n -> OF_RIB.forEach(what -> names.add(name("rib", n, what))));
+        IntStream.rangeClosed(1, LEVELS)
+                .forEach(n -> OF_RIB.forEach(what -> names.add(SceneGeometry.name("rib", n, what))));
         IntStream.rangeClosed(1, CARTILAGES)
-                .forEach(n -> OF_CARTILAGE.forEach(what -> names.add(name("cartilage", n, what))));
+                .forEach(n -> OF_CARTILAGE.forEach(what -> names.add(SceneGeometry.name("cartilage", n, what))));
         return List.copyOf(names);
-    }
-
-    private static String name(String kind, int level, String what) {
-        return kind + (level < 10 ? "_0" : "_") + level + "_" + what;
     }
 
     @Override
@@ -83,10 +77,11 @@ final class RibMeasure implements SceneMeasure {
                 add(frame.pose(rib.surface), rib, 1.0 / pair.size(), mean);
             }
             for (int i = 0; i < mean.length; i++) {
-                values.put(name("rib", level, OF_RIB.get(i)), mean[i]);
+                values.put(SceneGeometry.name("rib", level, OF_RIB.get(i)), mean[i]);
             }
             values.put(
-                    name("rib", level, "axis_deg"), StrictMath.toDegrees(StrictMath.atan2(mean[4], Math.abs(mean[5]))));
+                    SceneGeometry.name("rib", level, "axis_deg"),
+                    StrictMath.toDegrees(StrictMath.atan2(mean[4], Math.abs(mean[5]))));
         });
         cartilages.forEach((level, pair) -> {
             double[] mean = new double[3];
@@ -94,7 +89,7 @@ final class RibMeasure implements SceneMeasure {
                 add(view, surface, 1.0 / pair.size(), mean);
             }
             for (int i = 0; i < mean.length; i++) {
-                values.put(name("cartilage", level, OF_CARTILAGE.get(i)), mean[i]);
+                values.put(SceneGeometry.name("cartilage", level, OF_CARTILAGE.get(i)), mean[i]);
             }
         });
     }

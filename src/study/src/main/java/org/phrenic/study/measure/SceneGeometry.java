@@ -1,11 +1,12 @@
 package org.phrenic.study.measure;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.DiaphragmFaces;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -19,7 +20,7 @@ final class SceneGeometry {
         positions = new double[surfaces.size()][];
     }
 
-    /** Takes over a frame. */
+    /** Places all surfaces as a frame has them. */
     void update(Frame frame) {
         for (int i = 0; i < positions.length; i++) {
             Surface s = surfaces.get(i);
@@ -41,7 +42,7 @@ final class SceneGeometry {
         return positions[index];
     }
 
-    /** Numbers of all surfaces of a kind. */
+    /** Indices of all surfaces of a kind. */
     int[] indicesOf(Predicate<Surface> which) {
         return IntStream.range(0, surfaces.size())
                 .filter(i -> which.test(surfaces.get(i)))
@@ -52,13 +53,38 @@ final class SceneGeometry {
         return indicesOf(s -> s.kind() == kind);
     }
 
-    /** The surface of this kind, level and side. */
-    Optional<Integer> find(StructureKind kind, int level, Side side) {
-        return IntStream.range(0, surfaces.size())
-                .filter(i -> surfaces.get(i).kind() == kind
-                        && surfaces.get(i).level() == level
-                        && surfaces.get(i).side() == side)
-                .boxed()
-                .findFirst();
+    /** Index of the diaphragm. */
+    int diaphragm() {
+        return indicesOf(StructureKind.DIAPHRAGM)[0];
+    }
+
+    /** For each triangle of the diaphragm whether at least two of its corners are on the thoracic face. */
+    boolean[] thoracicTriangles() {
+        TriangleMesh rest = surface(diaphragm()).rest();
+        DiaphragmFaces faces = new DiaphragmFaces(rest, new MeshTopology(rest));
+        int[] t = rest.triangles();
+        boolean[] thoracic = new boolean[t.length / 3];
+        for (int i = 0; i < thoracic.length; i++) {
+            int first = 3 * i;
+            thoracic[i] = IntStream.range(first, first + 3)
+                            .filter(corner -> faces.isThoracic(t[corner]))
+                            .count()
+                    >= 2;
+        }
+        return thoracic;
+    }
+
+    /** Where in an array of points the most lateral point of a side begins; of equal ones the first. */
+    static int mostLateral(double[] points, int sign) {
+        int best = 0;
+        for (int k = 0; k < points.length; k += 3) {
+            best = sign * points[k] > sign * points[best] ? k : best;
+        }
+        return best;
+    }
+
+    /** Name of an observable of a level: {@code rib_03_pump_deg}. */
+    static String name(String kind, int level, String what) {
+        return kind + (level < 10 ? "_0" : "_") + level + "_" + what;
     }
 }

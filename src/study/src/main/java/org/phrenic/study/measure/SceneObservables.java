@@ -9,10 +9,7 @@ import java.util.function.Function;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Frame;
 
-/**
- * Observables that the physiology table needs beyond those of {@link org.phrenic.simulation.Observation}, computed from
- * where the surfaces of a scene are.
- */
+/** Observables that the physiology table needs beyond those of every run, computed from the surfaces of a scene. */
 public final class SceneObservables {
     private record Group(List<String> names, Function<SceneGeometry, SceneMeasure> make) {}
 
@@ -32,10 +29,10 @@ public final class SceneObservables {
     private final Map<String, Double> values = new LinkedHashMap<>();
 
     /**
-     * Makes what is needed for some observables.
+     * Prepares the measures that give some observables.
      *
      * @param surfaces of the scene at rest
-     * @param wanted names of observables; those that are not of here are passed over
+     * @param wanted names of observables; those of other origin are ignored
      */
     public SceneObservables(SceneSurfaces surfaces, Frame rest, Collection<String> wanted) {
         view = new SceneGeometry(surfaces.surfaces());

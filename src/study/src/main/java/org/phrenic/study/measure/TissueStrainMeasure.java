@@ -3,7 +3,6 @@ package org.phrenic.study.measure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshTopology;
@@ -29,7 +28,7 @@ final class TissueStrainMeasure implements SceneMeasure {
     private final List<int[]> tendonPieces;
 
     TissueStrainMeasure(SceneGeometry view) {
-        sheet = view.indicesOf(StructureKind.DIAPHRAGM)[0];
+        sheet = view.diaphragm();
         TriangleMesh rest = view.surface(sheet).rest();
         edges = new MeshTopology(rest).edges();
         restLength = new double[edges.length / 2];

@@ -1,9 +1,8 @@
 package org.phrenic.study.paper;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.document.report.ReportDocument;
-import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.ReportNumbers;
 
 /**
  * Something that the paper shows or says, and what came of it here.
@@ -15,17 +14,17 @@ import org.phrenic.document.report.ReportDocument.Column;
  * @param explanation what differs and why, or by what rule it counts as agreed
  */
 record Claim(String statement, String published, String measured, Verdict verdict, String explanation) {
-    /** How what is here stands to what is printed. */
+    /** How what is here compares with what is published. */
     enum Verdict {
         AGREES,
         DIFFERS,
-        /** There is nothing to agree with: it can be looked at. */
+        /** Nothing can agree: it is shown to be looked at. */
         SHOWN,
         /** Not part of a short reproduction. */
         NOT_MEASURED;
 
         String label() {
-            return name().toLowerCase(Locale.ROOT).replace('_', ' ');
+            return ReportNumbers.label(this).replace('_', ' ');
         }
 
         static Verdict agrees(boolean holds) {
@@ -33,21 +32,10 @@ record Claim(String statement, String published, String measured, Verdict verdic
         }
     }
 
-    /** One that a short reproduction leaves out. */
-    static Claim notMeasured(String what, String printed) {
-        return new Claim(what, printed, "-", Verdict.NOT_MEASURED, "Left out of a quick reproduction.");
-    }
-
-    /** Claims with all that is known of them. */
-    static void table(ReportDocument report, String caption, List<Claim> claims) {
+    static void addTable(ReportDocument report, List<Claim> claims) {
         report.table(
-                caption,
-                List.of(
-                        Column.text("claim"),
-                        Column.text("the paper"),
-                        Column.text("here"),
-                        Column.text("verdict"),
-                        Column.text("what differs and why")),
+                "",
+                PaperTexts.columns(5, "claim", "the paper", "here", "verdict", "what differs and why"),
                 claims.stream()
                         .map(c -> List.of(c.statement, c.published, c.measured, c.verdict.label(), c.explanation))
                         .toList());

@@ -1,12 +1,18 @@
 package org.phrenic.study.paper;
 
 import static org.phrenic.study.ReportNumbers.number;
+import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.SheetSprings;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
 
@@ -14,156 +20,117 @@ import org.phrenic.study.paper.Reproduction.Run;
 final class MotionSection {
     private static final String MUSCLE = "muscle_edge_change_percent";
     private static final String TENDON = "tendon_edge_change_percent";
-    /** The tendon keeps its geometry: its edges change by less than this share of what the muscle's do. */
+    /** The tendon keeps its geometry if its edges change by less than this share of what the muscle's do. */
     private static final double MAX_TENDON_SHARE = 0.25;
-    /** It is the rigid links that keep it: without them its edges change so many times as much. */
+    /** Rigid links keep the tendon if its edges change so many times as much without them. */
     private static final double MIN_CHANGE_WITHOUT_LINKS = 1.5;
 
-    private final Reproduction found;
+    private final Reproduction reproduction;
 
-    MotionSection(Reproduction found) {
-        this.found = found;
+    MotionSection(Reproduction reproduction) {
+        this.reproduction = reproduction;
     }
 
     void add(ReportDocument report) {
-        report.paragraph("The paper begins at the end of inhale (wireframe) and ends at the end of exhale (surface). So"
-                + " does this figure; as the bodies here are given at end-expiration, the breath before it is simulated"
-                + " from there.");
-        Claim.table(report, "", claims());
-        addTissueTable(report);
-        addPhenomenaTable(report);
+        report.paragraph(PaperTexts.text("motion"));
+        Claim.addTable(report, claims());
+        report.table(
+                PaperTexts.text("tissue-caption"),
+                columns("domes, mm", "muscle, %", "tendon, %", "tendon bent, mm", "fibres, %"),
+                rows(
+                        List.of(Run.DEEP, Run.PUBLISHED, Run.PUBLISHED_THREE_LINKS, Run.PUBLISHED_HOMOGENEOUS),
+                        PaperBreath::domeDescentMm,
+                        b -> b.atEndInspiration(MUSCLE),
+                        b -> b.atEndInspiration(TENDON),
+                        b -> b.atEndInspiration("tendon_bent_mm"),
+                        b -> b.atEndInspiration("fibre_shortening_percent")));
+        List<List<String>> phenomena = rows(
+                List.of(Run.DEEP, Run.DEEP_MUSCLE, Run.DEEP_RIBS),
+                b -> -b.change("dome_right_mm"),
+                b -> -b.change("dome_left_mm"),
+                b -> b.change("transverse_change_mm"),
+                b -> b.change("ap_change_mm"),
+                b -> b.change("sternum_cranial_mm"),
+                b -> b.change("lung_volume_change_ml"));
+        if (phenomena.size() > 1) {
+            List<Column> columns = columns(
+                    "right dome down, mm",
+                    "left dome down, mm",
+                    "wider, mm",
+                    "deeper, mm",
+                    "sternum up, mm",
+                    "lungs, ml");
+            report.table(PaperTexts.text("phenomena-caption"), columns, phenomena);
+        }
+    }
+
+    private static List<Column> columns(String... headings) {
+        List<String> all = new ArrayList<>(List.of("breath"));
+        all.addAll(Arrays.asList(headings));
+        return PaperTexts.columns(1, all.toArray(String[]::new));
+    }
+
+    @SafeVarargs
+    private List<List<String>> rows(List<Run> runs, ToDoubleFunction<PaperBreath>... measures) {
+        List<List<String>> rows = new ArrayList<>();
+        for (Run run : runs) {
+            reproduction.breath(run).ifPresent(breath -> {
+                List<String> row = new ArrayList<>(List.of(run.label()));
+                Arrays.stream(measures).forEach(m -> row.add(number(m.applyAsDouble(breath))));
+                rows.add(row);
+            });
+        }
+        return rows;
     }
 
     List<Claim> claims() {
         return List.of(
-                tendonGeometryClaim(
-                        "The tendon has kept its geometry, the muscle has extended more",
-                        Run.DEEP,
-                        "Model as used here."),
-                tendonGeometryClaim(
-                        "The same, with the paper's material",
-                        Run.PUBLISHED,
-                        "One stiffness for both tissues; the action lines pull at the tendon too."),
-                tensegrityClaim(),
-                phenomenonClaim(
-                        "Relaxing muscle raises the domes",
-                        Run.DEEP_MUSCLE,
-                        breath -> breath.domeDescentMm(),
-                        "mm for both domes, ribs still"),
-                phenomenonClaim(
-                        "The ribs' rotation presses the diaphragm on each side",
+                tendonGeometry("tendon-deep", Run.DEEP),
+                tendonGeometry("tendon-published", Run.PUBLISHED),
+                tensegrity(),
+                phenomenon("muscle", Run.DEEP_MUSCLE, PaperBreath::domeDescentMm, "mm for both domes, ribs still"),
+                phenomenon(
+                        "ribs", Run.DEEP_RIBS, b -> b.change("transverse_change_mm"), "mm less across, muscle still"),
+                phenomenon(
+                        "sternum",
                         Run.DEEP_RIBS,
-                        breath -> breath.change("transverse_change_mm"),
-                        "mm less across, muscle still"),
-                phenomenonClaim(
-                        "The sternum goes backward and pushes the diaphragm",
-                        Run.DEEP_RIBS,
-                        breath -> breath.change("ap_change_mm"),
+                        b -> b.change("ap_change_mm"),
                         "mm less from front to back, muscle still"));
     }
 
-    private Claim tendonGeometryClaim(String what, Run run, String why) {
-        Optional<PaperBreath> breath = found.breath(run);
-        String printed = "seen in fig. 3";
+    private Claim tendonGeometry(String key, Run run) {
+        Optional<PaperBreath> breath = reproduction.breath(run);
         if (breath.isEmpty()) {
-            return Claim.notMeasured(what, printed);
+            return PaperTexts.notMeasured(key);
         }
         double tendon = breath.get().atEndInspiration(TENDON);
         double muscle = breath.get().atEndInspiration(MUSCLE);
-        return new Claim(
-                what,
-                printed,
-                "edges change by " + number(tendon) + " % in tendon, " + number(muscle) + " % in muscle (rms)",
-                Verdict.agrees(tendon < MAX_TENDON_SHARE * muscle),
-                why + " Kept: less than a quarter of the muscle's change.");
+        String measured =
+                "edges change by " + number(tendon) + " % in tendon, " + number(muscle) + " % in muscle (rms)";
+        return PaperTexts.claim(key, Verdict.agrees(tendon < MAX_TENDON_SHARE * muscle), measured);
     }
 
-    private Claim tensegrityClaim() {
-        String what = "It is the tensegrity that keeps the tendon";
-        String printed = "said of fig. 3";
-        Optional<PaperBreath> with = found.breath(Run.PUBLISHED);
-        Optional<PaperBreath> without = found.breath(Run.PUBLISHED_HOMOGENEOUS);
+    private Claim tensegrity() {
+        Optional<PaperBreath> with = reproduction.breath(Run.PUBLISHED);
+        Optional<PaperBreath> without = reproduction.breath(Run.PUBLISHED_HOMOGENEOUS);
         if (with.isEmpty() || without.isEmpty()) {
-            return Claim.notMeasured(what, printed);
+            return PaperTexts.notMeasured("tensegrity");
         }
         double linked = with.get().atEndInspiration(TENDON);
         double free = without.get().atEndInspiration(TENDON);
-        return new Claim(
-                what,
-                printed,
-                "tendon edges change by " + number(linked) + " % with links, " + number(free) + " % without",
+        return PaperTexts.claim(
+                "tensegrity",
                 Verdict.agrees(free > MIN_CHANGE_WITHOUT_LINKS * linked),
-                "By links: without them edges change at least 1.5 times as much. Links from face to face hold the thickness of the sheet and not its area: both faces stretch together,"
-                        + " with one link a node and with three. What keeps the tendon in the model as used here is that"
-                        + " its springs are ten times as stiff.");
+                "tendon edges change by " + number(linked) + " % with links, " + number(free) + " % without",
+                trimmed(Materials.PHYSICAL.defaultOf(SheetSprings.TENDON_RATIO, Scenario.defaults()), 4));
     }
 
-    private interface Measure {
-        double of(PaperBreath breath);
-    }
-
-    private Claim phenomenonClaim(String what, Run run, Measure measure, String unit) {
-        String printed = "seen in fig. 3";
-        return found.breath(run)
-                .map(breath -> new Claim(
-                        what,
-                        printed,
-                        number(measure.of(breath)) + " " + unit,
-                        Verdict.agrees(measure.of(breath) > 0),
-                        "From end-inspiration to end-expiration of a deep breath."))
-                .orElseGet(() -> Claim.notMeasured(what, printed));
-    }
-
-    private void addTissueTable(ReportDocument report) {
-        List<List<String>> rows = new ArrayList<>();
-        for (Run run : List.of(Run.DEEP, Run.PUBLISHED, Run.PUBLISHED_THREE_LINKS, Run.PUBLISHED_HOMOGENEOUS)) {
-            found.breath(run)
-                    .ifPresent(b -> rows.add(List.of(
-                            run.label(),
-                            number(b.domeDescentMm()),
-                            number(b.atEndInspiration(MUSCLE)),
-                            number(b.atEndInspiration(TENDON)),
-                            number(b.atEndInspiration("tendon_bent_mm")),
-                            number(b.atEndInspiration("fibre_shortening_percent")))));
+    private Claim phenomenon(String key, Run run, ToDoubleFunction<PaperBreath> measure, String unit) {
+        Optional<PaperBreath> breath = reproduction.breath(run);
+        if (breath.isEmpty()) {
+            return PaperTexts.notMeasured(key);
         }
-        report.table(
-                "What the tissues do in a deep breath: change of the lengths of edges, rms; how far the tendon is from"
-                        + " where the best rigid motion would carry it, rms; mean shortening of fibres.",
-                List.of(
-                        Column.text("breath"),
-                        Column.number("domes, mm"),
-                        Column.number("muscle, %"),
-                        Column.number("tendon, %"),
-                        Column.number("tendon bent, mm"),
-                        Column.number("fibres, %")),
-                rows);
-    }
-
-    private void addPhenomenaTable(ReportDocument report) {
-        List<List<String>> rows = new ArrayList<>();
-        for (Run run : List.of(Run.DEEP, Run.DEEP_MUSCLE, Run.DEEP_RIBS)) {
-            found.breath(run)
-                    .ifPresent(b -> rows.add(List.of(
-                            run.label(),
-                            number(-b.change("dome_right_mm")),
-                            number(-b.change("dome_left_mm")),
-                            number(b.change("transverse_change_mm")),
-                            number(b.change("ap_change_mm")),
-                            number(b.change("sternum_cranial_mm")),
-                            number(b.change("lung_volume_change_ml")))));
-        }
-        if (rows.size() > 1) {
-            report.table(
-                    "Three phenomena, apart and together: what inspiration changes when the whole breath is deepest.",
-                    List.of(
-                            Column.text("breath"),
-                            Column.number("right dome down, mm"),
-                            Column.number("left dome down, mm"),
-                            Column.number("wider, mm"),
-                            Column.number("deeper, mm"),
-                            Column.number("sternum up, mm"),
-                            Column.number("lungs, ml")),
-                    rows);
-        }
+        double value = measure.applyAsDouble(breath.get());
+        return PaperTexts.claim(key, Verdict.agrees(value > 0), number(value) + " " + unit);
     }
 }

@@ -1,107 +1,62 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.grouped;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import org.phrenic.document.report.ReportDocument;
-import org.phrenic.document.report.ReportDocument.Column;
-import org.phrenic.document.report.ReportDocument.Figure;
-import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.fit.InspiratoryHold;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.study.paper.Claim.Verdict;
+import org.phrenic.study.paper.PatientCase.DistanceChange;
 
 /** The paper's patients, figs. 4 and 5 and table 2, and ours beside them. */
 final class PatientSection {
-    private final PatientResults found;
-    private final Map<String, List<Picture>> segmented;
-    private final Map<String, List<Picture>> distances;
-    private final String noPictures;
+    private final PatientResults results;
+    private final ReportPictures pictures;
 
-    /**
-     * @param segmented pictures in the manner of fig. 4 by the name of a patient
-     * @param distances pictures in the manner of fig. 5, likewise
-     * @param noPictures why there are none, in one sentence
-     */
-    PatientSection(
-            PatientResults found,
-            Map<String, List<Picture>> segmented,
-            Map<String, List<Picture>> distances,
-            String noPictures) {
-        this.found = found;
-        this.segmented = segmented;
-        this.distances = distances;
-        this.noPictures = noPictures;
+    PatientSection(PatientResults results, ReportPictures pictures) {
+        this.results = results;
+        this.pictures = pictures;
     }
 
     void add(ReportDocument report) {
         report.section("Figs. 4 and 5, table 2: the patients");
-        if (!found.missingNote().isEmpty()) {
-            report.remark(found.missingNote());
+        if (!results.missingNote().isEmpty()) {
+            report.remark(results.missingNote());
         }
-        report.paragraph(
-                "The paper's patients (two 4D CT of tidal breathing, one volunteer's MRI at two breath holds) are not public. "
-                        + (found.areRealPatients()
-                                ? "Ours are public scans: both lungs at expiration and at the end of a deep, held inspiration. "
-                                : "")
-                        + "The paper tuned by hand; here a search of a few breaths at low resolution stands in, and docs/fit.md"
-                        + " has longer ones.");
-        for (PatientCase patient : found.cases()) {
-            figure(
-                    report,
-                    "Fig. 4",
-                    segmented.getOrDefault(patient.name(), List.of()),
-                    "Fig. 4, " + patient.name() + ": " + levels(patient)
-                            + " The paper shows a diaphragm segmented by hand within its scan, and its mesh.");
+        report.paragraph(PaperTexts.text("patients", ifReal("patients-real")));
+        for (PatientCase patient : results.cases()) {
+            String name = patient.name();
+            String levels = PaperTexts.text(patient.synthetic() ? "levels-synthetic" : "levels-real");
+            pictures.add(report, 4, pictures.segmented().get(name), PaperTexts.text("figure-4", name, levels));
         }
         addMeshSizes(report);
-        for (PatientCase patient : found.cases()) {
-            PatientCase.DistanceChange whole = patient.lungChange();
-            figure(
-                    report,
-                    "Fig. 5",
-                    distances.getOrDefault(patient.name(), List.of()),
-                    String.format(
-                            Locale.ROOT,
-                            "Fig. 5, %s: distance of the lungs' surface from that at the end of inhale, in one scale. Left: lungs at the end of exhale (%.1f ± %.1f mm). Right: lungs of the model, breathed in (%.1f ± %.1f mm).",
-                            patient.name(),
-                            whole.before().mean(),
-                            whole.before().deviation(),
-                            whole.after().mean(),
-                            whole.after().deviation()));
+        for (PatientCase patient : results.cases()) {
+            String name = patient.name();
+            DistanceChange change = patient.lungChange();
+            String caption = PaperTexts.text(
+                    "figure-5", name, meanAndDeviation(change.before()), meanAndDeviation(change.after()));
+            pictures.add(report, 5, pictures.distances().get(name), caption);
         }
         addDistances(report);
-        Claim.table(report, "", claims());
-        List<String> notes = new ArrayList<>();
-        for (PatientCase patient : found.cases()) {
-            patient.notes().forEach(note -> notes.add(patient.name() + ": " + note + "."));
-        }
-        report.points(notes.toArray(String[]::new));
+        Claim.addTable(report, claims());
+        report.points(results.cases().stream()
+                .flatMap(patient -> patient.notes().stream().map(note -> patient.name() + ": " + note + "."))
+                .toArray(String[]::new));
     }
 
-    private void figure(ReportDocument report, String which, List<Picture> pictures, String caption) {
-        if (pictures.isEmpty()) {
-            report.remark(which + " has no picture here. " + noPictures);
-        } else {
-            report.add(new Figure(caption, pictures));
-        }
+    private String ifReal(String text) {
+        return results.areRealPatients() ? PaperTexts.text(text) : "";
     }
 
-    private static String levels(PatientCase patient) {
-        return patient.synthetic()
-                ? "lungs at the two breath levels, as a scan would show them, and the body's diaphragm with its mesh."
-                : "lungs segmented at the two breath levels, meshed as the paper did; and the diaphragm that was made from"
-                        + " their bases, with its mesh.";
-    }
-
-    /** Sizes of meshes. */
     private void addMeshSizes(ReportDocument report) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("the paper's", "diaphragm", "6,633", "13,267"));
-        for (PatientCase patient : found.cases()) {
+        for (PatientCase patient : results.cases()) {
             rows.add(row(patient, "diaphragm", patient.diaphragm()));
             patient.lungs()
                     .forEach(lung -> rows.add(row(
@@ -110,56 +65,27 @@ final class PatientSection {
                             lung.target().surface())));
         }
         report.table(
-                "Fig. 4: meshes. 13,267, an odd number of triangles, is no closed surface."
-                        + (found.areRealPatients()
-                                ? " Lungs go through the paper's steps, windowed sinc (pass band 0.2), 50 % decimation and 200 more"
-                                        + " iterations, and are then remeshed to triangles of one size."
-                                : ""),
-                List.of(
-                        Column.text("patient"),
-                        Column.text("surface"),
-                        Column.number("nodes"),
-                        Column.number("triangles")),
+                PaperTexts.text("meshes-caption", ifReal("meshes-real")),
+                PaperTexts.columns(2, "patient", "surface", "nodes", "triangles"),
                 rows);
     }
 
     private static List<String> row(PatientCase patient, String what, TriangleMesh mesh) {
-        return List.of(
-                patient.name(),
-                what,
-                SpeedSection.grouped(mesh.vertexCount()),
-                SpeedSection.grouped(mesh.triangleCount()));
+        return List.of(patient.name(), what, grouped(mesh.vertexCount()), grouped(mesh.triangleCount()));
     }
 
     private void addDistances(ReportDocument report) {
-        List<List<String>> rows = new ArrayList<>();
-        rows.add(List.of("The paper"));
-        rows.add(List.of("subject 1", "4D CT", "-", "-", "-", "moved too little", "-", "-", "-"));
-        rows.add(List.of("subject 2", "4D CT", "5.8 ± 5", "-", "-", "4.29 ± 3.6", "-", "-", "0.74"));
-        rows.add(List.of("subject 3", "MRI, two breath holds", "16 ± 9.4", "-", "-", "12 ± 6.7", "-", "-", "0.75"));
-        rows.add(List.of("Here"));
-        for (PatientCase patient : found.cases()) {
+        List<List<String>> rows = PaperTexts.rows("distances");
+        for (PatientCase patient : results.cases()) {
             rows.add(row(patient.name() + ", lungs", patient.data(), patient.lungChange()));
             patient.lungBaseChange()
                     .ifPresent(bases -> rows.add(row(patient.name() + ", bases", patient.data(), bases)));
         }
-        report.table(
-                "Fig. 5: distance between the lungs' surface and that of the scan at the end of inhale, mm; without a model, from"
-                        + " the end of exhale. The paper: mean ± SD by MeshDev; here both ways, by area. Ratio: of the means.",
-                List.of(
-                        Column.text("subject"),
-                        Column.text("data"),
-                        Column.number("no model"),
-                        Column.number("rms"),
-                        Column.number("95 %"),
-                        Column.number("with the model"),
-                        Column.number("rms"),
-                        Column.number("95 %"),
-                        Column.number("ratio")),
-                rows);
+        String[] headings = {"subject", "data", "no model", "rms", "95 %", "with the model", "rms", "95 %", "ratio"};
+        report.table(PaperTexts.text("distances-caption"), PaperTexts.columns(2, headings), rows);
     }
 
-    private static List<String> row(String who, String data, PatientCase.DistanceChange change) {
+    private static List<String> row(String who, String data, DistanceChange change) {
         return List.of(
                 who,
                 data,
@@ -185,53 +111,37 @@ final class PatientSection {
     }
 
     List<Claim> claims() {
-        return List.of(
-                new Claim(
-                        "Fig. 4: patient's diaphragm, segmented and meshed",
-                        "6,633 nodes, 13,267 triangles",
-                        SpeedSection.grouped(found.cases().get(0).diaphragm().vertexCount()) + " nodes, "
-                                + SpeedSection.grouped(
-                                        found.cases().get(0).diaphragm().triangleCount()) + " triangles",
-                        Verdict.SHOWN,
-                        "Our scans show lungs; the diaphragm is a virtual one, brought to their bases."),
-                nearer(),
-                speed());
+        TriangleMesh mesh = results.cases().get(0).diaphragm();
+        String size = grouped(mesh.vertexCount()) + " nodes, " + grouped(mesh.triangleCount()) + " triangles";
+        return List.of(PaperTexts.claim("patient-mesh", Verdict.SHOWN, size), nearer(), speed());
     }
 
     private Claim nearer() {
-        List<Double> ratios =
-                found.cases().stream().map(c -> c.lungChange().ratio()).sorted().toList();
-        double most = ratios.get(ratios.size() - 1);
-        return new Claim(
-                "Fig. 5: the model brings the lungs nearer to the scan",
-                "mean distance times 0.74 and 0.75",
-                "times " + (ratios.size() > 1 ? hundredths(ratios.get(0)) + " to " : "") + hundredths(most)
-                        + (found.areRealPatients() ? "" : " (a synthetic patient)"),
-                found.areRealPatients() && !found.quick() ? Verdict.agrees(most < 1) : Verdict.SHOWN,
-                "Agrees if the mean distance of whole lungs gets smaller in every patient."
-                        + (found.areRealPatients()
-                                ? ""
-                                : " A synthetic patient agrees with nothing: it only shows the way.")
-                        + (found.quick() ? " A quick reproduction tunes nothing." : ""));
+        boolean real = results.areRealPatients();
+        List<Double> ratios = results.cases().stream()
+                .map(c -> c.lungChange().ratio())
+                .sorted()
+                .toList();
+        double largest = ratios.get(ratios.size() - 1);
+        return PaperTexts.claim(
+                "patient-distance",
+                real && !results.quick() ? Verdict.agrees(largest < 1) : Verdict.SHOWN,
+                "times " + (ratios.size() > 1 ? hundredths(ratios.get(0)) + " to " : "") + hundredths(largest)
+                        + (real ? "" : " (a synthetic patient)"),
+                real ? "" : " A synthetic patient agrees with nothing: it only shows the way.",
+                results.quick() ? " A quick reproduction tunes nothing." : "");
     }
 
     private Claim speed() {
-        String what = "Table 2: iterations a second, a patient";
-        String printed = "repeats table 1 in every figure";
-        Optional<PatientCase> timed = found.cases().stream()
+        Optional<PatientCase> timed = results.cases().stream()
                 .filter(c -> !Double.isNaN(c.fit().cpuPerEvaluationS()))
                 .findFirst();
-        return timed.map(c -> new Claim(
-                        what,
-                        printed,
-                        SpeedSection.grouped(InspiratoryHold.OBSERVED_AT_S
-                                        / c.fit().scenario().timeStepS()
-                                        / c.fit().cpuPerEvaluationS())
-                                + " at low resolution",
-                        Verdict.SHOWN,
-                        "As printed the table repeats table 1, vertices included, although the patient's mesh is another: the"
-                                + " patient's speed is unknown. Ours is that of the fit's breaths, distances included, by"
-                                + " processor time."))
-                .orElseGet(() -> Claim.notMeasured(what, printed));
+        if (timed.isEmpty()) {
+            return PaperTexts.notMeasured("patient-speed");
+        }
+        double steps = InspiratoryHold.OBSERVED_AT_S
+                / timed.get().fit().scenario().timeStepS()
+                / timed.get().fit().cpuPerEvaluationS();
+        return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " at low resolution");
     }
 }

@@ -1,159 +1,122 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.grouped;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.report.ReportDocument;
-import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.study.PaperScenarios;
+import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.speed.SpeedCase;
 import org.phrenic.study.speed.SpeedTable;
 
 /** Table 1 of the paper and what its discussion makes of it. */
 final class SpeedSection {
-    private static final SpeedTable PRINTED = SpeedTable.published();
+    private static final SpeedTable PUBLISHED = SpeedTable.published();
     /** "Slightly slower": at most so many per cent. */
     private static final double SLIGHTLY_PERCENT = 10;
-    /** Linear: the exponent is one, give or take this. */
-    private static final double LINEAR = 0.25;
+    /** Tolerance of an exponent of one. */
+    private static final double EXPONENT_TOLERANCE = 0.25;
 
-    private final Reproduction found;
+    private final Reproduction reproduction;
     private final SpeedTable ours;
 
-    SpeedSection(Reproduction found) {
-        this.found = found;
-        ours = found.speed();
+    SpeedSection(Reproduction reproduction) {
+        this.reproduction = reproduction;
+        ours = reproduction.speed();
     }
 
     void add(ReportDocument report) {
         report.section("Table 1: iterations a second");
         List<List<String>> rows = new ArrayList<>();
-        for (Resolution resolution : PRINTED.resolutions()) {
-            String name = resolution.name().toLowerCase(Locale.ROOT);
+        for (Resolution resolution : PUBLISHED.resolutions()) {
+            String name = ReportNumbers.label(resolution);
             rows.add(List.of(name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + " resolution"));
             for (SpeedCase forces : SpeedCase.values()) {
-                rows.add(row(PRINTED.row(resolution, forces)));
+                rows.add(row(PUBLISHED.row(resolution, forces)));
             }
         }
         report.table(
                 "Iterations a second on the virtual anatomy model.",
-                List.of(
-                        Column.text("forces"),
-                        Column.number("vertices, paper"),
-                        Column.number("paper"),
-                        Column.number("vertices, here"),
-                        Column.number("here"),
-                        Column.number("times the paper")),
+                PaperTexts.columns(
+                        1, "forces", "vertices, paper", "paper", "vertices, here", "here", "times the paper"),
                 rows);
-        report.paragraph("Here: the paper's material and scheme (midpoint Runge-Kutta, two evaluations of all forces an"
-                + " iteration) on one thread, in a step of 0.5 ms that is stable without being split; the median of five"
-                + " trials, as the paper took five, in processor time, the four cases of a resolution in turn. The paper:"
-                + " a dual-core processor of 2.4 GHz, Java 1.6, Java 3D, 2008. Newer processors are a part"
-                + " of the factor; the rest is flat arrays in place of objects, and blocks of nodes that stay in the"
-                + " cache.");
-        if (found.quick()) {
-            report.remark("A quick reproduction: low resolution alone, trials of a fiftieth of a second. The figures of"
-                    + " speed are worth little.");
+        report.paragraph(PaperTexts.text("speed"));
+        if (reproduction.quick()) {
+            report.remark(PaperTexts.text("speed-quick"));
         }
         report.section("The discussion: speed");
-        Claim.table(report, "", claims());
+        Claim.addTable(report, claims());
     }
 
-    private List<String> row(SpeedTable.Row printed) {
-        boolean measured = ours.resolutions().contains(printed.resolution());
-        String vertices = "-";
-        String perS = "-";
-        String times = "-";
-        if (measured) {
-            SpeedTable.Row row = ours.row(printed.resolution(), printed.forces());
-            vertices = grouped(row.vertices());
-            perS = grouped(row.stepsPerS());
-            times = grouped(row.stepsPerS() / printed.stepsPerS());
+    private List<String> row(SpeedTable.Row published) {
+        List<String> row = new ArrayList<>(List.of(
+                published.forces().label(), grouped(published.vertices()), format("%.2f", published.stepsPerS())));
+        if (ours.resolutions().contains(published.resolution())) {
+            SpeedTable.Row here = ours.row(published.resolution(), published.forces());
+            row.add(grouped(here.vertices()));
+            row.add(grouped(here.stepsPerS()));
+            row.add(grouped(here.stepsPerS() / published.stepsPerS()));
+        } else {
+            row.addAll(List.of("-", "-", "-"));
         }
-        return List.of(
-                printed.forces().label(),
-                grouped(printed.vertices()),
-                String.format(Locale.ROOT, "%.2f", printed.stepsPerS()),
-                vertices,
-                perS,
-                times);
+        return row;
     }
 
-    static String grouped(double value) {
-        return String.format(Locale.ROOT, "%,.0f", value);
+    private static String format(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+
+    private static String percent(double[] range) {
+        return format("%+.1f %% of time (%+.1f to %+.1f)", range[1], range[0], range[2]);
     }
 
     List<Claim> claims() {
-        return List.of(tensegrity(), ribs(), linear(), realTime());
-    }
-
-    private static String percent(double[] leastMeanGreatest) {
-        return String.format(
-                Locale.ROOT,
-                "%+.1f %% of time (%+.1f to %+.1f)",
-                leastMeanGreatest[1],
-                leastMeanGreatest[0],
-                leastMeanGreatest[2]);
-    }
-
-    private Claim tensegrity() {
-        double[] here = ours.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.HOMOGENEOUS);
-        return new Claim(
-                "The tensegrity constraint makes the simulation slightly slower",
-                percent(PRINTED.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.HOMOGENEOUS)),
-                percent(here),
-                Verdict.agrees(here[1] <= SLIGHTLY_PERCENT),
-                "Slightly: at most 10 % on the mean of the resolutions. Hundreds of links among tens of thousands of"
-                        + " springs cost about as little as the scatter of the trials.");
-    }
-
-    private Claim ribs() {
-        double[] here = ours.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
-        double[] printed = PRINTED.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
-        return new Claim(
-                "Rib kinematics makes a considerable difference to the speed (large equations each iteration)",
-                percent(printed),
-                percent(here),
-                Verdict.agrees(here[1] >= printed[0]),
-                "Considerable: on the mean at least the least of the paper's. Here the axes are fixed and an iteration"
-                        + " works out one small matrix a bone; what hangs on bone is carried on at its speed and taken"
-                        + " anew every 20 ms.");
+        double[] links = ours.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.HOMOGENEOUS);
+        double[] linksPublished = PUBLISHED.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.HOMOGENEOUS);
+        double[] ribs = ours.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
+        double[] ribsPublished = PUBLISHED.overheadRange(SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
+        Verdict slightly = Verdict.agrees(links[1] <= SLIGHTLY_PERCENT);
+        Verdict considerable = Verdict.agrees(ribs[1] >= ribsPublished[0]);
+        return List.of(
+                PaperTexts.claim("speed-tensegrity", slightly, percent(links), percent(linksPublished)),
+                PaperTexts.claim("speed-ribs", considerable, percent(ribs), percent(ribsPublished)),
+                linear(),
+                realTime());
     }
 
     private Claim linear() {
-        double printed = PRINTED.exponent(SpeedCase.HETEROGENEOUS).orElseThrow();
-        String what = "Time of computation is linear in the number of vertices";
-        String paper = String.format(Locale.ROOT, "vertices to the power of %.2f", printed);
-        if (ours.exponent(SpeedCase.HETEROGENEOUS).isEmpty()) {
-            return Claim.notMeasured(what, paper);
+        double exponent = PUBLISHED.exponent(SpeedCase.HETEROGENEOUS).orElseThrow();
+        String published = format("%.2f", exponent);
+        OptionalDouble here = ours.exponent(SpeedCase.HETEROGENEOUS);
+        if (here.isEmpty()) {
+            return PaperTexts.notMeasured("speed-linear", published);
         }
-        double here = ours.exponent(SpeedCase.HETEROGENEOUS).getAsDouble();
-        return new Claim(
-                what,
-                paper,
-                String.format(Locale.ROOT, "vertices to the power of %.2f", here),
-                Verdict.agrees(Math.abs(here - 1) <= LINEAR),
-                "Least squares of the logarithms over three resolutions; linear: 1, give or take 0.25. The paper's own"
-                        + " figures rise somewhat slower than its vertices.");
+        return PaperTexts.claim(
+                "speed-linear",
+                Verdict.agrees(Math.abs(here.getAsDouble() - 1) <= EXPONENT_TOLERANCE),
+                format("vertices to the power of %.2f", here.getAsDouble()),
+                published);
     }
 
     private Claim realTime() {
         Resolution finest = ours.resolutions().get(0);
-        double printed = PRINTED.row(finest, SpeedCase.HETEROGENEOUS).stepsPerS() * PaperScenarios.STEP_S;
-        return new Claim(
-                "Runs in real time",
-                String.format(Locale.ROOT, "steps of 0.01 s: %.2f times real time", printed),
-                String.format(Locale.ROOT, "%.1f times real time", found.realTimeFactor()),
-                Verdict.agrees(found.realTimeFactor() >= 1),
-                String.format(
-                        Locale.ROOT,
-                        "At least 1. The paper means that a picture follows in a tenth of a second; its simulated time"
-                                + " passed %.0f times slower than real time. Here: its material and step on one thread,"
-                                + " velocity Verlet, %s vertices. Its own scheme would need steps of %.1f ms.",
-                        1 / printed,
-                        grouped(ours.row(finest, SpeedCase.HETEROGENEOUS).vertices()),
-                        1000 * PaperScenarios.STEP_S / found.publishedModel().rk2Substeps()));
+        double published = PUBLISHED.row(finest, SpeedCase.HETEROGENEOUS).stepsPerS() * PaperScenarios.STEP_S;
+        return PaperTexts.claim(
+                "real-time",
+                Verdict.agrees(reproduction.realTimeFactor() >= 1),
+                format("%.1f times real time", reproduction.realTimeFactor()),
+                format("%.2f", published),
+                format("%.0f", 1 / published),
+                grouped(ours.row(finest, SpeedCase.HETEROGENEOUS).vertices()),
+                format(
+                        "%.1f",
+                        1000
+                                * PaperScenarios.STEP_S
+                                / reproduction.publishedModel().rk2Substeps()));
     }
 }

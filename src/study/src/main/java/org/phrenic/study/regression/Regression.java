@@ -1,8 +1,5 @@
 package org.phrenic.study.regression;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -22,10 +19,10 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.ShippedFile;
 
 /** The list of scenes with their references: those that come with the program, or those of a folder. */
 public class Regression {
-    private static final String SHIPPED = "/org/phrenic/data/regression/";
     private static final String LIST = "scenes.yaml";
 
     private final Path folder;
@@ -67,15 +64,10 @@ public class Regression {
     }
 
     private static YamlMap shipped(String name) {
-        try (InputStream in = Regression.class.getResourceAsStream(SHIPPED + name)) {
-            if (in == null) {
-                throw new BadInputException(name + ": found no such file in the program, expected references of this"
-                        + " scene (phrenic regress --write-references data/regression makes them)");
-            }
-            return YamlDocument.read(name, in);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return ShippedFile.read("regression/" + name, in -> YamlDocument.read(name, in))
+                .orElseThrow(() -> new BadInputException(
+                        name + ": found no such file in the program, expected references of this scene"
+                                + " (phrenic regress --write-references data/regression makes them)"));
     }
 
     /** Names of all scenes and attempts, in order. */
@@ -166,16 +158,16 @@ public class Regression {
     private RegressionComparison compare(RegressionAttempt attempt, Map<String, String> then) {
         try {
             return attempt.compare(then, attempt.compute(body(attempt.scenario())));
-        } catch (DivergenceException told) {
-            return RegressionComparison.ofReport(attempt.name(), false, "", Double.NaN, told.getMessage());
+        } catch (DivergenceException diverged) {
+            return RegressionComparison.ofReport(attempt.name(), false, "", Double.NaN, diverged.getMessage());
         }
     }
 
     private RegressionComparison compare(RegressionScene scene, RegressionReference then) {
         try {
             return RegressionComparison.of(scene, then, compute(scene));
-        } catch (DivergenceException told) {
-            return RegressionComparison.failed(scene, told.getMessage());
+        } catch (DivergenceException diverged) {
+            return RegressionComparison.failed(scene, diverged.getMessage());
         } catch (BadInputException broken) {
             throw broken;
         } catch (IllegalArgumentException refused) {
@@ -183,16 +175,16 @@ public class Regression {
         }
     }
 
-    /** The body of a scene, grown once. */
+    /** The body of a scene, generated once. */
     private Thorax body(Scenario scenario) {
         return bodyCache.computeIfAbsent(
                 scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
     }
 
-    /** Told of every simulation before its first step: nothing is done to it but by tests. */
+    /** Called with every simulation before its first step; tests override it. */
     void prepare(Simulation simulation) {}
 
-    /** What a scene gives now. */
+    /** Computes a scene. */
     final RegressionReference compute(RegressionScene scene) {
         Scenario scenario = scene.scenario();
         try (Simulation simulation = Simulation.of(scenario, body(scenario))) {

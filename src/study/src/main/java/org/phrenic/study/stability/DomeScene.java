@@ -14,8 +14,7 @@ import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
-import org.phrenic.mesh.MeshTopology;
-import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.EdgeTable;
 
 /**
  * The engine alone on a dome that breathes: springs along the edges and between the faces, rigid links in its middle, a
@@ -88,7 +87,7 @@ final class DomeScene implements StabilityScene {
 
     /** Each edge of both faces once, then a strut from each node of the upper face to that below it. */
     private static int[][] edges(DomeMesh mesh) {
-        int[] edges = new MeshTopology(new TriangleMesh(mesh.positions(), mesh.triangles())).edges();
+        int[] edges = new EdgeTable(mesh.positions().length / 3, mesh.triangles(), 3).edges();
         int[] below = mesh.below();
         int[] upper =
                 IntStream.range(0, below.length).filter(i -> below[i] != i).toArray();

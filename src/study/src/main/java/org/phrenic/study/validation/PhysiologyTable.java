@@ -1,8 +1,5 @@
 package org.phrenic.study.validation;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -15,6 +12,7 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.study.ShippedFile;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
@@ -25,27 +23,11 @@ import org.phrenic.study.measure.SceneObservables;
  * @param ranges in the order of the file
  */
 public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
-    private static final String SHIPPED = "/org/phrenic/data/validation/physiology.yaml";
     private static final String NONE = "none";
     private static final List<String> SEXES = List.of("male", "female");
-    private static final List<String> KEYS = List.of(
-            "key",
-            "preset",
-            "body",
-            "observable",
-            "observables",
-            "reduction",
-            "against",
-            "against_preset",
-            "share",
-            "factor",
-            "low",
-            "high",
-            "unit",
-            "confidence",
-            "source",
-            "note",
-            "missed_because");
+    private static final List<String> KEYS = List.of(("key preset body observable observables reduction against"
+                    + " against_preset share factor low high unit confidence source note missed_because")
+            .split(" "));
 
     public PhysiologyTable {
         ranges = List.copyOf(ranges);
@@ -53,14 +35,10 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
 
     /** The table that comes with the program. */
     public static PhysiologyTable shipped() {
-        try (InputStream in = PhysiologyTable.class.getResourceAsStream(SHIPPED)) {
-            if (in == null) {
-                throw new IllegalStateException("the physiology table is missing from the program");
-            }
-            return of("physiology.yaml", YamlDocument.read("physiology.yaml", in));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return ShippedFile.read(
+                        "validation/physiology.yaml",
+                        in -> of("physiology.yaml", YamlDocument.read("physiology.yaml", in)))
+                .orElseThrow(() -> new IllegalStateException("the physiology table is missing from the program"));
     }
 
     /**

@@ -21,7 +21,7 @@ public final class SternumPart {
      * Against relaxed muscle: as stiff as the paper's step of 0.01 s allows its one mass a node at the finest
      * resolution, with 5 % to spare.
      */
-    static final double STIFFNESS = 6.5;
+    public static final double STIFFNESS = 6.5;
 
     private static final double REACH_MM = 30;
     private static final int BRACES = 3;

@@ -1,0 +1,36 @@
+package org.phrenic.study.paper;
+
+import java.util.List;
+import java.util.Map;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Figure;
+import org.phrenic.document.report.ReportDocument.Picture;
+
+/**
+ * The pictures of a report.
+ *
+ * @param figures of figures 1 to 3, by their number
+ * @param segmented of figure 4, by the name of a patient
+ * @param distances of figure 5, likewise
+ * @param reason why figures have no pictures, in one sentence; empty if all have
+ */
+public record ReportPictures(
+        Map<Integer, List<Picture>> figures,
+        Map<String, List<Picture>> segmented,
+        Map<String, List<Picture>> distances,
+        String reason) {
+    public ReportPictures {
+        figures = Map.copyOf(figures);
+        segmented = Map.copyOf(segmented);
+        distances = Map.copyOf(distances);
+    }
+
+    /** Adds the pictures of a figure, or says that it has none. */
+    void add(ReportDocument report, int number, List<Picture> pictures, String caption) {
+        if (pictures == null || pictures.isEmpty()) {
+            report.remark("Fig. " + number + " has no picture here. " + reason);
+        } else {
+            report.add(new Figure(caption, pictures));
+        }
+    }
+}
