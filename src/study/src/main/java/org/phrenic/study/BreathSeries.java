@@ -5,7 +5,7 @@ import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * What was seen of a run over time, and where its breaths begin and are deepest.
+ * Observables of a run over time, and the end-expiration and end-inspiration of its breaths.
  *
  * <p>A breath begins at its first sample (end-expiration) and is deepest where both domes together stand lowest
  * (end-inspiration). Where a breath is held, that breath alone counts; else every whole breath; else all samples are

@@ -13,18 +13,18 @@ import org.phrenic.simulation.SimulationRun;
 
 /**
  * Which parameter moves which observable: each parameter alone is lowered and raised by a tenth, and the change of the
- * observable over the change of the parameter is told in per cent per per cent, (q+ - q-) / q0 over (p+ - p-) / p0;
+ * observable over the change of the parameter is given in per cent per per cent, (q+ - q-) / q0 over (p+ - p-) / p0;
  * where a tenth leaves the parameter's range, up to its end.
  *
- * @param preset that was breathed, one breath from rest
+ * @param preset of breathing, one breath from rest
  * @param anatomy body
- * @param observables whose change from end-expiration to end-inspiration is looked at
+ * @param observables whose change from end-expiration to end-inspiration is evaluated
  * @param reference those changes with nothing altered
  * @param rows one a parameter
  */
 public record Sensitivity(String preset, String anatomy, List<String> observables, double[] reference, List<Row> rows) {
     private static final double STEP = 0.1;
-    /** Finer than a validation's: where a breath is deepest shifts a little with most parameters, and must not jump. */
+    /** Finer than a validation's: end-inspiration shifts a little with most parameters. */
     private static final double SAMPLE_S = 0.01;
 
     private static final List<String> OBSERVABLES = List.of(

@@ -43,8 +43,8 @@ public final class SensitivityReport {
     public String markdown() {
         ReportDocument report = new ReportDocument(
                 "Which parameter moves which observable",
-                "Change of the observable in per cent for one per cent of the parameter, each parameter alone between nine"
-                        + " and eleven tenths of its value (or to the end of its range); preset "
+                "Change of the observable in per cent for one per cent of the parameter, each parameter alone between"
+                        + " nine and eleven tenths of its value (or to the end of its range); preset "
                         + sensitivity.preset() + ", " + sensitivity.anatomy() + ".");
         List<List<String>> cells = cells();
         List<Column> columns =

@@ -11,7 +11,7 @@ public final class ShippedFile {
     private ShippedFile() {}
 
     /**
-     * What a reader makes of a file; empty if the program has no such file.
+     * Reads a file; empty if the program has no such file.
      *
      * @param path such as {@code validation/physiology.yaml}
      */

@@ -1,7 +1,7 @@
 package org.phrenic.study.bare;
 
 /**
- * What a bare workload gave.
+ * The result of a bare workload.
  *
  * @param stepsPerSecond median of the timed runs
  * @param min slowest run, steps/s

@@ -5,7 +5,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 
 /**
- * What the bare workload runs on: a mesh and what its vertices do.
+ * The scene of the bare workload: a mesh and the roles of its vertices.
  *
  * @param mesh a particle a vertex, a spring an edge; mm
  * @param fixed vertices held still

@@ -3,7 +3,7 @@ package org.phrenic.study.bare;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * The numbers of the bare workload.
+ * Parameters of the bare workload.
  *
  * @param mass of each node, kg
  * @param stiffness of each spring, N/m

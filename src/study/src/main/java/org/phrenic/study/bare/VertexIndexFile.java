@@ -11,7 +11,7 @@ import org.phrenic.file.BadInputException;
 
 /**
  * Text files of vertex indices, counted from 0: one a line (a set of vertices) or two a line (pairs). Empty lines, and
- * what follows a #, are passed over.
+ * what follows a #, are ignored.
  */
 public final class VertexIndexFile {
     private static final Pattern SPACE = Pattern.compile("\\s+");

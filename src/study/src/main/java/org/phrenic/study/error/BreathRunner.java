@@ -15,7 +15,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * The same breath of the same scene, from the same start, under one setting after the other. The start is what the
+ * Runs the same breath of the same scene, from the same start, under one setting after the other. The start is what the
  * scenario's own setting settles to; how a setting would have settled is left out, so that what differs is what the
  * breath made of it.
  */
@@ -87,7 +87,10 @@ final class BreathRunner implements AutoCloseable {
         return durationS;
     }
 
-    /** Into how many substeps the stability limit splits a step of a setting; at most what an int holds. */
+    /**
+     * Into how many substeps the stability limit splits a step of a setting; Integer.MAX_VALUE if it is unstable at any
+     * step.
+     */
     int substeps(SolverSettings settings) {
         try {
             return simulation.stepper().limit().substeps(settings.integrator(), settings.timeStepS(), Stepper.SAFETY);
@@ -151,7 +154,7 @@ final class BreathRunner implements AutoCloseable {
                         + frame.values()[Observation.COLUMNS.indexOf("dome_left_mm")]);
     }
 
-    /** Of this thread where it computes alone, else of all threads of the program. */
+    /** Processor time of this thread where it computes alone, else of all threads of the program. */
     private long cpuNanos() {
         if (scenario.threads() == 1) {
             return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();

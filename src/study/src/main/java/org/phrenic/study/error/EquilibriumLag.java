@@ -10,10 +10,10 @@ import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * How far a breathing scene is from where it would be if it breathed infinitely slowly: ribs, muscle and pressure are
- * stopped at a phase, the nodes are let come near rest under the scene's own forces, constraints and viscosity, and
- * from there Newton's method finds the equilibrium of the diaphragm, which nothing else in the scene pulls on
- * ({@link NewtonEquilibrium}). Lungs are left where the relaxation brought them: their soft folds have many equilibria.
+ * Distance of a breathing scene from quasi-static equilibrium: ribs, muscle and pressure are stopped at a phase, the
+ * nodes are let come near rest under the scene's own forces, constraints and viscosity, and from there Newton's method
+ * finds the equilibrium of the diaphragm, which nothing else in the scene pulls on ({@link NewtonEquilibrium}). Lungs
+ * are left where the relaxation brought them: their soft folds have many equilibria.
  *
  * @param timeS when the breath was stopped, s
  * @param rmsMm distance of the diaphragm's nodes from equilibrium, root of the mean square, mm

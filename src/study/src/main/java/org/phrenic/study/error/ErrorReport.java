@@ -81,8 +81,8 @@ public final class ErrorReport {
         return String.format(
                 Locale.ROOT,
                 "%s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
-                        + " as long its diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its nodes %.2g"
-                        + " mm rms and at most %.2g mm.",
+                        + " as long its diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its"
+                        + " nodes %.2g mm rms and at most %.2g mm.",
                 title(study),
                 study.nodes(),
                 study.scenario().preset(),
@@ -107,8 +107,8 @@ public final class ErrorReport {
     public ReportDocument document() {
         ReportDocument page = new ReportDocument(
                 "Speed against error",
-                "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over a breath,"
-                        + " against the time that the breath takes to compute.");
+                "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over"
+                        + " a breath, against the time that the breath takes to compute.");
         for (ErrorStudy study : studies) {
             page.section(title(study));
             page.paragraph(heading(study));
@@ -131,9 +131,9 @@ public final class ErrorReport {
         NewtonEquilibrium.Result newton = lag.newton();
         return String.format(
                 Locale.ROOT,
-                "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium of ribs,"
-                        + " muscle and pressure at that time, and all its nodes %.3g mm rms from where they come to rest by"
-                        + " themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation alone was %.2g mm"
+                "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium"
+                        + " of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they come"
+                        + " to rest by themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation alone was %.2g mm"
                         + " rms off.",
                 lag.timeS(),
                 lag.rmsMm(),
@@ -152,8 +152,8 @@ public final class ErrorReport {
         List<String> lines = new ArrayList<>();
         meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(String.format(
                 Locale.ROOT,
-                "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of resolution"
-                        + " %s; its domes go down %+.2f mm more.",
+                "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of"
+                        + " resolution %s; its domes go down %+.2f mm more.",
                 material,
                 e.vertices(),
                 e.resolution(),

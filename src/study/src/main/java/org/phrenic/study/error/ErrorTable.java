@@ -31,8 +31,8 @@ import org.phrenic.study.ShippedFile;
 public record ErrorTable(String name, List<Row> rows) {
     private static final int DIGITS = 4;
     private static final List<String> HEADER = List.of(("material preset resolution nodes integrator time_step_s"
-                    + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm all_max_mm"
-                    + " cpu_s wall_s real_time front usual")
+                    + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm"
+                    + " all_max_mm cpu_s wall_s real_time front usual")
             .split(" "));
     /** From here on numbers are measured and rounded in the file. */
     private static final int FIRST_MEASURED = HEADER.indexOf("rms_mm");
@@ -253,8 +253,8 @@ public record ErrorTable(String name, List<Row> rows) {
                         resolution)));
         String sentence = String.format(
                 Locale.ROOT,
-                "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the excursion),"
-                        + " %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
+                "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the"
+                        + " excursion), %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
                 ReportNumbers.trimmed(maxErrorMm, 6),
                 row.point().settings().label(),
                 row.point().rmsMm(),

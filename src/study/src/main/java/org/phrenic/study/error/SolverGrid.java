@@ -75,7 +75,7 @@ public record SolverGrid(
     }
 
     /**
-     * The reference with a step: fourth order, constraints swept to convergence, anchors and walls taken anew every
+     * The reference with a step: fourth order, constraints swept to convergence, anchors and walls refreshed every
      * other step.
      */
     static SolverSettings reference(double stepS) {

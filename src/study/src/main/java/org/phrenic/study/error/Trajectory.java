@@ -3,7 +3,7 @@ package org.phrenic.study.error;
 import java.util.Arrays;
 
 /**
- * Where the nodes of a scene were during a breath.
+ * Positions of the nodes of a scene during a breath.
  *
  * @param positions a row a sample, every {@link BreathRunner#SAMPLE_S}, three numbers a node, mm
  * @param substeps into which the stability limit split a step
@@ -34,7 +34,7 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
                 double z = p[i + 2] - q[i + 2];
                 double squared = x * x + y * y + z * z;
                 sum += squared;
-                // A distance that is no number must not pass as small.
+                // NaN must not count as small.
                 most = squared <= most ? most : squared;
                 count++;
             }

@@ -26,11 +26,11 @@ final class DomeLevelMeasure implements SceneMeasure {
     private static final double BODY_MM = 25;
 
     private static final double MIDLINE_MM = 20;
-    /** What is nearer to the midline is hidden by the heart on a picture from the front. */
+    /** Nearer to the midline the heart hides the dome on a frontal picture. */
     private static final double HEART_MM = 45;
     /** The midclavicular line: so far out to the side of the sheet. */
     private static final double MIDCLAVICULAR = 0.55;
-    /** A rib is looked at so far to both sides of the midclavicular line. */
+    /** Half width of the band around the midclavicular line in which a rib is measured. */
     private static final double BAND_MM = 10;
 
     /** Height of a level's middle. */

@@ -5,7 +5,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.study.ReportNumbers;
 
 /**
- * Something that the paper shows or says, and what came of it here.
+ * A statement or figure of the paper and its counterpart here.
  *
  * @param statement in a few words
  * @param published what the paper has

@@ -44,9 +44,9 @@ public record PatientScans(String name, Path expiration, Path inspiration) {
             throw new UncheckedIOException(failure);
         }
         if (pairs.isEmpty()) {
-            throw new BadInputException(
-                    folder
-                            + ": found no pair of volumes, expected NAME_expiration.nii.gz and NAME_inspiration.nii.gz or the like");
+            throw new BadInputException(folder
+                    + ": found no pair of volumes, expected NAME_expiration.nii.gz and NAME_inspiration.nii.gz"
+                    + " or the like");
         }
         return pairs;
     }

@@ -38,7 +38,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * The paper's second half on patients of our own: import of both breath levels, rigid alignment, a short fit at low
+ * The paper's study of patients on public scans: import of both breath levels, rigid alignment, a short fit at low
  * resolution.
  */
 public final class PatientStudy {
@@ -52,7 +52,7 @@ public final class PatientStudy {
      * front.
      */
     public static final String DEFAULT_AXES = "LPS";
-    /** More patients are left out: each takes a minute. */
+    /** More patients are left out: each takes about a minute. */
     public static final int MAX_PATIENTS = 3;
 
     /** Breaths of the search for each patient. */
@@ -145,7 +145,7 @@ public final class PatientStudy {
                 .run(map, name);
     }
 
-    /** A patient whose breath is known, for want of scans. */
+    /** A patient whose breath is known, where there are no scans. */
     public PatientCase synthetic() {
         SyntheticPatient patient = SyntheticPatient.five().get(0);
         progress.note("a synthetic patient: " + patient.name());
@@ -202,7 +202,7 @@ public final class PatientStudy {
         Files.delete(folder);
     }
 
-    /** Every twelfth breath is told. */
+    /** Reports every twelfth breath. */
     private final class Breaths implements FitProgress {
         private static final int EVERY = 12;
 

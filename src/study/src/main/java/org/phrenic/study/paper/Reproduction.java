@@ -53,7 +53,7 @@ public record Reproduction(
             this.label = label;
         }
 
-        /** Name for people. */
+        /** Name in reports. */
         public String label() {
             return label;
         }
@@ -74,7 +74,7 @@ public record Reproduction(
                         case PUBLISHED_HOMOGENEOUS ->
                             PaperScenarios.publishedModel("deep", resolution).with("tensegrity=false");
                     };
-            // Of these end-inspiration alone is looked at, as deep as 3 to 4 s after the start.
+            // Of the others only end-inspiration is needed, which is 3 to 4 s after the start.
             boolean toTheEnd = this == LIGHT || this == DEEP || this == PUBLISHED;
             return toTheEnd ? scenario.with("threads=1") : scenario.with("threads=1", "duration_s=" + INSPIRED_S);
         }
@@ -133,7 +133,8 @@ public record Reproduction(
             breaths.put(runs.get(i), done.get(i));
         }
         if (!quick) {
-            // Driven alone, ribs do not lower the domes: all three are looked at when the whole breath is deepest.
+            // Driven alone, ribs do not lower the domes: all three are compared at the end-inspiration of the whole
+            // breath.
             int row = breaths.get(Run.DEEP).endInspirationRow();
             breaths.computeIfPresent(Run.DEEP_MUSCLE, (run, breath) -> breath.withEndInspirationRow(row));
             breaths.computeIfPresent(Run.DEEP_RIBS, (run, breath) -> breath.withEndInspirationRow(row));

@@ -14,7 +14,7 @@ import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.speed.SpeedCase;
 import org.phrenic.study.speed.SpeedTable;
 
-/** Table 1 of the paper and what its discussion makes of it. */
+/** Table 1 of the paper and the claims of its discussion of speed. */
 final class SpeedSection {
     private static final SpeedTable PUBLISHED = SpeedTable.published();
     /** "Slightly slower": at most so many per cent. */

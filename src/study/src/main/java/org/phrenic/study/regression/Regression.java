@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
@@ -70,11 +69,48 @@ public class Regression {
                                 + " (phrenic regress --write-references data/regression makes them)"));
     }
 
+    /**
+     * A scene or an attempt.
+     *
+     * @param check reads its references, then gives the comparison to be made
+     * @param values computes its references
+     */
+    private record Entry(
+            String name, Supplier<Supplier<RegressionComparison>> check, Supplier<Map<String, Object>> values) {}
+
+    private List<Entry> entries() {
+        List<Entry> entries = new ArrayList<>();
+        for (RegressionScene scene : scenes) {
+            Supplier<Supplier<RegressionComparison>> check = () -> {
+                RegressionReference stored = reference(scene);
+                return () -> compare(scene, stored);
+            };
+            entries.add(new Entry(scene.name(), check, () -> compute(scene).values()));
+        }
+        for (RegressionAttempt attempt : attempts) {
+            Supplier<Supplier<RegressionComparison>> check = () -> {
+                Map<String, String> stored = attempt.read(stored(attempt.name()));
+                return () -> compare(attempt, stored);
+            };
+            entries.add(
+                    new Entry(attempt.name(), check, () -> attempt.values(attempt.compute(body(attempt.scenario())))));
+        }
+        return entries;
+    }
+
     /** Names of all scenes and attempts, in order. */
     public List<String> names() {
-        return Stream.concat(
-                        scenes.stream().map(RegressionScene::name),
-                        attempts.stream().map(RegressionAttempt::name))
+        return entries().stream().map(Entry::name).toList();
+    }
+
+    private List<Entry> selected(List<String> only) {
+        for (String name : only) {
+            if (!names().contains(name)) {
+                throw new BadInputException("--scene: found '" + name + "', expected " + String.join(", ", names()));
+            }
+        }
+        return entries().stream()
+                .filter(entry -> only.isEmpty() || only.contains(entry.name()))
                 .toList();
     }
 
@@ -86,60 +122,25 @@ public class Regression {
      *     before anything is computed
      */
     public List<RegressionComparison> check(List<String> only, ProgressListener progress) {
-        requireKnown(only);
-        List<String> names = new ArrayList<>();
-        List<Supplier<RegressionComparison>> work = new ArrayList<>();
-        for (RegressionScene scene : scenes) {
-            if (isSelected(only, scene.name())) {
-                RegressionReference then = reference(scene);
-                names.add(scene.name());
-                work.add(() -> compare(scene, then));
-            }
-        }
-        for (RegressionAttempt attempt : attempts) {
-            if (isSelected(only, attempt.name())) {
-                Map<String, String> then = attempt.read(stored(attempt.name()));
-                names.add(attempt.name());
-                work.add(() -> compare(attempt, then));
-            }
-        }
+        List<Entry> selected = selected(only);
+        List<Supplier<RegressionComparison>> checks =
+                selected.stream().map(entry -> entry.check().get()).toList();
         List<RegressionComparison> comparisons = new ArrayList<>();
-        for (int i = 0; i < work.size(); i++) {
-            comparisons.add(work.get(i).get());
-            progress.done(i + 1, work.size(), names.get(i));
+        for (Supplier<RegressionComparison> check : checks) {
+            String name = selected.get(comparisons.size()).name();
+            comparisons.add(check.get());
+            progress.done(comparisons.size(), checks.size(), name);
         }
         return comparisons;
     }
 
-    /** Computes scenes and attempts and writes what they give as references into the folder. */
+    /** Computes scenes and attempts and writes them as references into the folder. */
     public void write(List<String> only, ProgressListener progress) {
-        requireKnown(only);
-        List<String> names =
-                names().stream().filter(name -> isSelected(only, name)).toList();
         int done = 0;
-        for (RegressionScene scene : scenes) {
-            if (names.contains(scene.name())) {
-                YamlWriter.write(file(scene.name()), compute(scene).values());
-                progress.done(++done, names.size(), scene.name());
-            }
-        }
-        for (RegressionAttempt attempt : attempts) {
-            if (names.contains(attempt.name())) {
-                YamlWriter.write(file(attempt.name()), attempt.values(attempt.compute(body(attempt.scenario()))));
-                progress.done(++done, names.size(), attempt.name());
-            }
-        }
-    }
-
-    private static boolean isSelected(List<String> only, String name) {
-        return only.isEmpty() || only.contains(name);
-    }
-
-    private void requireKnown(List<String> only) {
-        for (String name : only) {
-            if (!names().contains(name)) {
-                throw new BadInputException("--scene: found '" + name + "', expected " + String.join(", ", names()));
-            }
+        List<Entry> selected = selected(only);
+        for (Entry entry : selected) {
+            YamlWriter.write(file(entry.name()), entry.values().get());
+            progress.done(++done, selected.size(), entry.name());
         }
     }
 

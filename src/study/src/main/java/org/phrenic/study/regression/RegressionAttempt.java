@@ -16,7 +16,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 
 /**
- * An exercise of the regression list: played through, its report is held against that of before, number by number.
+ * An exercise of the regression list: performed, its report is compared with the stored one, number by number.
  *
  * @param name of its file of references
  * @param exercise that comes with the program
@@ -134,7 +134,7 @@ record RegressionAttempt(String name, String exercise, List<String> settings, do
         return leaves;
     }
 
-    /** Compares what it gives now with what it gave. */
+    /** Compares the report with its references. */
     RegressionComparison compare(Map<String, String> then, Map<String, String> now) {
         if (!then.keySet().equals(now.keySet())) {
             Set<String> missing = new TreeSet<>(then.keySet());
@@ -142,7 +142,7 @@ record RegressionAttempt(String name, String exercise, List<String> settings, do
             Set<String> added = new TreeSet<>(now.keySet());
             added.removeAll(then.keySet());
             return RegressionComparison.ofReport(
-                    name, false, "", Double.NaN, "the report has another make: missing " + missing + ", new " + added);
+                    name, false, "", Double.NaN, "the report has other parts: missing " + missing + ", new " + added);
         }
         String worst = "";
         double most = -1;
@@ -165,10 +165,7 @@ record RegressionAttempt(String name, String exercise, List<String> settings, do
                                 + ", the tolerance is " + tolerance + " of it");
     }
 
-    /**
-     * How far a leaf is from its reference; infinite where words differ, and what is no number differs from any that
-     * is.
-     */
+    /** Relative error of a leaf; infinite where texts differ or one of them is NaN. */
     private static double off(String then, String now) {
         if (then.equals(now)) {
             return 0;

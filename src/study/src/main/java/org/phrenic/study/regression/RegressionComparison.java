@@ -1,15 +1,14 @@
 package org.phrenic.study.regression;
 
-import java.util.List;
 import java.util.Locale;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * How far a scene is from its references.
+ * Comparison of a scene with its references.
  *
  * @param scene its name
  * @param passes whether all is within the tolerances
- * @param worstMm largest distance of a node from its reference, mm; NaN where a place is no number
+ * @param worstMm largest distance of a node from its reference, mm; NaN where a position is NaN
  * @param worstNode that node, in the caller's numbering; -1 where it was not reached
  * @param worstNodeTimeS when, s
  * @param worstObservable observable, or number of a report, that is farthest off; empty where it was not reached
@@ -28,7 +27,7 @@ public record RegressionComparison(
         double worstObservableTimeS,
         String sentence) {
 
-    /** A scene that gave nothing to compare. */
+    /** A scene that failed before anything could be compared. */
     static RegressionComparison failed(RegressionScene scene, String sentence) {
         double none = Double.NaN;
         return new RegressionComparison(scene.name(), false, none, -1, none, "", none, none, sentence);
@@ -40,82 +39,71 @@ public record RegressionComparison(
         return new RegressionComparison(name, holds, none, -1, none, worst, share, none, sentence);
     }
 
-    /**
-     * Compares what a scene gives now with what it gave: everything must be within its tolerance, and what is no number
-     * is within none.
-     */
-    static RegressionComparison of(RegressionScene scene, RegressionReference then, RegressionReference now) {
-        if (then.nodeCount() != now.nodeCount()) {
-            return failed(
-                    scene, "has " + now.nodeCount() + " nodes, the references are of " + then.nodeCount() + " nodes");
-        }
-        double farthest = -1;
-        int node = -1;
-        double nodeTime = 0;
-        double most = -1;
-        String name = "";
-        double observableTime = 0;
-        for (int f = 0; f < then.frames().size(); f++) {
-            RegressionReference.Frame old = then.frames().get(f);
-            RegressionReference.Frame fresh = now.frames().get(f);
-            for (int i = 0; i < then.nodes().length; i++) {
-                double distance = distance(old.positions(), fresh.positions(), 3 * i);
-                if (isWorse(distance, farthest)) {
-                    farthest = distance;
-                    node = then.nodes()[i];
-                    nodeTime = old.timeS();
-                }
-            }
-            List<String> columns = Observation.COLUMNS;
-            for (int c = 0; c < columns.size(); c++) {
-                double reference = old.observables()[c];
-                double off = Math.abs(fresh.observables()[c] - reference) / Math.max(1, Math.abs(reference));
-                if (isWorse(off, most)) {
-                    most = off;
-                    name = columns.get(c);
-                    observableTime = old.timeS();
-                }
+    /** The largest error so far; NaN is larger than any number. */
+    private static final class Worst {
+        private double error = -1;
+        private int index = -1;
+        private double timeS;
+
+        void offer(double other, int at, double time) {
+            if (!Double.isNaN(error) && !(other <= error)) {
+                error = other;
+                index = at;
+                timeS = time;
             }
         }
-        boolean nodesHold = !exceeds(farthest, scene.toleranceMm());
-        boolean observablesHold = !exceeds(most, scene.observableTolerance());
-        String sentence = nodesHold && observablesHold
-                ? ""
-                : nodesHold
-                        ? String.format(
-                                Locale.ROOT,
-                                "%s is off by %.3g of it at %.3f s, the tolerance is %s",
-                                name,
-                                most,
-                                observableTime,
-                                scene.observableTolerance())
-                        : String.format(
-                                Locale.ROOT,
-                                "node %d is %.4g mm from its reference at %.3f s, the tolerance is %s mm",
-                                node,
-                                farthest,
-                                nodeTime,
-                                scene.toleranceMm());
+    }
+
+    /** Compares what a scene gives with its references: everything must be within its tolerance, and NaN is not. */
+    static RegressionComparison of(RegressionScene scene, RegressionReference stored, RegressionReference computed) {
+        if (stored.nodeCount() != computed.nodeCount()) {
+            String counts = "has " + computed.nodeCount() + " nodes, the references are of " + stored.nodeCount();
+            return failed(scene, counts + " nodes");
+        }
+        Worst node = new Worst();
+        Worst observable = new Worst();
+        for (int f = 0; f < stored.frames().size(); f++) {
+            RegressionReference.Frame reference = stored.frames().get(f);
+            RegressionReference.Frame frame = computed.frames().get(f);
+            for (int i = 0; i < stored.nodes().length; i++) {
+                double distance = distance(reference.positions(), frame.positions(), 3 * i);
+                node.offer(distance, stored.nodes()[i], reference.timeS());
+            }
+            for (int c = 0; c < Observation.COLUMNS.size(); c++) {
+                double expected = reference.observables()[c];
+                double error = Math.abs(frame.observables()[c] - expected) / Math.max(1, Math.abs(expected));
+                observable.offer(error, c, reference.timeS());
+            }
+        }
+        String name = Observation.COLUMNS.get(observable.index);
+        String sentence = "";
+        if (!(node.error <= scene.toleranceMm())) {
+            sentence = String.format(
+                    Locale.ROOT,
+                    "node %d is %.4g mm from its reference at %.3f s, the tolerance is %s mm",
+                    node.index,
+                    node.error,
+                    node.timeS,
+                    scene.toleranceMm());
+        } else if (!(observable.error <= scene.observableTolerance())) {
+            sentence = String.format(
+                    Locale.ROOT,
+                    "%s is off by %.3g of it at %.3f s, the tolerance is %s",
+                    name,
+                    observable.error,
+                    observable.timeS,
+                    scene.observableTolerance());
+        }
         return new RegressionComparison(
                 scene.name(),
-                nodesHold && observablesHold,
-                farthest,
-                node,
-                nodeTime,
+                sentence.isEmpty(),
+                node.error,
+                node.index,
+                node.timeS,
                 name,
-                most,
-                observableTime,
+                observable.error,
+                observable.timeS,
                 sentence);
-    }
-
-    /** Beyond the tolerance, or no number at all. */
-    private static boolean exceeds(double error, double tolerance) {
-        return !(error <= tolerance);
-    }
-
-    /** What is no number is worse than any that is. */
-    private static boolean isWorse(double error, double worst) {
-        return !Double.isNaN(worst) && !(error <= worst);
     }
 
     private static double distance(double[] p, double[] q, int at) {

@@ -9,7 +9,7 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * What a scene gave: places of some nodes and all observables at some times.
+ * Stored results of a scene: positions of some nodes and all observables at some times.
  *
  * @param specification {@link RegressionScene#specification} of the scene
  * @param nodeCount nodes of the scene

@@ -15,7 +15,7 @@ import org.phrenic.scenario.ScheduledChange;
  * @param name of its file of references
  * @param settings what differs from a quiet breath, as {@code key=value}
  * @param changes made while it runs, as {@code STEP:key=value}
- * @param timesS when it is looked at, s; more than 0, rising
+ * @param timesS when it is observed, s; more than 0, ascending
  * @param toleranceMm largest distance of a node from its reference, mm
  * @param observableTolerance largest difference of an observable from its reference, as a share of that or of 1 if that
  *     is more

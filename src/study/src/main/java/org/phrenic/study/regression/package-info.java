@@ -1,2 +1,4 @@
-/** Scenes held against stored references. */
+/**
+ * Scenes and exercises computed and compared with stored references, node by node and number by number.
+ */
 package org.phrenic.study.regression;

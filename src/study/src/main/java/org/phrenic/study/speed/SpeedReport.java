@@ -144,9 +144,9 @@ public final class SpeedReport {
     public String markdown() {
         ReportDocument report = new ReportDocument(
                 "Speed",
-                "Table 1 of Villard, Bourne and Bello 2009 (a dual-core processor of 2.4 GHz, Java 1.6, 2008; their scheme"
-                        + " evaluates forces twice a step) and the same scenes here: their material and step of 0.01 s,"
-                        + " velocity Verlet. Median of the trials; processor time on one thread, the clock on several.");
+                "Table 1 of Villard, Bourne and Bello 2009 (a dual-core processor of 2.4 GHz, Java 1.6, 2008; their"
+                        + " scheme evaluates forces twice a step) and the same scenes here: their material and step of 0.01"
+                        + " s, velocity Verlet. Median of the trials; processor time on one thread, the clock on several.");
         add(report, table());
         add(report, ribMotionOverhead());
         report.section("Against the number of nodes");

@@ -43,7 +43,7 @@ public record CaseResult(
             this.label = label;
         }
 
-        /** Name for people. */
+        /** Name in reports. */
         public String label() {
             return label;
         }

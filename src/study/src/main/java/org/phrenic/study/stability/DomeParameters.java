@@ -17,7 +17,7 @@ final class DomeParameters {
     boolean conflictingLinks;
     /** Whether the rim jumps through its whole range in one step, and back, instead of moving with the breath. */
     boolean rimJumps;
-    /** Whether soft springs pull each node home. */
+    /** Whether soft springs pull each node to its rest position. */
     boolean homeSprings = true;
     /** Time step, s. */
     double dtS = 0.01;

@@ -18,7 +18,7 @@ import org.phrenic.mesh.EdgeTable;
 
 /**
  * The engine alone on a dome that breathes: springs along the edges and between the faces, rigid links in its middle, a
- * rim carried by ribs, one action line, and soft springs that bring each node home.
+ * rim carried by ribs, one action line, and soft springs that pull each node to its rest position.
  */
 final class DomeScene implements StabilityScene {
     /** Tolerance of the relative length error and maximum number of sweeps, as in the scenes of the program. */

@@ -1,7 +1,7 @@
 package org.phrenic.study.validation;
 
 /**
- * What came of one row of the physiology table on one body.
+ * Result of one row of the physiology table on one body.
  *
  * @param range the quantity
  * @param verdict whether the value lies in the range
@@ -9,7 +9,7 @@ package org.phrenic.study.validation;
  * @param reason why there is none, or why it lies outside its range; empty for what lies within
  */
 public record Finding(ReferenceRange range, Verdict verdict, double value, String reason) {
-    /** What is said of a value outside its range where the table gives no reason. */
+    /** Reason of a value outside its range where the table gives none. */
     static final String UNEXPLAINED = "no reason is known yet";
 
     /** Whether a value lies in its range. */

@@ -20,8 +20,8 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
 /**
- * How far the liver moves under the four breathings that access to it knows: quiet, deep, held at expiration, held at
- * inspiration; beside what was seen in people.
+ * Excursion of the liver in the four kinds of breathing used for access to it (quiet, deep, held at expiration, held at
+ * inspiration), beside published ranges.
  *
  * @param rows one a body and breathing
  */

@@ -2,6 +2,7 @@ package org.phrenic.study.validation;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -16,8 +17,7 @@ import org.phrenic.study.ShippedFile;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
- * What is known of people's breathing, as ranges with sources: a YAML file with a list {@code rows}, each a
- * {@link ReferenceRange}.
+ * Ranges of human breathing with their sources: a YAML file with a list {@code rows}, each a {@link ReferenceRange}.
  *
  * @param name of the file
  * @param ranges in the order of the file
@@ -77,26 +77,20 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
                 Optional.of(oneOf(map, "preset", BreathingPreset.names(), NONE)).filter(p -> !p.equals(NONE));
         double low = map.number("low", Double.NaN);
         double high = map.number("high", Double.NaN);
-        if (Double.isNaN(low) && Double.isNaN(high)) {
-            throw map.bad("low", "found neither low nor high, expected at least one of them");
-        }
-        if (low > high) {
-            throw map.bad("low", "found " + low + " above high " + high + ", expected low to be at most high");
-        }
-        String note = map.text("note", "");
-        if (preset.isEmpty() && note.isBlank()) {
-            throw map.bad("note", "found none, expected why the quantity cannot be measured here (preset: none)");
-        }
-        String missedBecause = map.text("missed_because", "");
-        if (map.has("missed_because") && missedBecause.isBlank()) {
-            throw map.bad("missed_because", "found nothing, expected why the range is missed");
-        }
-        if (map.has("missed_because") && preset.isEmpty()) {
-            throw map.bad(
-                    "missed_because",
-                    "found it with preset none, expected none there: what is not measured is not missed");
-        }
+        boolean bounded = !Double.isNaN(low) || !Double.isNaN(high);
+        require(bounded, map, "low", "found neither low nor high, expected at least one of them");
+        String order = "found " + low + " above high " + high + ", expected low to be at most high";
+        require(!(low > high), map, "low", order);
         boolean measured = preset.isPresent();
+        String note = map.text("note", "");
+        String unmeasured = "found none, expected why the quantity cannot be measured here (preset: none)";
+        require(measured || !note.isBlank(), map, "note", unmeasured);
+        String missReason = map.text("missed_because", "");
+        boolean reasoned = map.has("missed_because");
+        String nothing = "found nothing, expected why the range is missed";
+        require(!reasoned || !missReason.isBlank(), map, "missed_because", nothing);
+        String unmissed = "found it with preset none, expected none there: what is not measured is not missed";
+        require(!reasoned || measured, map, "missed_because", unmissed);
         Reduction reduction = measured
                 ? Reduction.of(oneOf(map, "reduction", Reduction.labels(), null))
                         .orElseThrow()
@@ -119,31 +113,32 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
                 Confidence.of(oneOf(map, "confidence", tags(), null)).orElseThrow(),
                 source(map),
                 note,
-                missedBecause);
+                missReason);
+    }
+
+    private static void require(boolean holds, YamlMap map, String key, String problem) {
+        if (!holds) {
+            throw map.bad(key, problem);
+        }
     }
 
     private static String source(YamlMap map) {
         String source = map.text("source");
-        if (source.isBlank()) {
-            throw map.bad("source", "found nothing, expected where the range comes from");
-        }
+        require(!source.isBlank(), map, "source", "found nothing, expected where the range comes from");
         return source;
     }
 
     private static double share(YamlMap map) {
         double share = map.number("share", 1);
-        if (!(share > 0 && share <= 1)) {
-            throw map.bad("share", "found " + share + ", expected more than 0 to 1");
-        }
+        require(share > 0 && share <= 1, map, "share", "found " + share + ", expected more than 0 to 1");
         return share;
     }
 
     private static List<String> observables(YamlMap map, Reduction reduction) {
         boolean many = reduction == Reduction.ORDER;
         List<String> names = many ? map.texts("observables") : List.of(map.text("observable"));
-        if (many && names.size() < 2) {
-            throw map.bad("observables", "found " + names.size() + ", expected at least two to put in order");
-        }
+        String tooFew = "found " + names.size() + ", expected at least two to put in order";
+        require(!many || names.size() >= 2, map, "observables", tooFew);
         names.forEach(name -> requireObservable(map, many ? "observables" : "observable", name));
         return names;
     }
@@ -182,6 +177,6 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
     }
 
     private static List<String> tags() {
-        return java.util.Arrays.stream(Confidence.values()).map(Confidence::tag).toList();
+        return Arrays.stream(Confidence.values()).map(Confidence::tag).toList();
     }
 }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.phrenic.study.BreathSeries;
 
 /**
- * How one number is made of curves: from end-expiration to end-inspiration of a breath, averaged over whole breaths
+ * How curves are reduced to one number: from end-expiration to end-inspiration of a breath, averaged over whole breaths
  * ({@link BreathSeries}).
  */
 public enum Reduction {

@@ -20,7 +20,7 @@ import org.phrenic.study.PresetRun;
 import org.phrenic.study.validation.Finding.Verdict;
 
 /**
- * Holds simulated breaths against the physiology table: each preset that a row asks for is run once on each body, and
+ * Compares simulated breaths with the physiology table: each preset that a row asks for is run once on each body, and
  * every row gets a verdict.
  *
  * @param table what was asked
