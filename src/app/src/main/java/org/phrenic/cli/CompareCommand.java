@@ -36,7 +36,8 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  phrenic compare simulated.vtp scan.ply",
             "  phrenic compare before.stl after.stl --json --csv distances.csv",
-            "  phrenic compare simulated.vtp scan.ply --ply coloured.ply --picture map.png --view superior --range 0:10",
+            "  phrenic compare simulated.vtp scan.ply --ply coloured.ply --picture map.png --view superior "
+                    + "--range 0:10",
             "",
             "Both files are taken to be in mm and in the same axes; nothing is aligned.",
             Disclaimer.TEXT

@@ -37,13 +37,16 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  phrenic fit patient --target lung_R=inspiration/lung_R.vtp --target lung_L=inspiration/lung_L.vtp --out result",
+            "  phrenic fit patient --target lung_R=inspiration/lung_R.vtp --target "
+                    + "lung_L=inspiration/lung_L.vtp --out result",
             "  phrenic fit patient --target lungs=inspiration.stl --hold-out half --minutes 5 --out result",
             "  phrenic fit patient --target lung_R=r.vtp --target lung_L=l.vtp --hold-out lung_L --out result",
-            "  phrenic fit virtual/adult-male --target liver=points.csv --tune muscle_activation,rib_rotation=0:1 --out result",
+            "  phrenic fit virtual/adult-male --target liver=points.csv --tune "
+                    + "muscle_activation,rib_rotation=0:1 --out result",
             "  phrenic fit --synthetic 5 --resolution low --evaluations 62 --out known",
             "",
-            "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted breath again) and",
+            "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted "
+                    + "breath again) and",
             "journal.csv, which keeps every evaluation: the same command goes on from it.",
             Disclaimer.TEXT
         })
@@ -62,7 +65,8 @@ final class FitCommand extends ReportingCommand {
             paramLabel = "PART=FILE",
             description =
                     "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
-                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May be repeated.")
+                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May "
+                            + "be repeated.")
     private List<String> targets = new ArrayList<>();
 
     @Option(

@@ -1,7 +1,6 @@
 package org.phrenic.cli;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -52,6 +51,24 @@ import picocli.CommandLine.Parameters;
         })
 final class ImportCommand extends ReportingCommand {
     private static final double MAX_EDGE_MM = 50;
+    /** Headings of the table by the keys of the report. */
+    private static final Map<String, String> COLUMNS = new LinkedHashMap<>();
+
+    static {
+        COLUMNS.put("structure", "structure");
+        COLUMNS.put("source", "from");
+        COLUMNS.put("label_volume_ml", "label ml");
+        COLUMNS.put("mesh_volume_ml", "mesh ml");
+        COLUMNS.put("label_surface_vertices", "label nodes");
+        COLUMNS.put("decimated_vertices", "decimated");
+        COLUMNS.put("vertices", "vertices");
+        COLUMNS.put("off_label_mean_mm", "off label mm");
+        COLUMNS.put("off_label_mean_voxels", "in voxels");
+        COLUMNS.put("off_label_maximum_mm", "max mm");
+        COLUMNS.put("smallest_angle_deg", "angle deg");
+        COLUMNS.put("edge_ratio", "edge ratio");
+        COLUMNS.put("cut_at", "cut at");
+    }
 
     @Parameters(paramLabel = "LABELS", description = "A label volume: nii, nii.gz, nrrd, nhdr, mha, mhd.")
     private Path file;
@@ -59,8 +76,8 @@ final class ImportCommand extends ReportingCommand {
     @Option(
             names = "--labels",
             paramLabel = "MAP",
-            description =
-                    "Which label is which structure: a CSV file, or totalsegmentator. Without it, the volume's own names.")
+            description = "Which label is which structure: a CSV file, or totalsegmentator. Without it, the volume's "
+                    + "own names.")
     private String labels;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")
@@ -69,36 +86,37 @@ final class ImportCommand extends ReportingCommand {
     @Option(
             names = "--edge",
             paramLabel = "MM",
-            description =
-                    "Edge of the triangles, 0 for those of the decimation. Default: 4 on soft organs, 2.5 on bones, 8 on skin, or a voxel.")
+            description = "Edge of the triangles, 0 for those of the decimation. Default: 4 on soft organs, 2.5 on "
+                    + "bones, 8 on skin, or a voxel.")
     private String edge;
 
     @Option(
             names = "--axes",
             paramLabel = "XYZ",
-            description =
-                    "Sides of the body to which columns, rows and slices run, such as LPS, where the file states them wrongly.")
+            description = "Sides of the body to which columns, rows and slices run, such as LPS, where the file "
+                    + "states them wrongly.")
     private String axes;
 
     @Option(
             names = "--spacing",
             paramLabel = "X,Y,Z",
-            description =
-                    "Size of a voxel along columns, rows and slices, mm, such as 1.75,1.75,1.25, where the file states it wrongly.")
+            description = "Size of a voxel along columns, rows and slices, mm, such as 1.75,1.75,1.25, where the file "
+                    + "states it wrongly.")
     private String spacing;
 
     @Option(
             names = "--complete",
             paramLabel = "BODY",
-            description =
-                    "Where structures come from that the scan lacks: virtual/adult-male (default), virtual/adult-female, a thorax folder, or none.")
+            description = "Where structures come from that the scan lacks: virtual/adult-male (default), "
+                    + "virtual/adult-female, a thorax folder, or none.")
     private String complete = "virtual/adult-male";
 
     @Option(
             names = "--align-to",
             paramLabel = "THORAX",
-            description =
-                    "A body made of another scan of the same patient: this scan is brought to it rigidly, by the spine or by apex and back of the lungs, and the distances of the lungs are told. Nothing is completed.")
+            description = "A body made of another scan of the same patient: this scan is brought to it rigidly, by "
+                    + "the spine or by apex and back of the lungs, and the distances of the lungs are "
+                    + "told. Nothing is completed.")
     private Path alignTo;
 
     @Override
@@ -157,23 +175,12 @@ final class ImportCommand extends ReportingCommand {
 
     private String text(LabelGrid grid, PatientBody body) {
         TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true, true, true, false)
-                .row(
-                        "structure",
-                        "from",
-                        "label ml",
-                        "mesh ml",
-                        "label nodes",
-                        "decimated",
-                        "vertices",
-                        "off label mm",
-                        "in voxels",
-                        "max mm",
-                        "angle deg",
-                        "edge ratio",
-                        "cut at");
+                .row(COLUMNS.values().toArray(String[]::new));
         Map<String, Object> report = ImportReport.of(file.toString(), grid, body);
         for (Object row : (List<?>) report.get("structures")) {
-            table.row(cells((Map<?, ?>) row));
+            table.row(COLUMNS.keySet().stream()
+                    .map(key -> cell(key, ((Map<?, ?>) row).get(key)))
+                    .toArray(String[]::new));
         }
         StringBuilder text = new StringBuilder();
         text.append(String.format(
@@ -197,29 +204,10 @@ final class ImportCommand extends ReportingCommand {
         return text.append('\n').append(Disclaimer.TEXT).append('\n').toString();
     }
 
-    private static String[] cells(Map<?, ?> row) {
-        List<String> cells = new ArrayList<>();
-        for (String key : List.of(
-                "structure",
-                "source",
-                "label_volume_ml",
-                "mesh_volume_ml",
-                "label_surface_vertices",
-                "decimated_vertices",
-                "vertices",
-                "off_label_mean_mm",
-                "off_label_mean_voxels",
-                "off_label_maximum_mm",
-                "smallest_angle_deg",
-                "edge_ratio",
-                "cut_at")) {
-            Object value = row.get(key);
-            cells.add(
-                    value instanceof Double number
-                            ? String.format(
-                                    Locale.ROOT, key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f", number)
-                            : value == null ? "-" : value.toString());
-        }
-        return cells.toArray(String[]::new);
+    private static String cell(String key, Object value) {
+        String format = key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f";
+        return value instanceof Double number
+                ? String.format(Locale.ROOT, format, number)
+                : value == null ? "-" : value.toString();
     }
 }

@@ -22,12 +22,13 @@ import picocli.CommandLine.Spec;
         versionProvider = VersionProvider.class,
         synopsisSubcommandLabel = "[COMMAND]",
         usageHelpWidth = 110,
-        description =
-                "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: the window; without a display, a quiet breath in numbers and pictures.",
+        description = "Simulate breathing: diaphragm, ribs, sternum, lungs and liver. Without a command: the window; "
+                + "without a display, a quiet breath in numbers and pictures.",
         footer = {
             "",
             "Examples:",
-            "  phrenic                                   the window; without a display, a quiet breath into ./phrenic-out",
+            "  phrenic                                   the window; without a display, a quiet breath into "
+                    + "./phrenic-out",
             "  phrenic window scenario.yaml              the window with a scenario, a thorax folder or a trace",
             "  phrenic run --preset deep --out result    a deep one into ./result",
             "  phrenic render --out pictures --view all  pictures of it from six sides",
@@ -39,7 +40,8 @@ import picocli.CommandLine.Spec;
             "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
             "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
             "",
-            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. Results go to stdout, log and progress to stderr.",
+            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. "
+                    + "Results go to stdout, log and progress to stderr.",
             Disclaimer.TEXT
         })
 public final class Phrenic implements Callable<Integer> {

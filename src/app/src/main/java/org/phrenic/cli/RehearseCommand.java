@@ -35,7 +35,8 @@ import picocli.CommandLine.Parameters;
             "  phrenic rehearse data/exercises/1-large-target.yaml --out report",
             "  phrenic rehearse plan.yaml --out report --no-pictures --json",
             "",
-            "DIR gets report.json, report.html and pictures. Exit code 3: what the plan counts as done was not reached.",
+            "DIR gets report.json, report.html and pictures. Exit code 3: what the plan counts as done was not "
+                    + "reached.",
             "",
             Disclaimer.TEXT
         })

@@ -72,8 +72,9 @@ final class ReproduceCommand implements Callable<Integer> {
     @Option(
             names = "--patients",
             paramLabel = "FOLDER",
-            description =
-                    "Scans at two breath levels for figs. 4 and 5: NAME_expiration.* and NAME_inspiration.*, volumes of labels. Without it, ../shared/segmentations/breath-pairs if that is there, else a synthetic patient.")
+            description = "Scans at two breath levels for figs. 4 and 5: NAME_expiration.* and NAME_inspiration.*, "
+                    + "volumes of labels. Without it, ../shared/segmentations/breath-pairs if that is "
+                    + "there, else a synthetic patient.")
     private Path patients;
 
     @Option(

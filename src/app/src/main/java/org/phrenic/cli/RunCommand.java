@@ -48,8 +48,8 @@ final class RunCommand extends ReportingCommand {
     @Option(
             names = "--max-error",
             paramLabel = "MM",
-            description =
-                    "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms error of the diaphragm.")
+            description = "Take the cheapest integrator, step, sweeps and refresh that were measured to keep this rms "
+                    + "error of the diaphragm.")
     private String maxError;
 
     @Override

@@ -42,7 +42,8 @@ import picocli.CommandLine.Option;
             "  phrenic validate --resolution low --preset quiet,deep --sensitivity",
             "  phrenic validate --liver --anatomy my-thorax",
             "",
-            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and sensitivity.json; with --liver liver.json.",
+            "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and "
+                    + "sensitivity.json; with --liver liver.json.",
             "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
             "",
             Disclaimer.TEXT

@@ -195,7 +195,8 @@ public final class PaperFigures {
         }
         return new FigureImage(
                 name,
-                "Wireframe of the diaphragm at the end of inhale over its surface at the end of exhale, whose domes stand"
+                "Wireframe of the diaphragm at the end of inhale over its surface at the end of exhale, whose "
+                        + "domes stand"
                         + " higher" + (coloured ? ", coloured by displacement" : ", muscle red and tendon pale"),
                 caption,
                 picture(

@@ -37,8 +37,8 @@ public final class StyleOptions {
     @Option(
             names = "--field",
             paramLabel = "NAME",
-            description =
-                    "Colours on the diaphragm: displacement (mm), strain (change of area, %%) or distance from --reference (mm).")
+            description = "Colours on the diaphragm: displacement (mm), strain (change of area, %%) or distance from "
+                    + "--reference (mm).")
     private String field;
 
     @Option(names = "--reference", paramLabel = "MESH", description = "Surface that --field distance is measured from.")

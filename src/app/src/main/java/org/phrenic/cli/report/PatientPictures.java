@@ -57,7 +57,8 @@ public final class PatientPictures {
             return List.of(
                     new FigureImage(
                             "fig4-" + file + "-levels",
-                            "Lungs at the end of exhale within the translucent, larger lungs at the end of inhale, from the"
+                            "Lungs at the end of exhale within the translucent, larger lungs at the end of "
+                                    + "inhale, from the"
                                     + " front",
                             "Lungs at the end of exhale, and at the end of inhale (translucent blue).",
                             pictures.layers(levels, settings(AnatomicalView.ANTERIOR))),

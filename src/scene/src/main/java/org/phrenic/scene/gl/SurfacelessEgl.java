@@ -74,7 +74,8 @@ final class SurfacelessEgl extends JNILibLoaderBase {
             display = EGL.eglGetPlatformDisplay(PLATFORM_SURFACELESS_MESA, 0L, null);
         } catch (RuntimeException | LinkageError e) {
             throw new NoGraphicsException(
-                    "No pictures can be made here: there is no display, and no EGL library (libEGL 1.5) to draw without one",
+                    "No pictures can be made here: there is no display, and no EGL library (libEGL 1.5) to draw "
+                            + "without one",
                     e);
         }
         if (display == 0) {
@@ -90,7 +91,8 @@ final class SurfacelessEgl extends JNILibLoaderBase {
             only.setAccessible(true);
             if (!(boolean) initialize.invoke(null, display, new int[1], new int[1])) {
                 throw new NoGraphicsException(
-                        "No pictures can be made here: there is no display, and the driver of EGL does not start without one");
+                        "No pictures can be made here: there is no display, and the driver of EGL does not "
+                                + "start without one");
             }
             only.invoke(null, true);
             suppressShutdownWarning(displays);
