@@ -132,9 +132,9 @@ public final class ErrorReport {
         return String.format(
                 Locale.ROOT,
                 "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium"
-                        + " of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they come"
-                        + " to rest by themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation alone was %.2g mm"
-                        + " rms off.",
+                        + " of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they"
+                        + " come to rest by themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation"
+                        + " alone was %.2g mm rms off.",
                 lag.timeS(),
                 lag.rmsMm(),
                 study.percent(lag.rmsMm()),

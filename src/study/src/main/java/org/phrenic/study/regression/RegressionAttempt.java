@@ -11,6 +11,7 @@ import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.Key;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -24,8 +25,8 @@ import org.phrenic.scenario.Scenario;
  * @param tolerance largest difference of a number from its reference, as a share of that or of 1 if that is more; words
  *     and counts must be the same
  */
-record RegressionAttempt(String name, String exercise, List<String> settings, double tolerance) {
-    private static final List<String> KEYS = List.of("name", "exercise", "settings", "tolerance");
+record RegressionAttempt(
+        String name, String exercise, @Key(absent = "") List<String> settings, @Key(above = 0) double tolerance) {
     /** Of the report: all that the attempt, its path and the access map give, but not what was asked for, nor bits. */
     private static final Set<String> PARTS = Set.of("done", "goals", "attempt", "path", "access");
 
@@ -38,16 +39,11 @@ record RegressionAttempt(String name, String exercise, List<String> settings, do
         scenes.forEach(scene -> names.add(scene.name()));
         List<RegressionAttempt> attempts = new ArrayList<>();
         for (YamlMap map : yaml.has("attempts") ? yaml.maps("attempts") : List.<YamlMap>of()) {
-            map.requireOnly(KEYS);
-            String name = RegressionScene.name(map);
-            if (!names.add(name)) {
-                throw map.bad("name", "found '" + name + "' a second time, expected each name once");
+            RegressionAttempt attempt = map.bind(RegressionAttempt.class);
+            RegressionScene.requireFileName(map, attempt.name);
+            if (!names.add(attempt.name)) {
+                throw map.bad("name", "found '" + attempt.name + "' a second time, expected each name once");
             }
-            RegressionAttempt attempt = new RegressionAttempt(
-                    name,
-                    map.text("exercise"),
-                    map.has("settings") ? map.texts("settings") : List.of(),
-                    RegressionScene.positive(map, "tolerance"));
             try {
                 attempt.plan();
             } catch (BadInputException bad) {

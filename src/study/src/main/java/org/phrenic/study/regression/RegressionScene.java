@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.phrenic.document.Key;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -23,13 +24,10 @@ import org.phrenic.scenario.ScheduledChange;
 record RegressionScene(
         String name,
         List<String> settings,
-        List<String> changes,
+        @Key(absent = "") List<String> changes,
         double[] timesS,
-        double toleranceMm,
-        double observableTolerance) {
-    private static final List<String> KEYS =
-            List.of("name", "settings", "changes", "times_s", "tolerance_mm", "observable_tolerance");
-
+        @Key(above = 0) double toleranceMm,
+        @Key(above = 0) double observableTolerance) {
     /** All scenes of a list. */
     static List<RegressionScene> list(YamlMap yaml) {
         yaml.requireOnly(List.of("scenes", "attempts"));
@@ -49,24 +47,18 @@ record RegressionScene(
     }
 
     private static RegressionScene of(YamlMap map) {
-        map.requireOnly(KEYS);
-        String name = name(map);
-        double[] times = map.numbers("times_s");
-        for (int i = 0; i < times.length; i++) {
-            if (!(times[i] > (i == 0 ? 0 : times[i - 1]))) {
-                throw map.bad("times_s", "found " + times[i] + ", expected times above 0, each above the one before");
+        RegressionScene scene = map.bind(RegressionScene.class);
+        requireFileName(map, scene.name);
+        double last = 0;
+        for (double time : scene.timesS) {
+            if (!(time > last)) {
+                throw map.bad("times_s", "found " + time + ", expected times above 0, each above the one before");
             }
+            last = time;
         }
-        if (times.length == 0) {
+        if (scene.timesS.length == 0) {
             throw map.bad("times_s", "found none, expected at least one");
         }
-        RegressionScene scene = new RegressionScene(
-                name,
-                map.texts("settings"),
-                map.has("changes") ? map.texts("changes") : List.of(),
-                times,
-                positive(map, "tolerance_mm"),
-                positive(map, "observable_tolerance"));
         try {
             scene.scenario();
         } catch (BadInputException bad) {
@@ -75,21 +67,11 @@ record RegressionScene(
         return scene;
     }
 
-    /** The name of an entry, which is that of a file as well. */
-    static String name(YamlMap map) {
-        String name = map.text("name");
+    /** The name of an entry is that of its file. */
+    static void requireFileName(YamlMap map, String name) {
         if (!name.matches("[a-z0-9-]+")) {
             throw map.bad("name", "found '" + name + "', expected small letters, digits and hyphens");
         }
-        return name;
-    }
-
-    static double positive(YamlMap map, String key) {
-        double value = map.number(key);
-        if (!(value > 0)) {
-            throw map.bad(key, "found " + value + ", expected more than 0");
-        }
-        return value;
     }
 
     /** What is simulated. */
