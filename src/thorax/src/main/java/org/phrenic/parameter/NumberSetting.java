@@ -7,44 +7,43 @@ import org.phrenic.document.YamlMap;
 
 /** A setting that is a real number, such as a time above 0. NaN where a scenario leaves it open. */
 public class NumberSetting extends Setting<Double> {
-    private final String unit;
-    private final double minimum;
-    private final double maximum;
-    private final ToDoubleFunction<SettingValues> defaultValue;
-
     /**
-     * @param minimum least value that is offered; any number above 0 may be stated
+     * Which numbers are offered.
+     *
+     * @param unit {@code 1} for a plain number
+     * @param minimum least value that is offered; of what is no {@link Parameter} any number above 0 may be stated
      * @param maximum greatest value
      */
+    public record Range(String unit, double minimum, double maximum) {}
+
+    private final Range range;
+    private final ToDoubleFunction<SettingValues> defaultValue;
+
     public NumberSetting(
             String key,
             String label,
             Effect effect,
-            String unit,
-            double minimum,
-            double maximum,
+            Range range,
             ToDoubleFunction<SettingValues> defaultValue,
             String description) {
         super(key, label, effect, description);
-        this.unit = unit;
-        this.minimum = minimum;
-        this.maximum = maximum;
+        this.range = range;
         this.defaultValue = defaultValue;
     }
 
     @Override
     public final String unit() {
-        return unit;
+        return range.unit();
     }
 
     /** Least value that is offered. */
     public final double minimum() {
-        return minimum;
+        return range.minimum();
     }
 
     /** Greatest value. */
     public final double maximum() {
-        return maximum;
+        return range.maximum();
     }
 
     @Override
@@ -55,10 +54,10 @@ public class NumberSetting extends Setting<Double> {
     @Override
     public Double read(YamlMap yaml, Path folder) {
         double value = yaml.number(key());
-        if (!(value > 0) || !(value <= maximum)) {
+        if (!(value > 0) || !(value <= maximum())) {
             throw yaml.bad(
                     key(),
-                    "found " + number(value) + ", expected more than 0, at most " + number(maximum) + " " + unit);
+                    "found " + number(value) + ", expected more than 0, at most " + number(maximum()) + " " + unit());
         }
         return value;
     }

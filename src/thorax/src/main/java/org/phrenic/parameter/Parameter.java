@@ -20,7 +20,7 @@ public final class Parameter extends NumberSetting {
     private final FitRange fitRange;
 
     private Parameter(Builder b) {
-        super(b.key, b.label, b.effect, b.unit, b.minimum, b.maximum, b.initial, b.description);
+        super(b.key, b.label, b.effect, new Range(b.unit, b.minimum, b.maximum), b.initial, b.description);
         group = b.group;
         fromPreset = b.fromPreset;
         switchedBy = b.switchedBy;

@@ -43,7 +43,12 @@ public final class RunSettings {
 
     private static NumberSetting time(String key, String label, double defaultS, String description) {
         return new NumberSetting(
-                key, label, Effect.ASSEMBLY, "s", LEAST_OFFERED_S, MAX_DURATION_S, values -> defaultS, description);
+                key,
+                label,
+                Effect.ASSEMBLY,
+                new NumberSetting.Range("s", LEAST_OFFERED_S, MAX_DURATION_S),
+                values -> defaultS,
+                description);
     }
 
     private static Path path(Path folder, String text, YamlMap yaml, String key) {

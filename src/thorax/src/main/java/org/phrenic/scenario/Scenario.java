@@ -8,8 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.function.Function;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.pattern.BreathingPreset;
@@ -65,10 +63,8 @@ public final class Scenario implements SettingValues {
             }
         }
         Scenario scenario = new Scenario(values);
-        scenario.requireUsed(values.keySet(), setting -> problem -> yaml.bad(setting.key(), problem));
-        scenario.requireStepWithinDuration(problem -> yaml.bad(
-                yaml.has(RunSettings.DURATION.key()) ? RunSettings.DURATION.key() : Numerics.TIME_STEP.key(), problem));
-        return scenario.requireValidChanges();
+        return ScenarioChecks.require(
+                scenario, values.keySet(), (setting, problem) -> yaml.bad(setting.key(), problem));
     }
 
     /**
@@ -85,24 +81,17 @@ public final class Scenario implements SettingValues {
         }
         values.keySet().removeIf(setting -> origins.containsKey(setting) && isMaterialDefault(values, setting));
         Scenario scenario = new Scenario(values);
-        scenario.requireUsed(
-                origins.keySet(),
-                setting -> problem -> new BadInputException(at(origins.getOrDefault(setting, ""), setting) + problem));
-        scenario.requireStepWithinDuration(problem -> {
-            Setting<?> setting = origins.containsKey(RunSettings.DURATION) ? RunSettings.DURATION : Numerics.TIME_STEP;
-            return new BadInputException(at(origins.getOrDefault(setting, ""), setting) + problem);
+        return ScenarioChecks.require(scenario, origins.keySet(), (setting, problem) -> {
+            String origin = origins.getOrDefault(setting, "");
+            return new BadInputException(
+                    (origin.isEmpty() ? "" : origin + ": ") + "key '" + setting.key() + "': " + problem);
         });
-        return scenario.requireValidChanges();
     }
 
     /** Whether a value is what the material gives anyway: it then goes along when another material is chosen. */
     private static boolean isMaterialDefault(Map<Setting<?>, Object> values, Setting<?> setting) {
         boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset();
         return setting.isLive() && !ofPreset && values.get(setting).equals(new Scenario(values).defaultOf(setting));
-    }
-
-    private static String at(String origin, Setting<?> setting) {
-        return (origin.isEmpty() ? "" : origin + ": ") + "key '" + setting.key() + "': ";
     }
 
     /** This scenario with other values, each as {@code key=value}. */
@@ -140,7 +129,7 @@ public final class Scenario implements SettingValues {
     public Scenario withChanges(List<ScheduledChange> others) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         values.put(RunSettings.CHANGES, List.copyOf(others));
-        return new Scenario(values).requireValidChanges();
+        return ScenarioChecks.requireValidChanges(new Scenario(values));
     }
 
     /** This scenario for so many steps. */
@@ -148,54 +137,6 @@ public final class Scenario implements SettingValues {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         values.put(RunSettings.STEPS, steps);
         return new Scenario(values);
-    }
-
-    /** Refuses parameters that the material does not use. */
-    private void requireUsed(Set<Setting<?>> given, Function<Setting<?>, Function<String, BadInputException>> bad) {
-        for (Setting<?> setting : Settings.all()) {
-            if (setting instanceof Parameter parameter
-                    && states(parameter)
-                    && !material().uses(parameter)) {
-                String other = Materials.ALL.stream()
-                        .filter(m -> m.uses(parameter))
-                        .findFirst()
-                        .orElseThrow()
-                        .label();
-                throw given.contains(parameter)
-                        ? bad.apply(parameter)
-                                .apply("found it with material " + material().label()
-                                        + ", which does not use it; expected it with material " + other + " alone")
-                        : bad.apply(Materials.MATERIAL)
-                                .apply("found " + material().label() + ", expected " + other + " beside the key '"
-                                        + parameter.key() + "' of the scenario");
-            }
-        }
-    }
-
-    private void requireStepWithinDuration(Function<String, BadInputException> bad) {
-        if (durationS() < timeStepS()) {
-            throw bad.apply("found a duration of " + durationS() + " s with a step of " + timeStepS()
-                    + " s, expected at least one step");
-        }
-    }
-
-    /** Makes sure that every change can be made after those before it. */
-    private Scenario requireValidChanges() {
-        if (changes().isEmpty()) {
-            return this;
-        }
-        Scenario now = without(RunSettings.CHANGES);
-        long before = 0;
-        for (ScheduledChange change : changes()) {
-            if (change.step() < before) {
-                throw new BadInputException(change.assignment().origin() + ": found step " + change.step()
-                        + " after step " + before + ", expected changes in the order of their steps");
-            }
-            before = change.step();
-            change.assignment().requireLive();
-            now = now.with(List.of(change.assignment()));
-        }
-        return this;
     }
 
     /** The settings after all changes, without them. */

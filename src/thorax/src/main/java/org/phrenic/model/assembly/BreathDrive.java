@@ -40,10 +40,12 @@ public final class BreathDrive implements ForceField {
         stateTime = Double.NaN;
     }
 
+    /** Has something set before every evaluation of the forces. */
     public void beforeForces(Action action) {
         actions.add(action);
     }
 
+    /** Says what the pressure on the abdominal face is. */
     public void measurePressure(Quantity transdiaphragmatic) {
         pressure = transdiaphragmatic;
     }

@@ -3,7 +3,6 @@ package org.phrenic.model.assembly;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
@@ -302,21 +301,6 @@ public final class Scene {
     /** A switch in the run: 1 on, 0 off. */
     public RampedValue ramped(SwitchSetting setting) {
         return values.of(setting);
-    }
-
-    /** Has something set before every evaluation of the forces. */
-    public void beforeForces(BreathDrive.Action action) {
-        drive.beforeForces(action);
-    }
-
-    /** Says what the pressure on the abdominal face is. */
-    public void measurePressure(BreathDrive.Quantity pressure) {
-        drive.measurePressure(pressure);
-    }
-
-    /** Has something set step by step while a setting of {@link org.phrenic.parameter.Effect#SCENE} is on its way. */
-    public void whileRamping(DoubleConsumer atTimeS) {
-        tuning.whileRamping(atTimeS);
     }
 
     /** Has a constraint switched on and off. */

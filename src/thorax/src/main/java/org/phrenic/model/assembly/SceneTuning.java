@@ -24,7 +24,8 @@ public final class SceneTuning {
         pending.add(tuner);
     }
 
-    void whileRamping(DoubleConsumer action) {
+    /** Has something set step by step while a setting of {@link org.phrenic.parameter.Effect#SCENE} is on its way. */
+    public void whileRamping(DoubleConsumer action) {
         whileRamping.add(action);
     }
 

@@ -50,8 +50,8 @@ public final class ActionLines implements ScenePart {
                     new ActionLine(scene.layout(), nodes, scene.restPositions(), place[0], place[1], radius.target());
             scene.system().add(line);
             scene.drawActionLine(place);
-            scene.beforeForces((time, breath) -> line.setForce(force.at(time) * breath.activation));
-            scene.whileRamping(time -> line.setRadius(radius.at(time)));
+            scene.drive().beforeForces((time, breath) -> line.setForce(force.at(time) * breath.activation));
+            scene.tuning().whileRamping(time -> line.setRadius(radius.at(time)));
         }
     }
 }

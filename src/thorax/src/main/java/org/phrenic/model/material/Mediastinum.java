@@ -54,7 +54,7 @@ public final class Mediastinum implements ScenePart {
         RampedValue distance = scene.ramped(parameter);
         RampedValue stiffness = scene.ramped(Lungs.LUNG_STIFFNESS);
         RampedValue coupling = scene.ramped(BoneAttachments.STERNUM_COUPLING);
-        scene.beforeForces((time, breath) -> {
+        scene.drive().beforeForces((time, breath) -> {
             double inspired = 0.5 * (breath.activation + breath.ribTurn) * stiffness.at(time) * coupling.at(time);
             outward.setLoadFactor(inspired * distance.at(time));
         });

@@ -54,6 +54,6 @@ public final class Muscle implements ScenePart {
     public void addTo(Scene scene) {
         Springs sheet = scene.sheetSprings();
         RampedValue activation = scene.ramped(MUSCLE_ACTIVATION);
-        scene.beforeForces((time, breath) -> sheet.setActivation(activation.at(time) * breath.activation));
+        scene.drive().beforeForces((time, breath) -> sheet.setActivation(activation.at(time) * breath.activation));
     }
 }

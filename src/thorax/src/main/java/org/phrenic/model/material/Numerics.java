@@ -28,9 +28,7 @@ public final class Numerics {
             "time_step_s",
             "Time step",
             Effect.SCENE,
-            "s",
-            1e-5,
-            MAX_STEP_S,
+            new NumberSetting.Range("s", 1e-5, MAX_STEP_S),
             values -> values.get(Materials.MATERIAL).timeStepS(),
             "Step of the clock; one beyond the stability limit is split into substeps.");
     public static final ChoiceSetting<IntegratorKind> INTEGRATOR = new ChoiceSetting<>(
@@ -59,9 +57,7 @@ public final class Numerics {
             "refresh_s",
             "Refresh",
             Effect.ASSEMBLY,
-            "s",
-            1e-5,
-            MAX_STATED_REFRESH_S,
+            new NumberSetting.Range("s", 1e-5, MAX_STATED_REFRESH_S),
             values -> Math.min(MAX_REFRESH_S, Math.max(REFRESH_S, REFRESH_STEPS * values.get(TIME_STEP))),
             "Anchors on bone and the planes of the chest wall are taken anew after so much simulated time; in between they"
                     + " go on at their velocity.");
@@ -69,9 +65,7 @@ public final class Numerics {
             "mass_scaling_s",
             "Mass scaling",
             Effect.ASSEMBLY,
-            "s",
-            1e-6,
-            MAX_SCALED_STEP_S,
+            new NumberSetting.Range("s", 1e-6, MAX_SCALED_STEP_S),
             values -> SCALED_STEP_S,
             "Physical material: the lightest nodes are made heavier until velocity Verlet bears this step; the less, the"
                     + " less mass is added.");

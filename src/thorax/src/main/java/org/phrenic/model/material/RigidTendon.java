@@ -45,6 +45,6 @@ public final class RigidTendon implements ScenePart {
         scene.addLinks(links);
         RampedValue on = scene.ramped(TENSEGRITY);
         scene.switches(new SwitchedConstraint(on, links, () -> links.captureLengths(scene.system())));
-        scene.whileRamping(time -> links.interpolateLengths(on.at(time)));
+        scene.tuning().whileRamping(time -> links.interpolateLengths(on.at(time)));
     }
 }

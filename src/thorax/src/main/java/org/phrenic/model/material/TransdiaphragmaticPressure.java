@@ -75,9 +75,10 @@ public final class TransdiaphragmaticPressure implements ScenePart {
                 rest.target(),
                 REST_PRESSURE.defaultValue(scene.settings()),
                 scene.settings().get(WallContact.CONTACT)));
-        scene.measurePressure(
-                (time, breath) -> rest.at(time) + greatest.at(time) * (breath.pressure + breath.abdominalPressure));
-        scene.beforeForces((time, breath) -> {
+        scene.drive()
+                .measurePressure((time, breath) ->
+                        rest.at(time) + greatest.at(time) * (breath.pressure + breath.abdominalPressure));
+        scene.drive().beforeForces((time, breath) -> {
             double leftOverRight = sides.at(time);
             double effort = greatest.at(time) * (breath.pressure + breath.abdominalPressure);
             double right = Math.min(1, 1 / leftOverRight);

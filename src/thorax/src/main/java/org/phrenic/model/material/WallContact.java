@@ -37,6 +37,6 @@ public final class WallContact implements ScenePart {
         SwitchedConstraint switched = new SwitchedConstraint(on, contact, () -> {});
         switched.restart(scene.system());
         scene.switches(switched);
-        scene.whileRamping(time -> contact.setMaxReturnSpeed(SlidingContact.MAX_RETURN_SPEED * on.at(time)));
+        scene.tuning().whileRamping(time -> contact.setMaxReturnSpeed(SlidingContact.MAX_RETURN_SPEED * on.at(time)));
     }
 }

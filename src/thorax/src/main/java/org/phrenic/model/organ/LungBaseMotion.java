@@ -130,14 +130,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         System.arraycopy(gapOpening, 0, gapAtRest, 0, gapOpening.length);
         firstApposedPoint = new int[n];
         slidingShare = new double[n];
-        for (int i = 0; i < n; i++) {
-            int p = start[i];
-            while (p < start[i + 1] && !(at(p, gapAtRest) < APPOSED_MM && at(p, outward) > LATERAL)) {
-                p++;
-            }
-            firstApposedPoint[i] = p;
-            slidingShare[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
-        }
+        findApposedPoints(outward);
         Arrays.fill(gapOpening, 0);
         openingNodes = openingNodes();
         normalOffset = new double[n];
@@ -145,7 +138,24 @@ public final class LungBaseMotion implements PrescribedMotion {
         speed = new double[3 * n];
         target = new double[3 * n];
         tangentialOffset = new double[3 * n];
-        for (int i = 0; i < n; i++) {
+        measureOffsets(points);
+    }
+
+    /** Finds where each track comes to the wall, and how much of the sliding its vertex takes. */
+    private void findApposedPoints(double[] outward) {
+        for (int i = 0; i < slidingShare.length; i++) {
+            int p = start[i];
+            while (p < start[i + 1] && !(at(p, gapAtRest) < APPOSED_MM && at(p, outward) > LATERAL)) {
+                p++;
+            }
+            firstApposedPoint[i] = p;
+            slidingShare[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
+        }
+    }
+
+    /** Forms the distance of each vertex from the face along its normal, and what is left. */
+    private void measureOffsets(double[] points) {
+        for (int i = 0; i < normalOffset.length; i++) {
             int first = start[i];
             for (int axis = 0; axis < 3; axis++) {
                 tangentialOffset[3 * i + axis] = points[3 * i + axis] - interpolate(first, axis, system.positions());
