@@ -68,7 +68,7 @@ public final class EntrySelection {
             if (best.isPresent()) {
                 select(study.map().pointAtRest(best.get()));
             } else {
-                session.note("From nowhere on the skin is the way to this target free.");
+                session.note("No place on the skin has a free path to this target.");
             }
         }
     }

@@ -49,7 +49,7 @@ public final class BreathDock extends SessionDock {
     private final JToggleButton hold = new JToggleButton("Hold now");
     private final JLabel trace = new JLabel("Breath by preset");
     private final JButton removeTrace =
-            Controls.iconButton(Icons.CLOSE, "Leave the recorded breath", this::removeTrace);
+            Controls.iconButton(Icons.CLOSE, "Remove the recorded trace", this::removeTrace);
     private final transient List<SliderRow> rows = new ArrayList<>();
 
     public BreathDock(Session session) {
@@ -99,7 +99,7 @@ public final class BreathDock extends SessionDock {
                 "Trace from CSV...",
                 "Breathe as recorded: a CSV file with columns time_s,amplitude, or of a skin marker",
                 () -> FileDialogs.open(this, "Recorded breathing", "csv").ifPresent(this::openTrace));
-        removeTrace.setToolTipText("Leave the recorded breath for the preset's; starts the scene anew");
+        removeTrace.setToolTipText("Back to the breathing preset; reloads the scene");
         panel.add(open);
         panel.add(trace, "wmin 0");
         panel.add(removeTrace);

@@ -24,7 +24,7 @@ final class CollapsibleGroup extends JPanel {
         heading = new JButton(label);
         heading.putClientProperty("JButton.buttonType", "borderless");
         heading.setHorizontalAlignment(SwingConstants.LEFT);
-        heading.setToolTipText("Show or fold away: " + label);
+        heading.setToolTipText("Expand or collapse: " + label);
         heading.addActionListener(e -> {
             expanded = !expanded;
             show(null, "");

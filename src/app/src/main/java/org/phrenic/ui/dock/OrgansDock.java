@@ -24,7 +24,7 @@ import org.phrenic.ui.widget.Swatch;
 import org.phrenic.ui.widget.Theme;
 
 /** A row for each group of organs: visibility, colour, opacity, surface or wireframe. */
-public final class OrgansDock extends ScrollablePanel {
+public final class OrgansDock extends ScrollablePanel implements Session.Listener {
     private static final int PERCENT = 100;
     private static final int OPACITY_WIDTH = 72;
     private static final int SWATCH_SIZE = 14;
@@ -40,16 +40,12 @@ public final class OrgansDock extends ScrollablePanel {
         super(new MigLayout("insets 6 8 6 8, gap 0 2, wrap 1, fillx, novisualpadding", "[grow, fill]", ""));
         this.appearance = appearance;
         setName("organs");
-        session.addListener(new Session.Listener() {
-            @Override
-            public void onScene(LiveScene scene) {
-                createRows();
-            }
-        });
+        session.addListener(this);
         appearance.addListener(this::refresh);
     }
 
-    private void createRows() {
+    @Override
+    public void onScene(LiveScene scene) {
         if (shownGroups.equals(appearance.groups())) {
             return;
         }

@@ -28,7 +28,7 @@ import org.phrenic.ui.session.Session;
  * painting a frame with its annotations takes a few milliseconds of the event dispatch thread. So lightweight
  * components stay above the view on every platform, and a slow driver slows nothing but the view.
  */
-public final class SceneViewport extends JPanel {
+public final class SceneViewport extends JPanel implements Session.Listener {
     private final transient Session session;
     private final transient AppearanceModel appearance;
     private final transient RenderLoop renderLoop;
@@ -58,17 +58,7 @@ public final class SceneViewport extends JPanel {
         new CameraController(this);
         renderLoop = new RenderLoop(session.live(), new RenderListener());
         appearance.addListener(this::requestFrame);
-        session.addListener(new Session.Listener() {
-            @Override
-            public void onScene(LiveScene now) {
-                setScene(now);
-            }
-
-            @Override
-            public void onScrub() {
-                requestFrame();
-            }
-        });
+        session.addListener(this);
         addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent e) {
@@ -78,7 +68,8 @@ public final class SceneViewport extends JPanel {
         renderLoop.start();
     }
 
-    private void setScene(LiveScene now) {
+    @Override
+    public void onScene(LiveScene now) {
         boolean otherBody = scene == null
                 || !scene.scenario().anatomy().equals(now.scenario().anatomy());
         scene = now;
@@ -88,6 +79,11 @@ public final class SceneViewport extends JPanel {
             homeCamera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(now.surfaces()), aspect);
             camera = homeCamera.withProjection(camera.orthographic());
         }
+        requestFrame();
+    }
+
+    @Override
+    public void onScrub() {
         requestFrame();
     }
 

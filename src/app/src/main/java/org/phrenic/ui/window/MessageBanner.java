@@ -33,7 +33,7 @@ public final class MessageBanner extends JPanel {
         text.setName("banner.text");
         text.getAccessibleContext().setAccessibleName("Message");
         actionButton.setName("banner.help");
-        actionButton.setToolTipText("Does what the message offers");
+        actionButton.setToolTipText("The action that the message offers");
         actionButton.addActionListener(e -> {
             setVisible(false);
             action.run();

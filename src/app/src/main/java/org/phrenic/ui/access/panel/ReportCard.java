@@ -17,7 +17,7 @@ import org.phrenic.ui.session.NumberFormats;
 /** The result of an attempt: hit or missed, the targeting error, goals and measures. */
 public final class ReportCard extends JPanel {
     private final AdvicePanel verdict = new AdvicePanel();
-    private final WrappingLabel goals = WrappingLabel.normal("What counts as done");
+    private final WrappingLabel goals = WrappingLabel.normal("Goals");
     private final WrappingLabel measures = WrappingLabel.normal("Measures of the attempt");
     private final WrappingLabel notice = WrappingLabel.secondary("Thresholds");
 
@@ -60,7 +60,7 @@ public final class ReportCard extends JPanel {
 
     private static String sampleText(AttemptRecord record) {
         if (record.samples().isEmpty()) {
-            return "The needle came out without one.";
+            return "The needle was removed without a sample.";
         }
         TargetingError last = record.samples().get(record.samples().size() - 1);
         return NumberFormats.text(
@@ -90,15 +90,15 @@ public final class ReportCard extends JPanel {
         lines.add("Attempts " + r.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", redirections "
                 + r.count(AttemptEvent.Kind.REDIRECTION) + ", contacts with bone "
                 + r.count(AttemptEvent.Kind.BONE_CONTACT));
-        lines.add("In what is to be avoided " + number(r.inNoGoS()) + " s");
+        lines.add("In no-go structures " + number(r.inNoGoS()) + " s");
         r.secondsIn().forEach((what, s) -> {
             if (s > 0) {
                 lines.add("   in " + what.label() + " " + number(s) + " s"
                         + (r.avoided().contains(what) ? "" : " (allowed here)"));
             }
         });
-        lines.add("Way of the tip " + number(r.tipTravelMm()) + " mm; the target moved " + number(r.targetExcursionMm())
-                + " mm");
+        lines.add("Path of the tip " + number(r.tipTravelMm()) + " mm; the target moved "
+                + number(r.targetExcursionMm()) + " mm");
         lines.add("Capsule pulled aside " + number(r.capsulePullMm()) + " mm"
                 + (r.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : ""));
         addEvent(r, AttemptEvent.Kind.SKIN_PUNCTURE, "Skin", lines);
