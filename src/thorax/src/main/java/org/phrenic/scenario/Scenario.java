@@ -111,12 +111,10 @@ public final class Scenario implements SettingValues {
         return new Scenario(values);
     }
 
-    /** The same of another material: stated values stay, except defaults and parameters that the other does not use. */
+    /** The same of another material: stated values stay, except parameters that the other does not use. */
     public Scenario withMaterial(TissueMaterial material) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
-        values.keySet()
-                .removeIf(setting ->
-                        get(setting).equals(defaultOf(setting)) || setting instanceof Parameter p && !material.uses(p));
+        values.keySet().removeIf(setting -> setting instanceof Parameter p && !material.uses(p));
         values.put(Materials.MATERIAL, material);
         return new Scenario(values);
     }
