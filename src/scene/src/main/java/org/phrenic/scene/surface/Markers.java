@@ -1,9 +1,9 @@
 package org.phrenic.scene.surface;
 
 import java.util.Arrays;
+import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
-import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -70,12 +70,15 @@ public final class Markers {
     }
 
     private static Matrix4d rodTransform(double[] from, double[] to, double radius) {
-        Vector3d start = new Vector3d(from);
-        Vector3d axis = new Vector3d(to).sub(start);
+        Vector3d w = new Vector3d(to).sub(new Vector3d(from));
+        double length = w.length();
+        w.normalize();
+        Vector3d u = Math.abs(w.x) < 0.8 ? new Vector3d(1, 0, 0) : new Vector3d(0, 1, 0);
+        u.fma(-u.dot(w), w).normalize();
         return new Matrix4d()
-                .translation(start)
-                .rotate(new Quaterniond().rotationTo(new Vector3d(0, 0, 1), axis))
-                .scale(radius, radius, axis.length());
+                .translation(new Vector3d(from))
+                .mul(new Matrix4d(new Matrix3d(u, w.cross(u, new Vector3d()), w)))
+                .scale(radius, radius, length);
     }
 
     private static Surface surface(String name, TriangleMesh unit, Matrix4d transform) {
