@@ -112,8 +112,8 @@ public final class WindowSnapshot {
         });
         return new FigureImage(
                 "fig2-interface",
-                "The window: organs to choose at the left, the breathing thorax in the middle, parameters with sliders at the"
-                        + " right, plots and timeline below",
+                "The window: organs to choose at the left, the breathing thorax in the middle, parameters with sliders"
+                        + " at the right, plots and timeline below",
                 "",
                 image);
     }

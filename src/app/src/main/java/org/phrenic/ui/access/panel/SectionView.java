@@ -50,7 +50,7 @@ public final class SectionView extends JPanel {
         setToolTipText(
                 across
                         ? "What lies at the tip, seen from the hub along the needle: the cross is the needle"
-                        : "The plane that holds the needle, as level as it can be, seen from below as an axial slice is");
+                        : "The plane that holds the needle, as level as possible, seen from below like an axial slice");
         setOpaque(true);
     }
 
