@@ -38,7 +38,7 @@ public final class AtomicFile {
             throw new OutputException(target + ": found a folder, expected a file to write", null);
         }
         try {
-            // A link keeps pointing where it does: what it points to is replaced.
+            // A symbolic link is followed, not replaced.
             Path real = Files.isSymbolicLink(target) && Files.exists(target) ? target.toRealPath() : target;
             if (Files.exists(real) && !Files.isRegularFile(real)) {
                 try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(real))) {

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 
 /**
  * A place in a file held in memory, moving forward over words and lines (text) or typed values (binary). Every read
- * says what it wanted, so that a file that ends too early or holds something else is refused with the line or byte.
+ * names what is expected, for a message with the line or byte if it is not there.
  */
 public final class ByteCursor implements InputLocator {
     private final String file;
@@ -20,7 +20,7 @@ public final class ByteCursor implements InputLocator {
         this.bytes = ByteBuffer.wrap(content);
     }
 
-    /** From here on values are binary in {@code order}, and places are told as bytes instead of lines. */
+    /** Reads binary values of this order from here on; locations in messages are bytes instead of lines. */
     public void binary(ByteOrder order) {
         binary = true;
         bytes.order(order);

@@ -1,8 +1,8 @@
 package org.phrenic.file;
 
-/** Where values come from, so that whoever finds one wrong can say where it stood. */
+/** Names the place of values in a file, for error messages. */
 public interface InputLocator {
-    /** The place of the value read last: a byte offset or an index, cheap to ask for and to keep. */
+    /** The location of the value read last: a byte offset or an index. */
     long location();
 
     /** An exception whose sentence names the file and {@code place}. */

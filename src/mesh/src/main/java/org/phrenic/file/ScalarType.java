@@ -2,7 +2,7 @@ package org.phrenic.file;
 
 import java.nio.ByteBuffer;
 
-/** The number types of mesh files, whatever name a format gives them. */
+/** Number types of binary files. */
 public enum ScalarType {
     INT8(1),
     UINT8(1),
@@ -39,7 +39,7 @@ public enum ScalarType {
         };
     }
 
-    /** The whole value at byte {@code at}; a UINT64 above 2^63 comes out negative, and so out of any index range. */
+    /** The integer at byte {@code at}; negative for a UINT64 of 2^63 and more. */
     public long readLong(ByteBuffer bytes, int at) {
         return switch (this) {
             case INT8 -> bytes.get(at);

@@ -9,13 +9,13 @@ import java.util.Arrays;
 public final class BoundingBoxes {
     private BoundingBoxes() {}
 
-    /** Makes a box that holds nothing. */
+    /** Sets a box to the empty box. */
     public static void setEmpty(double[] boxes, int at) {
         Arrays.fill(boxes, at, at + 3, Double.POSITIVE_INFINITY);
         Arrays.fill(boxes, at + 3, at + 6, Double.NEGATIVE_INFINITY);
     }
 
-    /** Widens a box to hold the point that begins at a place of another array. */
+    /** Extends a box to contain a point of another array. */
     public static void include(double[] boxes, int at, double[] points, int point) {
         for (int axis = 0; axis < 3; axis++) {
             double value = points[point + axis];
@@ -28,7 +28,7 @@ public final class BoundingBoxes {
         }
     }
 
-    /** How far a number lies outside an interval; 0 inside. */
+    /** Distance of a number from an interval; 0 inside. */
     public static double intervalDistance(double low, double high, double x) {
         return x < low ? low - x : x > high ? x - high : 0;
     }

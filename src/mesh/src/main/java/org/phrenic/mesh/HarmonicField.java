@@ -50,7 +50,7 @@ public final class HarmonicField {
         for (double value : given) {
             mean += value / given.length;
         }
-        // A piece without a fixed vertex has no answer of its own; it keeps this one.
+        // A component without a fixed vertex keeps the mean.
         Arrays.fill(u, mean);
         for (int k = 0; k < fixed.length; k++) {
             if (fixed[k] < 0 || fixed[k] >= count) {

@@ -3,8 +3,8 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * A binary heap of vertices by distance, in which a vertex's distance may fall: what Dijkstra's method (1959, doi
- * 10.1007/BF01386390) asks for. The distances stand in an array that the caller changes.
+ * An indexed binary heap of vertices by distance, for Dijkstra's method (1959, doi 10.1007/BF01386390). The caller
+ * changes the distances in a shared array.
  */
 public final class IndexedPriorityQueue {
     private static final int ABSENT = -1;

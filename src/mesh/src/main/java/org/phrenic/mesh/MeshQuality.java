@@ -36,7 +36,7 @@ public record MeshQuality(
                 edges.maximum());
     }
 
-    /** {@link #firstPercentileAngleDeg()} alone, which asks for no edges. */
+    /** {@link #firstPercentileAngleDeg()} alone. */
     public static double firstPercentileAngleDeg(TriangleMesh mesh) {
         return firstPercentile(sortedAngles(mesh));
     }

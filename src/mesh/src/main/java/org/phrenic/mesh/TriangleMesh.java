@@ -4,9 +4,8 @@ package org.phrenic.mesh;
  * An indexed triangle surface: vertex {@code i} at {@code positions()[3i..3i+2]} (mm), triangle {@code t} with corners
  * {@code triangles()[3t..3t+2]}, anticlockwise seen from outside.
  *
- * <p>The arrays are shared, not copied, and must not be written to by those who receive them: a mesh is a value.
- * Indices are checked once, on construction; coordinates are not (a reader that meets a NaN says so with the line or
- * byte it stood at).
+ * <p>The arrays are shared, not copied, and must not be written to: a mesh is a value. Indices are checked once, on
+ * construction; coordinates are not (a reader that meets a NaN says so with the line or byte it stood at).
  */
 public final class TriangleMesh {
     private final double[] positions;

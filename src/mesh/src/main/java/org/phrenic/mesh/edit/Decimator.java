@@ -6,10 +6,10 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Decimation by quadric error metrics (Garland and Heckbert 1997, doi 10.1145/258734.258849): edges collapse to the point of least
- * error, the least error first. No collapse changes the topology (link condition, Dey et al. 1999), turns a triangle by more than 78
- * degrees or makes a triangle much thinner. The new vertex and the centres of the new edges and triangles about it stay within a bound
- * of the original surface. Boundaries keep their place.
+ * Decimation by quadric error metrics (Garland and Heckbert 1997, doi 10.1145/258734.258849): edges collapse to the
+ * point of least error, the least error first. No collapse changes the topology (link condition, Dey et al. 1999),
+ * turns a triangle by more than 78 degrees or makes a triangle much thinner. The new vertex and the centres of the new
+ * edges and triangles about it stay within a bound of the original surface. Boundaries keep their place.
  */
 public final class Decimator {
     /** Least cosine between a triangle's normals before and after: a turn of 78 degrees. */
@@ -23,6 +23,7 @@ public final class Decimator {
     private final Quadrics quadrics;
     private final TriangleTree original;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final OneRing ring = new OneRing();
     private final MovedTriangle moved = new MovedTriangle();
     private final double bound;
     /** Latest cost of each edge, by its primary half-edge; a queue entry with another cost is out of date. */
@@ -159,13 +160,9 @@ public final class Decimator {
 
     /** Whether a test holds for all triangles at {@code v} that do not hold {@code gone}. */
     private boolean everyTriangle(int v, int gone, OppositeSide test) {
-        mesh.collectRing(v);
-        int size = mesh.ringSize;
-        int triangles = mesh.isBoundaryVertex(v) ? size - 1 : size;
-        for (int i = 0; i < triangles; i++) {
-            int b = mesh.ring[i];
-            int c = mesh.ring[i + 1 == size ? 0 : i + 1];
-            if (b != gone && c != gone && !test.test(b, c)) {
+        mesh.collectRing(v, ring);
+        for (int i = 0; i < ring.triangles; i++) {
+            if (!ring.triangleHas(i, gone) && !test.test(ring.vertices[i], ring.next(i))) {
                 return false;
             }
         }

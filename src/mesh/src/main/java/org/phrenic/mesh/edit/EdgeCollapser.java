@@ -1,5 +1,7 @@
 package org.phrenic.mesh.edit;
 
+import org.phrenic.engine.math.Triangles;
+
 /** Collapses short edges under the link condition, without flipped or thin triangles. */
 final class EdgeCollapser {
     /** Least cosine between the normals of a triangle before and after a collapse: a turn of up to 75 degrees. */
@@ -14,25 +16,25 @@ final class EdgeCollapser {
      * 0.87.
      */
     private static final double LEAST_SHAPE = 0.15;
-    /** By how much one end's triangles must spread more than the other's for it to stay where it is. */
+    /** Least difference of {@link #spread} for the edge to collapse into the end that spreads more. */
     private static final double SHARPER = 0.1;
 
-    /** All bits of {@link #placesTooLong}. */
+    /** A bit for each of {@link #places}. */
     private static final int ALL_PLACES = 7;
 
-    /** Edges shorter than this part of the longest go even across creases. */
+    /** Edges shorter than this part of the longest collapse even across creases. */
     private static final double TINY = 0.3;
 
     private final HalfEdgeMesh mesh;
-    /** The neighbours of an edge's two ends, gathered once a try. */
-    private int[] ringA = new int[64];
-
-    private int[] ringB = new int[64];
-    private int sizeA;
-    private int sizeB;
-    /** Normals of the triangles about one end. */
+    /** One-rings of the start and the end of an edge. */
+    private final OneRing[] rings = {new OneRing(), new OneRing()};
+    /** Start, middle and end of an edge: where its remaining vertex may go. */
+    private final double[] places = new double[9];
+    /** Normals of the triangles about one end, and their lengths. */
     private double[] normals = new double[3 * 64];
 
+    private double[] lengths = new double[64];
+    private final double[] normal = new double[3];
     private double leastCosine;
     private final MovedTriangle moved = new MovedTriangle();
 
@@ -64,10 +66,11 @@ final class EdgeCollapser {
         }
         int a = mesh.start[h];
         int b = mesh.end(h);
-        gatherRings(a, b);
-        // Most edges stay because others would become too long wherever the vertex left over went.
+        mesh.collectRing(a, rings[0]);
+        mesh.collectRing(b, rings[1]);
+        // Most edges stay because others would become too long wherever the remaining vertex went.
         int tooLong = placesTooLong(a, b, longest * longest);
-        if (tooLong == ALL_PLACES || !mesh.satisfiesLinkCondition(h, ringA, sizeA)) {
+        if (tooLong == ALL_PLACES || !mesh.satisfiesLinkCondition(h, rings[0])) {
             return false;
         }
         double share = placeOnEdge(h, a, b, longest);
@@ -78,80 +81,45 @@ final class EdgeCollapser {
         double x = p[3 * a] + share * (p[3 * b] - p[3 * a]);
         double y = p[3 * a + 1] + share * (p[3 * b + 1] - p[3 * a + 1]);
         double z = p[3 * a + 2] + share * (p[3 * b + 2] - p[3 * a + 2]);
-        // One call for both ends, and so below: compilers copy what is called to each place.
-        for (int end = 0; end < 2; end++) {
-            int[] ring = end == 0 ? ringA : ringB;
-            int size = end == 0 ? sizeA : sizeB;
-            if (!fits(end == 0 ? a : b, end == 0 ? b : a, ring, size, x, y, z)) {
-                return false;
-            }
+        if (!fits(rings[0], b, x, y, z) || !fits(rings[1], a, x, y, z)) {
+            return false;
         }
         mesh.collapse(h, x, y, z);
         return true;
     }
 
-    private void gatherRings(int a, int b) {
-        for (int end = 0; end < 2; end++) {
-            mesh.collectRing(end == 0 ? a : b);
-            int[] free = ringA;
-            ringA = ringB;
-            sizeA = sizeB;
-            ringB = mesh.ring;
-            sizeB = mesh.ringSize;
-            mesh.ring = free;
-        }
-    }
-
-    /**
-     * At which places of the vertex left over a new edge would be too long: bit 0 at a, bit 1 in the middle, bit 2 at
-     * b.
-     */
+    /** At which {@link #places} of the remaining vertex a new edge would be too long, one bit each. */
     private int placesTooLong(int a, int b, double longestSquare) {
         double[] p = mesh.position;
-        double ax = p[3 * a];
-        double ay = p[3 * a + 1];
-        double az = p[3 * a + 2];
-        double dx = p[3 * b] - ax;
-        double dy = p[3 * b + 1] - ay;
-        double dz = p[3 * b + 2] - az;
-        double mx = ax + 0.5 * dx;
-        double my = ay + 0.5 * dy;
-        double mz = az + 0.5 * dz;
-        double bx = ax + dx;
-        double by = ay + dy;
-        double bz = az + dz;
-        int places = 0;
-        for (int end = 0; end < 2; end++) {
-            int[] ring = end == 0 ? ringA : ringB;
-            int size = end == 0 ? sizeA : sizeB;
-            int gone = end == 0 ? b : a;
-            int count = mesh.isBoundaryVertex(end == 0 ? a : b) ? size - 1 : size;
-            for (int i = 0; i < count; i++) {
-                int r = ring[i];
-                if (r == gone || ring[i + 1 == size ? 0 : i + 1] == gone) {
-                    continue;
-                }
-                double x = p[3 * r];
-                double y = p[3 * r + 1];
-                double z = p[3 * r + 2];
-                if ((x - ax) * (x - ax) + (y - ay) * (y - ay) + (z - az) * (z - az) > longestSquare) {
-                    places |= 1;
-                }
-                if ((x - mx) * (x - mx) + (y - my) * (y - my) + (z - mz) * (z - mz) > longestSquare) {
-                    places |= 2;
-                }
-                if ((x - bx) * (x - bx) + (y - by) * (y - by) + (z - bz) * (z - bz) > longestSquare) {
-                    places |= 4;
-                }
-            }
-            if (places == ALL_PLACES) {
-                break;
-            }
+        for (int axis = 0; axis < 3; axis++) {
+            double d = p[3 * b + axis] - p[3 * a + axis];
+            places[axis] = p[3 * a + axis];
+            places[3 + axis] = p[3 * a + axis] + 0.5 * d;
+            places[6 + axis] = p[3 * a + axis] + d;
         }
-        return places;
+        int tooLong = placesTooLong(rings[0], b, longestSquare);
+        return tooLong == ALL_PLACES ? tooLong : tooLong | placesTooLong(rings[1], a, longestSquare);
     }
 
-    /** Where on its edge the vertex left over goes, 0 at a to 1 at b; NaN if the edge must stay. */
+    private int placesTooLong(OneRing ring, int gone, double longestSquare) {
+        double[] p = mesh.position;
+        int tooLong = 0;
+        for (int i = 0; i < ring.triangles; i++) {
+            if (ring.triangleHas(i, gone)) {
+                continue;
+            }
+            int r = 3 * ring.vertices[i];
+            for (int place = 0; place < 3; place++) {
+                double x = p[r] - places[3 * place];
+                double y = p[r + 1] - places[3 * place + 1];
+                double z = p[r + 2] - places[3 * place + 2];
+                tooLong |= x * x + y * y + z * z > longestSquare ? 1 << place : 0;
+            }
+        }
+        return tooLong;
+    }
+
+    /** Where on its edge the remaining vertex goes, 0 at a to 1 at b; NaN if the edge must stay. */
     private double placeOnEdge(int h, int a, int b, double longest) {
         boolean boundaryA = mesh.isBoundaryVertex(a);
         boolean boundaryB = mesh.isBoundaryVertex(b);
@@ -161,82 +129,58 @@ final class EdgeCollapser {
         int kindA = mesh.featureKind(a);
         int kindB = mesh.featureKind(b);
         if (kindA == HalfEdgeMesh.SMOOTH && kindB == HalfEdgeMesh.SMOOTH) {
-            double spreadA = 0;
-            double spreadB = 0;
-            for (int end = 0; end < 2; end++) {
-                spreadA = spreadB;
-                spreadB = spread(end == 0 ? a : b, end == 0 ? ringA : ringB, end == 0 ? sizeA : sizeB);
-            }
+            double spreadA = spread(rings[0]);
+            double spreadB = spread(rings[1]);
             return spreadA < spreadB - SHARPER ? 0 : spreadB < spreadA - SHARPER ? 1 : 0.5;
         }
         if (kindA != kindB && (kindA == HalfEdgeMesh.SMOOTH || kindB == HalfEdgeMesh.SMOOTH)) {
             return kindB == HalfEdgeMesh.SMOOTH ? 0 : 1;
         }
         double share = kindA == kindB ? 0.5 : kindA == HalfEdgeMesh.CORNER ? 0 : 1;
-        // Ragged boundaries are all corners, and have to coarsen; creases only give way where the edge is a splinter.
+        // Ragged boundaries are all corners and have to coarsen; creases do so along tiny edges only.
         boolean alongLine = boundaryA || (mesh.crease[h] && (kindA != HalfEdgeMesh.CORNER || kindA != kindB));
         return alongLine || mesh.squareLength(h) < TINY * TINY * longest * longest ? share : Double.NaN;
     }
 
-    /**
-     * The least cosine between the normal of a triangle at {@code v} and their common normal: 1 on a plane, less on a
-     * rim.
-     */
-    private double spread(int v, int[] ring, int size) {
-        int count = mesh.isBoundaryVertex(v) ? size - 1 : size;
-        if (normals.length < 3 * count) {
+    /** The least cosine between the normal of a triangle of the ring and their common normal: 1 on a plane. */
+    private double spread(OneRing ring) {
+        int count = ring.triangles;
+        if (lengths.length < count) {
+            lengths = new double[2 * count];
             normals = new double[6 * count];
         }
         double[] n = normals;
-        double[] p = mesh.position;
-        double vx = p[3 * v];
-        double vy = p[3 * v + 1];
-        double vz = p[3 * v + 2];
         double sx = 0;
         double sy = 0;
         double sz = 0;
         for (int i = 0; i < count; i++) {
-            int b = 3 * ring[i];
-            int c = 3 * ring[i + 1 == size ? 0 : i + 1];
-            double ux = p[b] - vx;
-            double uy = p[b + 1] - vy;
-            double uz = p[b + 2] - vz;
-            double wx = p[c] - vx;
-            double wy = p[c + 1] - vy;
-            double wz = p[c + 2] - vz;
-            double nx = uy * wz - uz * wy;
-            double ny = uz * wx - ux * wz;
-            double nz = ux * wy - uy * wx;
-            sx += nx;
-            sy += ny;
-            sz += nz;
-            n[3 * i] = nx;
-            n[3 * i + 1] = ny;
-            n[3 * i + 2] = nz;
+            lengths[i] =
+                    Triangles.cross(mesh.position, 3 * ring.vertex, 3 * ring.vertices[i], 3 * ring.next(i), normal);
+            System.arraycopy(normal, 0, n, 3 * i, 3);
+            sx += normal[0];
+            sy += normal[1];
+            sz += normal[2];
         }
         double total = Math.sqrt(sx * sx + sy * sy + sz * sz);
         double least = 1;
-        for (int i = 0; i < 3 * count; i += 3) {
-            double scale = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]) * total;
+        for (int i = 0; i < count; i++) {
+            double scale = lengths[i] * total;
             if (scale > 0) {
-                least = Math.min(least, (n[i] * sx + n[i + 1] * sy + n[i + 2] * sz) / scale);
+                least = Math.min(least, (n[3 * i] * sx + n[3 * i + 1] * sy + n[3 * i + 2] * sz) / scale);
             }
         }
         return least;
     }
 
     /**
-     * Whether the triangles at {@code v} that do not hold {@code gone} keep side and shape when v moves to (x, y, z).
+     * Whether the triangles of the ring that do not hold {@code gone} keep orientation and shape when its vertex moves.
      */
-    private boolean fits(int v, int gone, int[] ring, int size, double x, double y, double z) {
-        int count = mesh.isBoundaryVertex(v) ? size - 1 : size;
-        for (int i = 0; i < count; i++) {
-            int b = ring[i];
-            int c = ring[i + 1 == size ? 0 : i + 1];
-            if (b == gone || c == gone) {
+    private boolean fits(OneRing ring, int gone, double x, double y, double z) {
+        for (int i = 0; i < ring.triangles; i++) {
+            if (ring.triangleHas(i, gone)) {
                 continue;
             }
-            moved.set(mesh.position, v, b, c, x, y, z);
+            moved.set(mesh.position, ring.vertex, ring.vertices[i], ring.next(i), x, y, z);
             double before = moved.shapeBefore();
             double after = moved.shapeAfter();
             // A triangle without area has no orientation to keep.

@@ -6,6 +6,8 @@ import org.phrenic.mesh.TriangleMesh;
 
 /** A triangle surface that can be edited: edges split, collapsed and flipped in place. */
 final class HalfEdgeMesh extends HalfEdges {
+    private final OneRing ring = new OneRing();
+
     HalfEdgeMesh(TriangleMesh mesh) {
         super(mesh);
     }
@@ -53,10 +55,7 @@ final class HalfEdgeMesh extends HalfEdges {
         return m;
     }
 
-    /**
-     * Turns the inner edge of {@code h} in its quadrilateral; the caller has seen to it that it is no crease and the
-     * new edge does not exist yet.
-     */
+    /** Flips the inner edge of {@code h}, which must not be a crease; the new edge must not exist yet. */
     void flip(int h) {
         int o = twin[h];
         int hn = next(h);
@@ -110,13 +109,13 @@ final class HalfEdgeMesh extends HalfEdges {
         if (!preservesBoundary(h)) {
             return false;
         }
-        collectRing(start[h]);
-        return satisfiesLinkCondition(h, ring, ringSize);
+        collectRing(start[h], ring);
+        return satisfiesLinkCondition(h, ring);
     }
 
     /**
-     * The part of {@link #canCollapse} that asks for no ring: no bridge between boundaries, and neighbours to spare
-     * beside the edge.
+     * The part of {@link #canCollapse} that needs no ring: no bridge between boundaries, and enough neighbours beside
+     * the edge.
      */
     boolean preservesBoundary(int h) {
         int o = twin[h];
@@ -126,33 +125,21 @@ final class HalfEdgeMesh extends HalfEdges {
         return canRemoveTriangle(h) && (o == NONE || canRemoveTriangle(o));
     }
 
-    /**
-     * The rest of {@link #canCollapse}: of the ring about the start, only what stands beside the edge is a neighbour of
-     * its end.
-     */
-    boolean satisfiesLinkCondition(int h, int[] ringOfStart, int size) {
+    /** Link condition: of the ring of the start, only the vertices opposite the edge are neighbours of its end. */
+    boolean satisfiesLinkCondition(int h, OneRing ringOfStart) {
         int common = 0;
         int b = end(h);
         int g = out[b];
         do {
             int back = previous(g);
-            common += isAmong(ringOfStart, size, end(g)) ? 1 : 0;
+            common += ringOfStart.contains(end(g)) ? 1 : 0;
             int following = twin[back];
             if (following == NONE) {
-                common += isAmong(ringOfStart, size, start[back]) ? 1 : 0;
+                common += ringOfStart.contains(start[back]) ? 1 : 0;
             }
             g = following;
         } while (g != NONE && g != out[b]);
         return common == (twin[h] == NONE ? 1 : 2);
-    }
-
-    private static boolean isAmong(int[] vertices, int size, int v) {
-        for (int i = 0; i < size; i++) {
-            if (vertices[i] == v) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private boolean canRemoveTriangle(int h) {

@@ -51,11 +51,6 @@ abstract class HalfEdges {
     private final IntList freeTriangles = new IntList();
     private final IntList freeVertices = new IntList();
 
-    /** The one-ring of {@link #collectRing}'s vertex, in order; at a boundary from one boundary edge to the other. */
-    int[] ring = new int[64];
-
-    int ringSize;
-
     HalfEdges(TriangleMesh mesh) {
         int[] t = withoutRepeatedCorners(mesh.triangles());
         EdgeTable edges = new EdgeTable(mesh.vertexCount(), t, 3);
@@ -228,26 +223,22 @@ abstract class HalfEdges {
         return g;
     }
 
-    /** Fills {@link #ring}; triangles are (v, ring[i], ring[i + 1]), cyclic only inside the surface. */
-    void collectRing(int v) {
-        ringSize = 0;
+    /** Finds the one-ring of a vertex. */
+    void collectRing(int v, OneRing ring) {
+        ring.vertex = v;
+        ring.size = 0;
         int h = out[v];
         do {
-            addToRing(end(h));
+            ring.add(end(h));
             int back = previous(h);
             h = twin[back];
             if (h == NONE) {
-                addToRing(start[back]);
+                ring.triangles = ring.size;
+                ring.add(start[back]);
                 return;
             }
         } while (h != out[v]);
-    }
-
-    private void addToRing(int v) {
-        if (ringSize == ring.length) {
-            ring = Arrays.copyOf(ring, 2 * ringSize);
-        }
-        ring[ringSize++] = v;
+        ring.triangles = ring.size;
     }
 
     /** Whether a vertex has more than so many neighbours; counts no further. */

@@ -14,7 +14,7 @@ import org.phrenic.mesh.query.TriangleTree;
  * topology allows.
  *
  * <p>Where the surface becomes finer, edges bent by more than 60 degrees are creases: they keep their place and are
- * only divided otherwise. Where it becomes coarser, what looks like a crease is a detail below the new length.
+ * only divided otherwise. Where it becomes coarser, sharp edges are detail below the new length.
  *
  * <p>Closedness, genus and boundary loops are kept. On a closed surface the vertices are at last shifted along their
  * normals by the one distance that restores the volume, since chords of a convex surface lie inside it.
@@ -36,7 +36,7 @@ public final class Remesher {
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
-    /** How far from its place a vertex may be drawn onto the original surface, in target lengths. */
+    /** Greatest distance of the projection onto the original surface, in target lengths. */
     private static final double REACH = 2;
 
     private final TriangleMesh original;
@@ -222,7 +222,7 @@ public final class Remesher {
     private void meetCount() {
         for (int sweep = 0; sweep < MOST_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
             if (mesh.vertexCount() < vertices) {
-                // A few at a time: what is split stays out of the running until its neighbours have been.
+                // A few at a time, so that neighbours of a split edge are split first.
                 splitLongest(length * Math.max(0, 1.2 - 0.1 * sweep), vertices);
             } else {
                 double reach = 1 + 0.25 * sweep;

@@ -3,10 +3,10 @@ package org.phrenic.mesh.edit;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Evens out the vertices of a surface that is being remeshed: each moves in its tangent plane to the area-weighted
- * centroid of the triangles about it and back onto the original surface, among those of the original's triangles that
- * face its way. On a boundary or a crease it slides along the original's; the corners of creases stay. A move that
- * would turn or flatten a triangle is not made.
+ * Tangential relaxation during remeshing: each vertex moves in its tangent plane to the area-weighted centroid of the
+ * triangles about it and back onto the original surface, among those of the original's triangles that face its way. On
+ * a boundary or a crease it slides along the original's; the corners of creases stay. A move that would turn or flatten
+ * a triangle is not made.
  */
 final class VertexRelaxer {
     /**
@@ -20,6 +20,7 @@ final class VertexRelaxer {
     private final TriangleTree surface;
     private final TriangleTree lines;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final OneRing ring = new OneRing();
     private final MovedTriangle moved = new MovedTriangle();
 
     /**
@@ -32,7 +33,7 @@ final class VertexRelaxer {
         this.lines = lines;
     }
 
-    /** One pass over all vertices, each seeing those before it where they have moved to. */
+    /** One Gauss-Seidel pass over all vertices. */
     void relax(double reach) {
         for (int v = 0; v < mesh.vertexEnd; v++) {
             if (mesh.out[v] != HalfEdgeMesh.NONE) {
@@ -56,18 +57,15 @@ final class VertexRelaxer {
         double y = (p[a + 1] + p[b + 1]) / 2;
         double z = (p[a + 2] + p[b + 2]) / 2;
         if (lines.closest(x, y, z, reach, hit)) {
-            mesh.collectRing(v);
-            int triangles = mesh.isBoundaryVertex(v) ? mesh.ringSize - 1 : mesh.ringSize;
-            if (keepsSides(v, triangles, hit.x, hit.y, hit.z)) {
+            mesh.collectRing(v, ring);
+            if (keepsSides(hit.x, hit.y, hit.z)) {
                 mesh.setPosition(v, hit.x, hit.y, hit.z);
             }
         }
     }
 
     private void relaxInTangentPlane(int v, double reach) {
-        mesh.collectRing(v);
-        int size = mesh.ringSize;
-        int[] ring = mesh.ring;
+        mesh.collectRing(v, ring);
         double[] p = mesh.position;
         double vx = p[3 * v];
         double vy = p[3 * v + 1];
@@ -79,12 +77,12 @@ final class VertexRelaxer {
         double gy = 0;
         double gz = 0;
         double area = 0;
-        int c = 3 * ring[size - 1];
+        int c = 3 * ring.vertices[ring.size - 1];
         double ux = p[c] - vx;
         double uy = p[c + 1] - vy;
         double uz = p[c + 2] - vz;
-        for (int i = 0; i < size; i++) {
-            int d = 3 * ring[i];
+        for (int i = 0; i < ring.size; i++) {
+            int d = 3 * ring.vertices[i];
             double wx = p[d] - vx;
             double wy = p[d + 1] - vy;
             double wz = p[d + 2] - vz;
@@ -123,16 +121,16 @@ final class VertexRelaxer {
         double step = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
         boolean found = surface.closest(x, y, z, Math.min(reach, step), nx, ny, nz, SAME_SIDE, hit)
                 || surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit);
-        if (found && keepsSides(v, size, hit.x, hit.y, hit.z)) {
+        if (found && keepsSides(hit.x, hit.y, hit.z)) {
             mesh.setPosition(v, hit.x, hit.y, hit.z);
         }
     }
 
-    /** Whether each triangle of the gathered ring keeps its side when v moves to (x, y, z). */
-    private boolean keepsSides(int v, int triangles, double x, double y, double z) {
+    /** Whether each triangle of the ring keeps its orientation when the vertex moves to (x, y, z). */
+    private boolean keepsSides(double x, double y, double z) {
         double[] p = mesh.position;
-        for (int i = 0; i < triangles; i++) {
-            moved.set(p, v, mesh.ring[i], mesh.ring[i + 1 == mesh.ringSize ? 0 : i + 1], x, y, z);
+        for (int i = 0; i < ring.triangles; i++) {
+            moved.set(p, ring.vertex, ring.vertices[i], ring.next(i), x, y, z);
             if (moved.dot < LEAST_COSINE * Math.sqrt(moved.before * moved.after)) {
                 return false;
             }

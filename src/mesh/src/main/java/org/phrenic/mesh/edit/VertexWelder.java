@@ -5,12 +5,9 @@ import org.phrenic.mesh.Vectors;
 
 /** Finds, for each vertex in turn, the nearest earlier kept vertex within a distance, by a hashed grid. */
 final class VertexWelder {
-    /**
-     * Edge of a cell in tolerances: a vertex then looks into 3.4 cells in the mean and not 27, and no cell has to hold
-     * many that are kept.
-     */
+    /** Edge of a cell in tolerances: a vertex then searches 3.4 cells on average instead of 27. */
     private static final double CELL = 4;
-    /** How far a vertex looks into the next cells, in tolerances: beyond what rounding takes away. */
+    /** Search distance in tolerances, with a margin for rounding. */
     private static final double REACH = 1.01;
 
     private final double[] positions;
@@ -27,7 +24,7 @@ final class VertexWelder {
         Arrays.fill(head, -1);
     }
 
-    /** For each vertex the vertex that stands for it, itself if kept. */
+    /** The vertex that replaces each vertex; itself if it is kept. */
     int[] representatives() {
         int count = chain.length;
         int[] keeper = new int[count];
@@ -54,7 +51,10 @@ final class VertexWelder {
         return keeper;
     }
 
-    /** The vertex nearest to {@code v} within the tolerance among a candidate (v itself: none) and the chain from {@code first}. */
+    /**
+     * The vertex nearest to {@code v} within the tolerance among a candidate (v itself: none) and the chain from
+     * {@code first}.
+     */
     private int nearest(int v, int candidate, int first) {
         int best = candidate;
         double bestSquare = best == v ? tolerance * tolerance : Vectors.squaredDistance(positions, v, best);
@@ -84,5 +84,4 @@ final class VertexWelder {
         h *= 0xBF58476D1CE4E5B9L;
         return (int) (h >>> 33) & (head.length - 1);
     }
-
 }

@@ -10,7 +10,8 @@ import org.phrenic.mesh.TriangleMesh;
  * operator, x - mean of the neighbours, whose eigenvalues k lie in 0 to 2, and T the Chebyshev polynomials,
  *
  * <pre>
- * x' = sum over n = 0..N of w_n c_n T_n(1 - L / 2) x,   c_0 = t / pi,  c_n = 2 sin(n t) / (n pi),   t = arccos(1 - k_pb / 2) + sigma
+ * x' = sum over n = 0..N of w_n c_n T_n(1 - L / 2) x
+ * c_0 = t / pi,   c_n = 2 sin(n t) / (n pi),   t = arccos(1 - k_pb / 2) + sigma
  * </pre>
  *
  * where k_pb is the pass band, w a {@link Window} and sigma chosen by Newton's method so that the filter lets k_pb
@@ -20,7 +21,7 @@ public final class WindowedSincFilter {
     private static final int MOST_NEWTON_STEPS = 500;
     /** As in VTK. */
     private static final double NEWTON_TOLERANCE = 1e-3;
-    /** A boundary that turns by more than 15 degrees at a vertex holds it. */
+    /** A vertex at which the boundary turns by more than 15 degrees stays. */
     private static final double STRAIGHT = StrictMath.cos(Math.toRadians(15));
 
     private WindowedSincFilter() {}
@@ -167,7 +168,7 @@ public final class WindowedSincFilter {
         double[] centre = new TriangleMesh(positions, new int[0]).centre();
         double[] before = new double[positions.length];
         for (int i = 0; i < positions.length; i++) {
-            // About the middle of the body, so that a sum of factors that is not quite 1 moves nothing.
+            // Relative to the centre, so that factors that do not sum to exactly 1 do not move the mesh.
             before[i] = positions[i] - centre[i % 3];
         }
         double[] now = new double[positions.length];

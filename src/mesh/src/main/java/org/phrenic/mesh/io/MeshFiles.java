@@ -10,9 +10,7 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 
-/**
- * Surfaces in files: the format is told by the extension, in upper or lower case. Units and axes are those of the file.
- */
+/** Surface files; the extension, in upper or lower case, gives the format. Units and axes are those of the file. */
 public final class MeshFiles {
     /** Extensions that can be read. */
     public static final List<String> READABLE = List.of("stl", "obj", "ply", "vtk", "vtp");

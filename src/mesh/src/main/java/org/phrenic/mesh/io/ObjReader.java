@@ -36,7 +36,7 @@ final class ObjReader {
                 case "v" -> readVertex(words);
                 case "f", "fo" -> readFace(words);
                 default -> {
-                    // Everything else says nothing about the surface.
+                    // No part of the surface.
                 }
             }
         }

@@ -121,7 +121,7 @@ final class VtkReader {
         };
     }
 
-    /** Steps over the arrays of a field; the cursor stands after the word FIELD. */
+    /** Skips the arrays of a field; the cursor is behind the word FIELD. */
     private static void skipField(ByteCursor cursor) {
         cursor.word("the name of the field");
         int arrays = cursor.count("the number of arrays in the field");

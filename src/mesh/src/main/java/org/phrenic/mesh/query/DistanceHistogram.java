@@ -9,7 +9,7 @@ package org.phrenic.mesh.query;
  */
 public record DistanceHistogram(double[] edgesMm, double[] shares) {
     /**
-     * @param distances sizes count, whatever their signs
+     * @param distances absolute values count
      * @param weights one each, not negative
      * @param bins at least 1
      */

@@ -5,8 +5,7 @@ import java.util.stream.IntStream;
 import org.phrenic.engine.math.ArgSort;
 
 /**
- * Figures of a set of distances, mm, each with a weight. A quantile is the smallest distance that with all smaller ones
- * makes up its share of the weight.
+ * Weighted statistics of distances, mm. A quantile is the smallest distance up to which that share of the weight lies.
  *
  * @param points distances with a weight above 0
  * @param mean weighted mean
@@ -24,7 +23,7 @@ public record DistanceSummary(
     public static final DistanceSummary NONE = new DistanceSummary(0, 0, 0, 0, 0, 0, 0);
 
     /**
-     * Figures of the sizes of {@code distances}, whatever their signs.
+     * Statistics of absolute distances.
      *
      * @param weights one each, not negative; those of weight 0 do not count
      * @throws IllegalArgumentException if there are not as many weights as distances

@@ -59,7 +59,7 @@ public final class PlaneCut {
                     + normal[2] * positions[3 * i + 2]
                     - offset;
         }
-        // From the edge at which the plane comes into a triangle to the edge at which it leaves it.
+        // From the edge at which the plane enters a triangle to the edge at which it leaves.
         Map<Long, Long> next = new HashMap<>();
         List<Long> order = new ArrayList<>();
         for (int t = 0; t < triangles.length; t += 3) {

@@ -1,9 +1,8 @@
 package org.phrenic.mesh.query;
 
 /**
- * The nearest point of a triangle to a point, after Ericson, Real-Time Collision Detection (2005), section 5.1.5, with
- * the case the book leaves open: a triangle so flat that its interior has no digits left is searched along its three
- * sides.
+ * The nearest point of a triangle to a point, after Ericson, Real-Time Collision Detection (2005), section 5.1.5,
+ * extended to degenerate triangles, whose three sides are searched.
  */
 final class PointTriangleDistance {
     /** Squared area over squared longest side to the fourth power, below which the barycentric quotients are noise. */
@@ -29,8 +28,8 @@ final class PointTriangleDistance {
     }
 
     /**
-     * Squared distance from (x, y, z) to the triangle whose corners stand at {@code c[o..o+8]}; the weights of its
-     * second and third corner go to {@code weights[0..1]}.
+     * Squared distance from (x, y, z) to the triangle whose corners are {@code c[o..o+8]}; the weights of its second
+     * and third corner go to {@code weights[0..1]}.
      */
     static double squaredDistance(double[] c, int o, double x, double y, double z, double[] weights) {
         double ax = c[o];

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * A straight segment, and where it pierces surfaces or how near it comes to them.
+ * Intersections of a straight segment with surfaces, and its distance from them.
  *
  * <p>Piercing is decided as by Woop, Benthin and Wald 2013 (JCGT 2:65): corners are sheared so that the segment runs
  * along an axis through 0, and the signs of the three edges' determinants say whether 0 lies within the triangle. The
@@ -122,7 +122,7 @@ public final class SegmentProbe {
             triangles = Arrays.copyOf(triangles, 2 * found);
         }
         int i = found++;
-        // Among equal depths the lower triangle comes first, whatever the tree looks like.
+        // Of equal depths the lower triangle comes first, so that the order does not depend on the tree.
         while (i > 0 && (depths[i - 1] > depth || (depths[i - 1] == depth && triangles[i - 1] > triangle))) {
             depths[i] = depths[i - 1];
             facings[i] = facings[i - 1];

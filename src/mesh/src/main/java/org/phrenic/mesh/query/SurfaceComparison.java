@@ -8,8 +8,8 @@ import org.phrenic.mesh.TriangleMesh;
 /**
  * How far two surfaces lie apart: from the vertices of each to the other, exactly ({@link SurfaceDistance}), after
  * Aspert et al. 2002, MESH (doi 10.1109/ICME.2002.1035879), and Roy, Foufou and Truchetet 2004, Mesh Comparison Using
- * Attribute Deviation Metric. The distance to a nearest point says nothing of motion along the surface; where both have
- * the same triangles, corresponding vertices do.
+ * Attribute Deviation Metric. Distances to nearest points do not see motion along the surface; distances of
+ * corresponding vertices do, where both have the same triangles.
  *
  * @param aToB from the vertices of the first to the second surface
  * @param bToA from the vertices of the second to the first
@@ -32,8 +32,7 @@ public record SurfaceComparison(
      * @param signed whether distances have a sign
      * @param perVertex figures of the sizes, every vertex counting the same
      * @param byArea figures of the sizes, a vertex counting as the area about it
-     * @param signedMean area-weighted mean with signs, mm: how far outside this surface lies on the whole; NaN without
-     *     signs
+     * @param signedMean area-weighted mean signed distance, mm; NaN without signs
      */
     public record DirectedDistances(
             double[] distances,
@@ -100,7 +99,8 @@ public record SurfaceComparison(
     /** What {@link #byArea()} says, for a part of the work. */
     public static DistanceSummary summaryByArea(TriangleMesh a, TriangleMesh b) {
         return DistanceSummary.of(
-                join(new TriangleTree(b).distances(a.positions()), new TriangleTree(a).distances(b.positions())), join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
+                join(new TriangleTree(b).distances(a.positions()), new TriangleTree(a).distances(b.positions())),
+                join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
     }
 
     /** The larger of the largest distances of the two directions, mm; taken at vertices. */

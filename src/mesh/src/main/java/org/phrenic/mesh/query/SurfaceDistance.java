@@ -113,7 +113,7 @@ public final class SurfaceDistance {
         double dy = y - hit.y;
         double dz = z - hit.z;
         if (isZero(faceNormals, t)) {
-            // A triangle without area says nothing about sides.
+            // A triangle without area has no sides.
             return tree.isInside(x, y, z) ? -1 : 1;
         }
         boolean a = hit.weightA > ON_SIDE;

@@ -90,7 +90,7 @@ public final class LabelGrid {
         return inside ? label(i + columns * (j + rows * k)) : 0;
     }
 
-    /** Writes where a point given in voxels lies, mm. */
+    /** Writes the position of a point given in voxel coordinates, mm. */
     public void voxelToMm(double i, double j, double k, double[] out) {
         for (int row = 0; row < 3; row++) {
             out[row] = toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];

@@ -8,9 +8,9 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Makes the faces of one part's voxels a closed manifold of triangles. At an edge of four faces those of one voxel are
- * joined, so that voxels that touch along it are apart; at a vertex each fan of joined faces gets a vertex of its own.
- * Where both pairs at such an edge still have the same two ends, one pair gets another vertex in its middle.
+ * Triangulates the faces of one part's voxels to a closed manifold. At an edge of four faces those of the same voxel
+ * are joined; at a vertex each fan of joined faces gets a vertex of its own. Where both pairs at an edge still have the
+ * same two ends, one pair gets another vertex in its middle.
  */
 final class QuadStitcher {
     private static final int NONE = -1;
@@ -140,5 +140,4 @@ final class QuadStitcher {
             triangles.add(ring[(hub + i + 1) % size]);
         }
     }
-
 }

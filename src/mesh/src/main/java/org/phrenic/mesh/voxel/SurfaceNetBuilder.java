@@ -129,16 +129,13 @@ final class SurfaceNetBuilder {
         positions.add(at[0], at[1], at[2]);
     }
 
-    /**
-     * Faces across slices, from voxel slice k - 1 to k, and those within voxel slice k - 1, whose cells are known by
-     * now.
-     */
+    /** Faces between voxel slices k - 1 and k, and within slice k - 1. */
     private void addFaces(int k) {
         int row = wide + 1;
         long slice = (long) row * (high + 1) * k;
         for (int j = 0; j < high; j++) {
             for (int i = 0; i < wide; i++) {
-                // The voxel of cell (i, j) is the one before the cell; those at its far end belong to the next.
+                // Cell (i, j) owns the faces of the voxel before it.
                 int o = row * j + i;
                 int cell = wide * j + i;
                 short part = below[o];

@@ -7,11 +7,11 @@ import java.util.TreeMap;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * A volume of labels as a file holds it, in LPS and mm.
+ * A label volume read from a file, in LPS and mm.
  *
  * @param grid labels and where they lie
  * @param names of labels, as far as the file gives them
- * @param notes what the file left open and how it was taken, one sentence each
+ * @param notes assumptions made where the file is silent, one sentence each
  */
 public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
     public LabelVolume {

@@ -11,7 +11,7 @@ import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 
-/** Volumes of labels in files: the format is told by the extension, in upper or lower case. */
+/** Label volume files; the extension, in upper or lower case, gives the format. */
 public final class LabelVolumeFiles {
     /** Endings of names that can be read. */
     public static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");

@@ -29,7 +29,7 @@ final class NiftiReader {
     private static final int HEADER = 348;
     private static final int HEADER_OF_NIFTI_2 = 540;
     private static final int GZIP_MAGIC = 0x1f8b;
-    /** Extensions hold some text; more than this is passed over unread. */
+    /** Bytes of extensions that are searched for names. */
     private static final int LARGEST_EXTENSION = 1 << 24;
 
     private static final Pattern LABEL =

@@ -109,7 +109,7 @@ final class NrrdReader {
         return new int[] {all[axes[0]], all[axes[1]], all[axes[2]]};
     }
 
-    /** A fourth axis of one element is no dimension; of several, it holds layers of segments that overlap, or times. */
+    /** The spatial axes of four; the other one must have one element (more are overlapping segments or times). */
     private int[] spatialAxes(int[] sizes) {
         String[] kinds = header.text("kinds", "").split("\\s+", -1);
         List<String> vectors = header.has("space directions") ? vectors("space directions") : List.of();

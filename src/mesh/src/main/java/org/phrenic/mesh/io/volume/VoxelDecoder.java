@@ -13,8 +13,7 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * How the voxels of a volume are stored, and the way from there to labels: decoded as they come, a byte a label until
- * one above 255 is met.
+ * Storage of the voxels of a volume, and decoding to labels: one byte a label until one is above 255.
  *
  * @param sizes voxels along columns, rows and slices
  * @param type of a stored value
@@ -28,7 +27,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     private static final long MOST_PACKED = 1032;
 
     private static final long MOST_VOXELS = Integer.MAX_VALUE - 8;
-    /** Labels for which there is room at first: what a header promises beyond has to come before it takes memory. */
+    /** Labels allocated at first; memory grows with the data read, not with what the header promises. */
     private static final int FIRST_ROOM = 1 << 22;
     /**
      * A volume of labels takes no more than this share of Java's memory, as an array that grows is held twice for a
@@ -51,7 +50,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     }
 
     /**
-     * Refuses, before anything is allocated, sizes that cannot be or that the file cannot hold.
+     * Refuses impossible sizes, and sizes that the file cannot hold, before memory is allocated.
      *
      * @param available bytes that the file still has
      */
@@ -131,7 +130,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
                     throw new EOFException();
                 }
             }
-            // The checksum of a packed file stands after its last byte and is looked at when that is read.
+            // Reading past the last byte verifies the checksum of a packed file.
             in.read();
         } catch (EOFException ended) {
             throw new BadInputException(
