@@ -61,9 +61,10 @@ public class EdgeTable {
     /** First key of each vertex as the smaller end of an edge; the total at the end. */
     private int[] rowStarts(int[] faces, int vertexCount) {
         int[] row = new int[vertexCount + 1];
-        for (int side = 0; side < faces.length; side++) {
+        for (int side = 0, first = 0; side < faces.length; side++) {
+            first += side == first + corners ? corners : 0;
             int a = faces[side];
-            int b = faces[next(side, corners)];
+            int b = faces[side + 1 == first + corners ? first : side + 1];
             if (a != b) {
                 row[Math.min(a, b) + 1]++;
             }
@@ -78,9 +79,10 @@ public class EdgeTable {
     private long[] keys(int[] faces, int[] row) {
         long[] keys = new long[row[row.length - 1]];
         int[] fill = row.clone();
-        for (int side = 0; side < faces.length; side++) {
+        for (int side = 0, first = 0; side < faces.length; side++) {
+            first += side == first + corners ? corners : 0;
             int a = faces[side];
-            int b = faces[next(side, corners)];
+            int b = faces[side + 1 == first + corners ? first : side + 1];
             if (a != b) {
                 keys[fill[Math.min(a, b)]++] = ((long) Math.max(a, b) << 32) | side;
             }

@@ -23,12 +23,10 @@ public final class HarmonicField {
 
     private final TriangleMesh mesh;
     private final double[] values;
-    private final int iterations;
 
-    private HarmonicField(TriangleMesh mesh, double[] values, int iterations) {
+    private HarmonicField(TriangleMesh mesh, double[] values) {
         this.mesh = mesh;
         this.values = values;
-        this.iterations = iterations;
     }
 
     /**
@@ -61,17 +59,13 @@ public final class HarmonicField {
             u[fixed[k]] = given[k];
         }
         double[] weights = cotangentWeights(mesh, topology);
-        int iterations = conjugateGradients(topology, weights, isFixed, u);
-        return new HarmonicField(mesh, u, iterations);
+        solve(topology, weights, isFixed, u);
+        return new HarmonicField(mesh, u);
     }
 
     /** Value at each vertex; shared, read only. */
     public double[] values() {
         return values;
-    }
-
-    public int iterations() {
-        return iterations;
     }
 
     /** Gradient in each triangle, x y z in turn, in units of the value per mm; zero in a triangle without area. */
@@ -138,8 +132,8 @@ public final class HarmonicField {
         }
     }
 
-    /** Improves the free entries of u in place; returns the iterations used. */
-    private static int conjugateGradients(MeshTopology topology, double[] weights, boolean[] isFixed, double[] u) {
+    /** Solves for the free entries of u in place, from their given values on. */
+    private static void solve(MeshTopology topology, double[] weights, boolean[] isFixed, double[] u) {
         int count = u.length;
         double[] diagonal = new double[count];
         int[] edges = topology.edges();
@@ -167,7 +161,6 @@ public final class HarmonicField {
         }
         double goal = solver.start(residual) * RELATIVE_RESIDUAL * RELATIVE_RESIDUAL;
         solver.solve(u, residual, goal, 10 * count + 100);
-        return solver.iterations();
     }
 
     /** Writes L x into {@code out} for the free vertices, 0 for the fixed ones. */

@@ -1,6 +1,9 @@
 package org.phrenic.mesh.edit;
 
-/** What moving the corner v of a triangle (v, b, c) does to its normal; n and m are (c - b) x (v - b) before and after the move. */
+/**
+ * What moving the corner v of a triangle (v, b, c) does to its normal; n and m are (c - b) x (v - b) before and after
+ * the move.
+ */
 final class MovedTriangle {
     /** n . n, m . m and n . m. */
     double before;

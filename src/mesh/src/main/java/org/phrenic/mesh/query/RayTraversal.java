@@ -14,8 +14,8 @@ final class RayTraversal {
     /**
      * Follows the ray of a hit.
      *
-     * @param out its {@code rayParameter} limits the ray, in lengths of the direction; receives the first triangle met unless
-     *     {@code counting}
+     * @param out its {@code rayParameter} limits the ray, in lengths of the direction; receives the first triangle met
+     *     unless {@code counting}
      * @param counting whether all triangles on the way are counted
      * @return how many were met; where not counting, how often a nearer one was found
      */
@@ -60,7 +60,10 @@ final class RayTraversal {
         return met;
     }
 
-    /** The ray parameter at which a triangle is met, infinite if it is not; the weights of its second and third corner come with it. */
+    /**
+     * The ray parameter at which a triangle is met, infinite if it is not; the weights of its second and third corner
+     * come with it.
+     */
     private static double intersectTriangle(TriangleTree tree, int place, TriangleTree.Hit out) {
         double[] corners = tree.corners;
         double[] origin = out.origin;

@@ -94,7 +94,13 @@ class DecimatorTest {
     void theSameSurfaceGivesTheSameBits() {
         TriangleMesh sphere = Shapes.sphere(50, 3);
         assertThat(Decimator.toVertexCount(sphere, 200, 1).positions())
-                .isEqualTo(Decimator.toVertexCount(new TriangleMesh(sphere.positions().clone(), sphere.triangles().clone()), 200, 1).positions());
+                .isEqualTo(Decimator.toVertexCount(
+                                new TriangleMesh(
+                                        sphere.positions().clone(),
+                                        sphere.triangles().clone()),
+                                200,
+                                1)
+                        .positions());
     }
 
     @Test

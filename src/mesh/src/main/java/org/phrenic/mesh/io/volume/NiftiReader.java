@@ -145,8 +145,8 @@ final class NiftiReader {
         } else if (header.getShort(252) > 0) {
             axes = qform();
         } else {
-            notes.add(
-                    "neither sform nor qform is set: columns were taken to run to the right, rows to the front, slices up");
+            notes.add("neither sform nor qform is set: columns were taken to run to the right, rows to the front,"
+                    + " slices up");
             axes = VolumeAxes.axisAligned(pixel(1), pixel(2), pixel(3));
         }
         double mm =

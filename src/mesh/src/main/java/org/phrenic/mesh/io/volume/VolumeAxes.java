@@ -80,7 +80,8 @@ final class VolumeAxes {
             if (Math.abs(cosine) > RIGHT_ANGLE) {
                 throw new BadInputException(String.format(
                         Locale.ROOT,
-                        "%s: found %s and %s at an angle of %.1f deg, expected right angles (resample the sheared volume first)",
+                        "%s: found %s and %s at an angle of %.1f deg, expected right angles"
+                                + " (resample the sheared volume first)",
                         file,
                         DIRECTIONS[one],
                         DIRECTIONS[other],

@@ -81,7 +81,8 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
         if (voxels() > MOST_OF_MEMORY * memory) {
             throw new BadInputException(String.format(
                     Locale.ROOT,
-                    "%s: found a size of %s voxels, expected no more than fit into half of Java's memory, which is %d MB (java -Xmx8g gives it 8 GB)",
+                    "%s: found a size of %s voxels, expected no more than fit into half of Java's memory,"
+                            + " which is %d MB (java -Xmx8g gives it 8 GB)",
                     file,
                     shown(sizes),
                     memory >> 20));

@@ -150,7 +150,8 @@ class LabelVolumeFilesTest {
                         .replace("(-2,0,0) (0,3,0) (0,0,4)", "none (2,0,0) (0,-3,0) (0,0,4)")
                         .replace("domain domain domain", "list domain domain domain")
                         .replace("(10,20,30)", "(-10,-20,30)")
-                + "Segment0_LabelValue:=5\nSegment0_Name:=lung: right\nSegment1_Name:=liver\nSegment1_LabelValue:=9\n\n";
+                + "Segment0_LabelValue:=5\nSegment0_Name:=lung: right\n"
+                + "Segment1_Name:=liver\nSegment1_LabelValue:=9\n\n";
         LabelVolume volume =
                 read("s.seg.nrrd", VolumeSamples.join(header, VolumeSamples.gzip(VolumeSamples.voxels(2, LITTLE, 1))));
         assertIsSample(volume);

@@ -93,7 +93,8 @@ public final class VolumeSamples {
     public static String meta(String type, boolean packed) {
         return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = "
                 + (packed ? "True" : "False")
-                + "\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\nOffset = -10 -20 30\nElementSpacing = 2 3 4\nDimSize = 4 3 2\nElementType = "
+                + "\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\nOffset = -10 -20 30\nElementSpacing = 2 3 4"
+                + "\nDimSize = 4 3 2\nElementType = "
                 + type + "\nElementDataFile = ";
     }
 
