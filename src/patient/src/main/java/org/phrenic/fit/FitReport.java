@@ -135,8 +135,8 @@ public record FitReport(FitResult result) {
         }
         page.section("Parameters");
         page.paragraph(
-                "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart); distances are"
-                        + " the mean that was made small, mm, with that parameter alone moved.");
+                "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart);"
+                        + " distances are the mean that was made small, mm, with that parameter alone moved.");
         page.table("", PARAMETERS, parameters());
         page.section("The fitted breath");
         page.points(result.observed().entrySet().stream()

@@ -134,8 +134,8 @@ public record SyntheticStudy(List<Case> cases) {
     public ReportDocument document() {
         ReportDocument page = new ReportDocument(
                 "Fits to known breaths",
-                "Virtual patients breathe in with hidden settings; what a scan would show of their lungs, with noise of 1 mm,"
-                        + " is fitted by another mesh with another tendon and sternum.");
+                "Virtual patients breathe in with hidden settings; what a scan would show of their lungs, with noise of"
+                        + " 1 mm, is fitted by another mesh with another tendon and sternum.");
         page.table("Mean distance of both lungs, both ways by area, and height of the domes, mm.", COLUMNS, cells());
         for (Case c : cases) {
             page.section(c.patient.name());

@@ -57,8 +57,8 @@ final class LungPlausibility {
         double leftMl = volumeMl(left);
         // x runs to the patient's left.
         if (r[0] + r[3] > l[0] + l[3]) {
-            findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states its"
-                    + " axes wrongly (mirrored), see --axes");
+            findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
+                    + " its axes wrongly (mirrored), see --axes");
         } else if (leftMl > MAX_LEFT * rightMl) {
             findings.add(String.format(
                     Locale.ROOT,

@@ -1,7 +1,8 @@
 package org.phrenic.patient;
 
 /**
- * Settings of the meshing of Villard, Bourne and Bello 2009: windowed sinc smoothing, decimation, windowed sinc smoothing.
+ * Settings of the meshing of Villard, Bourne and Bello 2009: windowed sinc smoothing, decimation, windowed sinc
+ * smoothing.
  *
  * @param passBand of both smoothings
  * @param keptFraction share of the vertices that decimation keeps, above 0 to 1
@@ -9,7 +10,9 @@ package org.phrenic.patient;
  */
 public record MeshingSettings(
         int firstIterations, double passBand, double keptFraction, double maxDeviationVoxels, int secondIterations) {
-    /** The paper's settings (section 4.1): pass band 0.2, 50 %, 200 second iterations; the 20 first are VTK's default. */
+    /**
+     * The paper's settings (section 4.1): pass band 0.2, 50 %, 200 second iterations; the 20 first are VTK's default.
+     */
     public static final MeshingSettings PAPER = new MeshingSettings(20, 0.2, 0.5, 0.5, 200);
 
     public MeshingSettings {

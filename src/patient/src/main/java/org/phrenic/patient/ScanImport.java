@@ -55,11 +55,15 @@ public final class ScanImport {
 
     /**
      * @param file name of the volume, for messages
-     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft structures, 2.5 mm on
-     *     bones and 8 mm on skin, or the voxel's size if that is larger
+     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft structures, 2.5 mm
+     *     on bones and 8 mm on skin, or the voxel's size if that is larger
      */
     public ScanImport(
-            LabelVolume volume, String file, MeshingSettings settings, Optional<Double> edgeMm, ImportProgress progress) {
+            LabelVolume volume,
+            String file,
+            MeshingSettings settings,
+            Optional<Double> edgeMm,
+            ImportProgress progress) {
         this.volume = volume;
         this.file = file;
         this.settings = settings;
@@ -132,9 +136,7 @@ public final class ScanImport {
                 .filter(ScanImport::isSkin)
                 .min(Comparator.comparingInt(segmentation::find))
                 .map(structure -> new SegmentMesher(
-                        segmentation.bodyOutline(coarsening(segmentation, edge(structure, voxelMm3))),
-                        SKIN,
-                        settings));
+                        segmentation.bodyOutline(coarsening(segmentation, edge(structure, voxelMm3))), SKIN, settings));
         segmentation.releaseVoxels();
         PatientStructure[] meshed = new PatientStructure[built.size()];
         AtomicInteger next = new AtomicInteger();
@@ -147,9 +149,14 @@ public final class ScanImport {
                         int segment = segmentation.find(structure);
                         double edge = edge(structure, voxelMm3);
                         meshed[i] = isSkin(structure)
-                                ? structure(structure, segmentation, IntStream.of(counts).skip(1).sum(), voxelMm3,
+                                ? structure(
+                                        structure,
+                                        segmentation,
+                                        IntStream.of(counts).skip(1).sum(),
+                                        voxelMm3,
                                         skin.orElseThrow().mesh(1, edge))
-                                : structure(structure, segmentation, counts[segment], voxelMm3, mesher.mesh(segment, edge));
+                                : structure(
+                                        structure, segmentation, counts[segment], voxelMm3, mesher.mesh(segment, edge));
                         synchronized (done) {
                             progress.meshed(done.incrementAndGet(), built.size(), structure);
                         }
@@ -172,8 +179,8 @@ public final class ScanImport {
     /** Factors by which voxels may be larger for triangles of an edge. */
     private static int[] coarsening(Segmentation segmentation, double edge) {
         return IntStream.range(0, 3)
-                .map(direction ->
-                        Math.max(1, (int) (VOXELS_PER_EDGE * edge / segmentation.grid().spacing(direction))))
+                .map(direction -> Math.max(
+                        1, (int) (VOXELS_PER_EDGE * edge / segmentation.grid().spacing(direction))))
                 .toArray();
     }
 

@@ -14,9 +14,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.SurfaceNet;
 
 /**
- * Meshes the segments of a volume by the steps of {@link MeshingSettings}. The first smoothing moves the surface net that
- * neighbouring segments share, so they still meet after it; decimation and the second smoothing are separate for each
- * segment. Thread-safe.
+ * Meshes the segments of a volume by the steps of {@link MeshingSettings}. The first smoothing moves the surface net
+ * that neighbouring segments share, so they still meet after it; decimation and the second smoothing are separate for
+ * each segment. Thread-safe.
  */
 public final class SegmentMesher {
     private static final int MIN_VERTICES = 12;

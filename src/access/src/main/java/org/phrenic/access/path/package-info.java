@@ -1,2 +1,2 @@
-/** Straight paths from the skin to a target: what they cross at one moment, over a breath, and from all over the skin. */
+/** Straight paths from the skin to a target: what they cross at one moment, over a breath, and from anywhere. */
 package org.phrenic.access.path;

@@ -86,16 +86,17 @@ public final class RehearsalReport {
     /** Definitions of the words of the report, and what this body cannot show. */
     private List<String> definitions() {
         List<String> words = new ArrayList<>(List.of(
-                "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where the"
-                        + " target's middle lies deeper; lateral: distance of the middle from the needle's line.",
-                "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by a path that enters the diaphragm more than "
+                "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where"
+                        + " the target's middle lies deeper; lateral: distance of the middle from the needle's line.",
+                "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by"
+                        + " a path that enters the diaphragm more than "
                         + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM) + " mm above its lower rim.",
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
                         + " mm of the rib's lower border.",
-                "Capsule pulled: distance between the needle and where it went through the capsule, which moves with the"
-                        + " liver. No force is worked out.",
-                "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels count"
-                        + " only where the body has them.",
+                "Capsule pulled: distance between the needle and where it went through the capsule, which moves with"
+                        + " the liver. No force is worked out.",
+                "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels"
+                        + " count only where the body has them.",
                 AttemptRecord.NOT_VALIDATED));
         if (rehearsal.surfaces().stream().noneMatch(s -> s.kind() == StructureKind.LUNG)) {
             words.add("This body has no lungs: a path through them is not noticed.");

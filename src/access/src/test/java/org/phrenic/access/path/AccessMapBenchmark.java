@@ -51,8 +51,8 @@ final class AccessMapBenchmark {
                 double wall = NANOS * (System.nanoTime() - wallFrom);
                 int reached = map.counts().inReach();
                 System.out.printf(
-                        "%d points, %d in reach, %d moments, %d threads: wall %.2f s, cpu %.2f s; for 2,000 in reach %.2f s of"
-                                + " cpu%n",
+                        "%d points, %d in reach, %d moments, %d threads: wall %.2f s, cpu %.2f s; for 2,000 in"
+                                + " reach %.2f s of cpu%n",
                         map.size(), reached, cycle.size(), threads, wall, cpu, cpu * POINTS / reached);
             }
         }

@@ -33,7 +33,8 @@ import org.phrenic.simulation.observe.Frame;
 class LiveAttemptTest {
     private static final long PATIENCE_S = 60;
     private static final String BODY =
-            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic}\nphases: 3\n"
+            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded,"
+                    + " sternum: kinematic}\nphases: 3\n"
                     + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n";
     private static final double[] ENTRY = {-38.9, -121.2, 26.6};
 

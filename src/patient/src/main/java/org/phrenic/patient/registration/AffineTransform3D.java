@@ -53,8 +53,8 @@ final class AffineTransform3D implements PointTransform {
 
     /**
      * The nearest scaling in the transverse plane with a translation, {@code x' = diag(s1, s2, 1) x + t}. The height
-     * stays, for nearest points say little of it along a wall; a shear is excluded, for lungs hardly distinguish the slope
-     * of ribs from that of their own fronts.
+     * stays, for nearest points say little of it along a wall; a shear is excluded, for lungs hardly distinguish the
+     * slope of ribs from that of their own fronts.
      */
     static AffineTransform3D horizontalScaling(double[] from, double[] to) {
         double[] p = centroid(from);

@@ -18,9 +18,9 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
 /**
- * Completes a body with the structures that its scan lacks or cuts off. A template thorax is registered to the structures
- * that both have: by their bounding box, then by scaling in the transverse plane, then by displacement fields of
- * decreasing radius ({@link DisplacementField}), each found from nearest points of the two surfaces.
+ * Completes a body with the structures that its scan lacks or cuts off. A template thorax is registered to the
+ * structures that both have: by their bounding box, then by scaling in the transverse plane, then by displacement
+ * fields of decreasing radius ({@link DisplacementField}), each found from nearest points of the two surfaces.
  */
 public final class BodyCompletion {
     private static final int SCALING_STEPS = 20;
@@ -60,14 +60,14 @@ public final class BodyCompletion {
         shared++;
         TriangleMesh scan = s.structure().mesh();
         if (s.structure().kind() != StructureKind.LUNG) {
-            pairs.add(new SurfacePair(
-                    s, scan, mesh, BONES.contains(s.structure().kind())));
+            pairs.add(
+                    new SurfacePair(s, scan, mesh, BONES.contains(s.structure().kind())));
             return;
         }
         TriangleMesh base = DiaphragmaticSurface.of(scan);
         TriangleMesh templateBase = DiaphragmaticSurface.of(mesh);
-        pairs.add(new SurfacePair(
-                s, DiaphragmaticSurface.complement(scan), DiaphragmaticSurface.complement(mesh), true));
+        pairs.add(
+                new SurfacePair(s, DiaphragmaticSurface.complement(scan), DiaphragmaticSurface.complement(mesh), true));
         if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
             pairs.add(new SurfacePair(s, base, templateBase, false));
         }
@@ -89,9 +89,8 @@ public final class BodyCompletion {
      */
     public static PatientBody complete(PatientBody body, Thorax template) {
         boolean lung = body.structures().stream()
-                .anyMatch(s -> s.structure().kind() == StructureKind.LUNG
-                        && s.scan().isPresent()
-                        && s.isComplete());
+                .anyMatch(s ->
+                        s.structure().kind() == StructureKind.LUNG && s.scan().isPresent() && s.isComplete());
         if (!lung) {
             return body.withNotes(List.of("not completed from " + template.name()
                     + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it"));
@@ -202,8 +201,7 @@ public final class BodyCompletion {
                         structure,
                         PatientStructure.Source.VIRTUAL,
                         cut.flatMap(PatientStructure::scan),
-                        cut.map(
-                                s -> SurfacePair.distanceToScan(s, templateOf(s).orElseThrow()))));
+                        cut.map(s -> SurfacePair.distanceToScan(s, templateOf(s).orElseThrow()))));
                 added++;
             }
         }

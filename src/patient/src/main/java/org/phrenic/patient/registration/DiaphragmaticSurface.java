@@ -8,12 +8,14 @@ import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * The diaphragmatic surface of a lung, its base, by shape alone, so that scans and simulations are treated alike: faces
- * that look down (with the lung scaled to be as tall as deep, the smoothed outward normal has a z component below {@value
- * #MAX_NORMAL_Z}) and have no lung below them; of these the connected region with the largest area, and what it
+ * that look down (with the lung scaled to be as tall as deep, the smoothed outward normal has a z component below
+ * {@value #MAX_NORMAL_Z}) and have no lung below them; of these the connected region with the largest area, and what it
  * surrounds. Faces of hilum and fissures that look down have lung below them or are separate regions.
  */
 public final class DiaphragmaticSurface {
-    /** 33 degrees from the vertical; steeper faces are costal or mediastinal (the heart undercuts lungs by up to 30). */
+    /**
+     * 33 degrees from the vertical; steeper faces are costal or mediastinal (the heart undercuts lungs by up to 30).
+     */
     static final double MAX_NORMAL_Z = -0.55;
 
     private static final int SMOOTHINGS = 3;

@@ -3,8 +3,8 @@ package org.phrenic.patient.registration;
 import java.util.stream.IntStream;
 
 /**
- * A smooth displacement field from pairs of points: at x, the weighted mean of the displacements within a radius r, with
- * {@code w = (1 - d^2 / r^2)^2}, attenuated to zero where no point is near,
+ * A smooth displacement field from pairs of points: at x, the weighted mean of the displacements within a radius r,
+ * with {@code w = (1 - d^2 / r^2)^2}, attenuated to zero where no point is near,
  *
  * <pre>
  * u(x) = sum w (to - from) / (sum w + a),   a = 0.3

@@ -18,8 +18,8 @@ import org.phrenic.patient.PatientBody;
 
 /**
  * Rigid alignment of a second scan of a body to the first, on what does not move with the breath: the spine where both
- * scans have it, else the apex of the lungs and their posterior medial surface, which lies on the spine and the necks of
- * the ribs. Found by trimmed iterative closest points, point to plane ({@link TrimmedIcp}).
+ * scans have it, else the apex of the lungs and their posterior medial surface, which lies on the spine and the necks
+ * of the ribs. Found by trimmed iterative closest points, point to plane ({@link TrimmedIcp}).
  *
  * @param motion from the axes of the second scan to those of the first
  * @param fixedPart on which it was found
@@ -125,7 +125,8 @@ public record ScanAlignment(
     }
 
     /**
-     * The body of a second scan in the axes of the first, with notes on the alignment and on the distances of the lungs.
+     * The body of a second scan in the axes of the first, with notes on the alignment and on the distances of the
+     * lungs.
      *
      * @throws IllegalArgumentException if they share neither a spine nor a lung
      */

@@ -11,11 +11,11 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Trimmed iterative closest points, point to plane (Chen and Medioni 1992, doi 10.1016/0262-8856(92)90066-C; Chetverikov,
- * Stepanov and Krsek 2005, doi 10.1016/j.imavis.2004.05.007). Points of the first scan move toward the second. Each round
- * takes the {@value #INLIER_FRACTION} of the points nearest to the surface and finds the small rotation r and translation
- * t about their centroid c that minimise {@code sum w (n . (p + r x (p - c) + t - q))^2}, with q the nearest point to p
- * and n the normal there.
+ * Trimmed iterative closest points, point to plane (Chen and Medioni 1992, doi 10.1016/0262-8856(92)90066-C;
+ * Chetverikov, Stepanov and Krsek 2005, doi 10.1016/j.imavis.2004.05.007). Points of the first scan move toward the
+ * second. Each round takes the {@value #INLIER_FRACTION} of the points nearest to the surface and finds the small
+ * rotation r and translation t about their centroid c that minimise {@code sum w (n . (p + r x (p - c) + t - q))^2},
+ * with q the nearest point to p and n the normal there.
  */
 final class TrimmedIcp {
     static final double INLIER_FRACTION = 0.7;
@@ -166,8 +166,7 @@ final class TrimmedIcp {
         return CommonOps_DDRM.solve(normal, right, solution) ? motion(solution, c) : RigidMotion.identity();
     }
 
-    private void addEquation(
-            int at, double[] p, Nearest nearest, double[] c, DMatrixRMaj normal, DMatrixRMaj right) {
+    private void addEquation(int at, double[] p, Nearest nearest, double[] c, DMatrixRMaj normal, DMatrixRMaj right) {
         double weight = weights[at / 3];
         double[] n = nearest.normals;
         double[] row = new double[6];

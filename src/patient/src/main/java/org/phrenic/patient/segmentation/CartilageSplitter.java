@@ -6,7 +6,9 @@ import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** Splits costal cartilages under one label: each voxel belongs to the rib that is fewest steps through cartilage away. */
+/**
+ * Splits costal cartilages under one label: each voxel belongs to the rib that is fewest steps through cartilage away.
+ */
 public final class CartilageSplitter {
     private static final int CARTILAGES = 10;
     /** Largest gap between rib and cartilage, in voxels. */
@@ -69,7 +71,8 @@ public final class CartilageSplitter {
         for (int z = Math.max(0, k - GAP); z <= Math.min(segmentation.slices - 1, k + GAP); z++) {
             for (int y = Math.max(0, j - GAP); y <= Math.min(segmentation.rows - 1, j + GAP); y++) {
                 for (int x = Math.max(0, i - GAP); x <= Math.min(segmentation.columns - 1, i + GAP); x++) {
-                    int segment = segmentation.voxels[x + segmentation.columns * (y + segmentation.rows * z)] & LabelGrid.MAX_BYTE_LABEL;
+                    int segment = segmentation.voxels[x + segmentation.columns * (y + segmentation.rows * z)]
+                            & LabelGrid.MAX_BYTE_LABEL;
                     byte mark = markOfSegment[segment];
                     first = mark > 0 && (first == 0 || mark < first) ? mark : first;
                 }

@@ -15,8 +15,8 @@ public final class GeometryOverride {
     /**
      * The volume along other axes.
      *
-     * @param letters sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I, such as
-     *     {@code LPS}
+     * @param letters sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I, such
+     *     as {@code LPS}
      * @throws BadInputException for other letters
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {

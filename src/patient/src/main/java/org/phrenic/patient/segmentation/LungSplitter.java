@@ -3,8 +3,8 @@ package org.phrenic.patient.segmentation;
 import java.util.Optional;
 
 /**
- * Splits two lungs under one label: erodes the label until two large components remain, then grows these back, each voxel
- * to the nearer one. The component farther to the patient's right is the right lung.
+ * Splits two lungs under one label: erodes the label until two large components remain, then grows these back, each
+ * voxel to the nearer one. The component farther to the patient's right is the right lung.
  */
 public final class LungSplitter {
     /** Least size of the smaller lung as a share of the larger; a left lung usually has 0.85 of the right. */
@@ -32,10 +32,9 @@ public final class LungSplitter {
                 break;
             }
         }
-        return Optional.of(
-                LabelTable.LUNGS
-                        + ": found one body that does not part into two, expected both lungs"
-                        + " (or label one as lung_R or lung_L)");
+        return Optional.of(LabelTable.LUNGS
+                + ": found one body that does not part into two, expected both lungs"
+                + " (or label one as lung_R or lung_L)");
     }
 
     private static int largest(int[] sizes, int but) {

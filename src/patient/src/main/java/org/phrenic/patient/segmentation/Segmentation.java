@@ -10,8 +10,8 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * The voxels of the structures asked for, cropped to the box that holds them. The number of a segment is the index of its
- * structure's name plus 1.
+ * The voxels of the structures asked for, cropped to the box that holds them. The number of a segment is the index of
+ * its structure's name plus 1.
  */
 public final class Segmentation {
     private static final int MAX_SEGMENTS = LabelGrid.MAX_BYTE_LABEL;

@@ -3,8 +3,8 @@ package org.phrenic.patient.segmentation;
 import java.util.Arrays;
 
 /**
- * Face-connected region growing within one segment. Cells are the voxels of the segment's box with a border of one voxel,
- * so that a step across a face never leaves it; arrays are indexed by cell.
+ * Face-connected region growing within one segment. Cells are the voxels of the segment's box with a border of one
+ * voxel, so that a step across a face never leaves it; arrays are indexed by cell.
  */
 final class VoxelRegion {
     /** Mark of components that are too small to be numbered. */
@@ -97,8 +97,8 @@ final class VoxelRegion {
     /**
      * Connected components of the cells deeper than a bound.
      *
-     * @param marks receives the number of the component of each cell, from 2, {@link #SMALL_COMPONENT} for small ones, 0
-     *     elsewhere
+     * @param marks receives the number of the component of each cell, from 2, {@link #SMALL_COMPONENT} for small ones,
+     *     0 elsewhere
      * @return sizes by number
      */
     int[] connectedComponents(int deeperThan, byte[] marks) {

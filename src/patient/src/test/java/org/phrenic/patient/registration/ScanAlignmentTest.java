@@ -62,7 +62,9 @@ class ScanAlignmentTest {
     private static Thorax aligned(Thorax second, ScanAlignment alignment) {
         PointTransform motion = alignment.motion()::apply;
         return new Thorax(
-                second.name(), second.structures().stream().map(s -> motion.apply(s)).toList(), second.notes());
+                second.name(),
+                second.structures().stream().map(s -> motion.apply(s)).toList(),
+                second.notes());
     }
 
     @Test
