@@ -1,6 +1,5 @@
 package org.phrenic.engine;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -13,15 +12,6 @@ import org.phrenic.engine.parallel.Workers;
  * out for speed; only integrators, constraints and whoever restores a state write to them.
  */
 public final class ParticleSystem {
-    /**
-     * From so many nodes on, state and springs are more than a core's own cache holds for sure: blocks are then fetched
-     * before they are worked on.
-     */
-    private static final int FETCH_FROM_NODES = 1 << 15;
-
-    /** Doubles in a line of cache. */
-    private static final int LINE = 8;
-
     private final NodeLayout layout;
     private final Workers workers;
     private final double[] x;
@@ -29,20 +19,9 @@ public final class ParticleSystem {
     private final double[] mass;
     private final double[] inverseMass;
     private final double[] viscosity;
-    private final List<ForceField> allFields = new ArrayList<>();
-    private ForceField[] fields = {};
-    private boolean dependsOnVelocity;
+    private final ForceSet fields = new ForceSet();
     private final ConstraintSet constraints;
     private final PrescribedNodes prescribed = new PrescribedNodes();
-
-    /** One number a block, there only so that the compiler cannot leave out the reading. */
-    private final double[] fetched;
-
-    private double[] taskX;
-    private double[] taskV;
-    private double[] taskForce;
-    private Workers.Task taskAfter;
-    private final Workers.Task forceTask = this::blockForces;
 
     /**
      * @param layout order and blocks of the nodes
@@ -66,7 +45,6 @@ public final class ParticleSystem {
         this.inverseMass = new double[n];
         this.viscosity = new double[n];
         this.constraints = new ConstraintSet(n);
-        this.fetched = new double[n < FETCH_FROM_NODES ? 0 : layout.blockCount()];
         for (int i = 0; i < n; i++) {
             double m = mass[layout.caller(i)];
             if (!(m > 0) || Double.isInfinite(m)) {
@@ -151,8 +129,7 @@ public final class ParticleSystem {
 
     /** Adds a field, switched on. */
     public void add(ForceField field) {
-        allFields.add(field);
-        setEnabled(field, true);
+        fields.add(field);
     }
 
     /** Adds a constraint, switched on; constraints are put right in the order they were added. */
@@ -162,13 +139,7 @@ public final class ParticleSystem {
 
     /** Switches a field on or off; off, it costs nothing. */
     public void setEnabled(ForceField field, boolean on) {
-        List<ForceField> active = new ArrayList<>(Arrays.asList(fields));
-        active.remove(field);
-        if (on) {
-            active.add(field);
-        }
-        fields = allFields.stream().filter(active::contains).toArray(ForceField[]::new);
-        dependsOnVelocity = Arrays.stream(fields).anyMatch(ForceField::dependsOnVelocity);
+        fields.setEnabled(field, on);
     }
 
     /** Switches a constraint on or off; off, it costs nothing. */
@@ -186,7 +157,7 @@ public final class ParticleSystem {
      * time were changed from outside.
      */
     public void invalidate() {
-        allFields.forEach(ForceField::invalidate);
+        fields.invalidate();
         constraints.invalidate();
         prescribed.invalidate();
     }
@@ -206,7 +177,7 @@ public final class ParticleSystem {
 
     /** The fields switched on, in the order they were added. */
     public List<ForceField> fields() {
-        return List.of(fields);
+        return fields.active();
     }
 
     /** The constraints switched on, in the order they were added. */
@@ -216,7 +187,7 @@ public final class ParticleSystem {
 
     /** Whether any field switched on depends on velocity. */
     public boolean dependsOnVelocity() {
-        return dependsOnVelocity;
+        return fields.dependsOnVelocity();
     }
 
     /**
@@ -261,71 +232,31 @@ public final class ParticleSystem {
      * @param force result, mN
      */
     public void forces(double time, double[] position, double[] velocity, double[] force) {
-        forces(time, position, velocity, force, null);
+        evaluation(position, velocity, force, null).at(time);
     }
 
     /**
-     * As {@link #forces(double, double[], double[], double[])}, and does something with the forces of each block while
-     * they are at hand.
+     * The forces on all nodes as a function of time, for repeated evaluation on the same arrays.
      *
-     * @param after told of each block when its forces are complete, other blocks possibly not yet asked for theirs: it
-     *     may write to this block's forces but not to positions, and to this block's velocities only if no field is
+     * @param position mm
+     * @param velocity mm/s
+     * @param force result, mN
+     * @param after run for each block when its forces are complete, while forces of other blocks may still be missing:
+     *     it may write to this block's forces but not to positions, and to this block's velocities only if no field is
      *     {@link #dependsOnVelocity}; null for nothing
      */
-    public void forces(double time, double[] position, double[] velocity, double[] force, Workers.Task after) {
-        for (ForceField field : fields) {
-            field.prepare(time);
-        }
-        taskX = position;
-        taskV = velocity;
-        taskForce = force;
-        taskAfter = after;
-        workers.run(layout.blockCount(), forceTask);
-    }
-
-    private void blockForces(int block) {
-        double[] force = taskForce;
-        double[] position = taskX;
-        double[] velocity = taskV;
-        int from = 3 * layout.start(block);
-        int end = 3 * layout.end(block);
-        if (fetched.length > 0) {
-            fetched[block] = oneALine(position, from, end) + oneALine(velocity, from, end);
-        }
-        Arrays.fill(force, from, end, 0);
-        for (ForceField field : fields) {
-            field.addForces(position, velocity, force, block);
-        }
-        Workers.Task after = taskAfter;
-        if (after != null) {
-            after.run(block);
-        }
-    }
-
-    /**
-     * Reads one number of each line of cache. These reads wait for nothing, so memory serves many of them at once;
-     * those of the force fields, met one by one amid arithmetic, would each be waited for.
-     */
-    private static double oneALine(double[] values, int from, int end) {
-        double sum = 0;
-        for (int i = from; i < end; i += LINE) {
-            sum += values[i];
-        }
-        return sum;
+    public ForceEvaluation evaluation(double[] position, double[] velocity, double[] force, Workers.Task after) {
+        return new ForceEvaluation(this, fields, position, velocity, force, after);
     }
 
     /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */
     public void addStiffness(double[] position, double[] u, double[] out, int block) {
-        for (ForceField field : fields) {
-            field.addStiffness(position, u, out, block);
-        }
+        fields.addStiffness(position, u, out, block);
     }
 
     /** Adds the row sums of the fields switched on; see {@link ForceField#addRowSums}. */
     public void addRowSums(double[] stiffness, double[] damping) {
-        for (ForceField field : fields) {
-            field.addRowSums(stiffness, damping);
-        }
+        fields.addRowSums(stiffness, damping);
     }
 
     /**
@@ -342,7 +273,7 @@ public final class ParticleSystem {
      * Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s.
      */
     public void setRefreshInterval(double seconds) {
-        allFields.forEach(field -> field.setRefreshInterval(seconds));
+        fields.setRefreshInterval(seconds);
         constraints.setRefreshInterval(seconds);
     }
 
@@ -380,11 +311,7 @@ public final class ParticleSystem {
 
     /** Energy stored by the fields switched on, µJ. */
     public double potentialEnergy() {
-        double sum = 0;
-        for (ForceField field : fields) {
-            sum += field.potentialEnergy(x);
-        }
-        return sum;
+        return fields.potentialEnergy(x);
     }
 
     /** Position of one of the caller's nodes, written to {@code out}. */

@@ -56,15 +56,6 @@ public final class ActionLine implements ForceField {
         force = value;
     }
 
-    /** Sum of the profile over the nodes: total force = force x this. */
-    public double totalWeight() {
-        double sum = 0;
-        for (double w : weight) {
-            sum += w;
-        }
-        return sum;
-    }
-
     @Override
     public void addForces(double[] x, double[] v, double[] out, int block) {
         for (int i = nodes.start[block]; i < nodes.start[block + 1]; i++) {

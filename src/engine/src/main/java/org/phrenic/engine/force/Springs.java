@@ -71,23 +71,6 @@ public final class Springs implements ForceField {
     }
 
     /**
-     * Multiplies every stiffness by a factor (a material made softer or harder while it runs).
-     *
-     * @throws IllegalArgumentException if the factor is negative or not finite
-     */
-    public void scaleStiffness(double factor) {
-        if (!(factor >= 0) || Double.isInfinite(factor)) {
-            throw new IllegalArgumentException("factor of stiffness: found " + factor + ", expected 0 or more");
-        }
-        for (int e = 0; e < stiffness.length; e++) {
-            stiffness[e] *= factor;
-        }
-        for (int i = 0; i < constants.stiffness.length; i++) {
-            constants.stiffness[i] *= factor;
-        }
-    }
-
-    /**
      * Gives every spring other numbers while it runs; allocates nothing.
      *
      * @param k stiffness of each, N/m

@@ -1,6 +1,7 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Arrays;
+import org.phrenic.engine.ForceEvaluation;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 
@@ -16,6 +17,9 @@ abstract class AbstractIntegrator implements Integrator {
     final double[] inverseMass;
     final double[] viscosity;
     final double[] force;
+    /** Writes to {@link #force}. */
+    final ForceEvaluation forces;
+
     private final IntegratorKind kind;
 
     AbstractIntegrator(IntegratorKind kind, ParticleSystem system) {
@@ -27,6 +31,7 @@ abstract class AbstractIntegrator implements Integrator {
         inverseMass = system.inverseMasses();
         viscosity = system.viscosities();
         force = new double[x.length];
+        forces = system.evaluation(x, v, force, null);
     }
 
     @Override

@@ -53,7 +53,7 @@ final class BackwardEuler extends AbstractIntegrator {
     public void step(double time, double step) {
         h = step;
         system.applyPrescribed(time, x, v);
-        system.forces(time + step, x, v, force);
+        forces.at(time + step);
         Arrays.fill(stiffnessSum, 0);
         Arrays.fill(dampingSum, 0);
         system.addRowSums(stiffnessSum, dampingSum);

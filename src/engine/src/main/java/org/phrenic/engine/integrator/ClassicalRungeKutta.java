@@ -53,7 +53,7 @@ final class ClassicalRungeKutta extends AbstractIntegrator {
             if (stage > 0) {
                 system.applyPrescribed(at, x, v);
             }
-            system.forces(at, x, v, force);
+            forces.at(at);
             system.workers().run(layout.blockCount(), advance);
         }
         system.applyPrescribed(time + step, x, v);

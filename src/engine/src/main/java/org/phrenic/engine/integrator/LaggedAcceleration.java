@@ -40,12 +40,12 @@ final class LaggedAcceleration extends AbstractIntegrator {
         int blocks = layout.blockCount();
         system.applyPrescribed(time, x, v);
         if (!hasLagged) {
-            system.forces(time, x, v, force);
+            forces.at(time);
             system.workers().run(blocks, start);
             hasLagged = true;
         }
         system.workers().run(blocks, halfKick);
-        system.forces(time, x, v, force);
+        forces.at(time);
         system.workers().run(blocks, advance);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);

@@ -39,10 +39,10 @@ final class MidpointRungeKutta extends AbstractIntegrator {
         system.applyPrescribed(time, x, v);
         System.arraycopy(x, 0, x0, 0, x.length);
         System.arraycopy(v, 0, v0, 0, v.length);
-        system.forces(time, x, v, force);
+        forces.at(time);
         system.workers().run(blocks, toMiddle);
         system.applyPrescribed(time + 0.5 * step, x, v);
-        system.forces(time + 0.5 * step, x, v, force);
+        forces.at(time + 0.5 * step);
         system.workers().run(blocks, toEnd);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);

@@ -1,16 +1,14 @@
 package org.phrenic.engine.integrator;
 
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
+import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+
 /**
- * Largest absolute eigenvalue of a small matrix: of 2x2 and 3x3 from the characteristic polynomial, of larger ones from
- * the growth of powers.
+ * Largest absolute eigenvalue of a small matrix: of 2x2 and 3x3 from the characteristic polynomial, which near double
+ * roots is nearer than an iteration on the matrix; of larger ones by QR iterations.
  */
 final class SpectralRadius {
-    /** Powers up to M^(2^40): what growth like that of a double root adds to the logarithm is then below 1e-10. */
-    private static final int SQUARINGS = 40;
-
-    /** A power this small settles that all eigenvalues are below 1. */
-    private static final double GONE = 1e-3;
-
     private SpectralRadius() {}
 
     static double of(double[][] m) {
@@ -18,7 +16,7 @@ final class SpectralRadius {
             return block(m[0][0], m[0][1], m[1][0], m[1][1]);
         }
         if (m.length > 3) {
-            return ofPowers(m);
+            return iterated(m);
         }
         if (m[1][0] == 0 && m[2][0] == 0) {
             // A mode without stiffness: its eigenvalue stands alone. The polynomial would mix it with its neighbour,
@@ -42,32 +40,17 @@ final class SpectralRadius {
         return Math.max(Math.abs(real), quadratic(t, d, t * t - 4 * d));
     }
 
-    /** lim |M^n|^(1/n), n a power of two; an upper bound below 1 as soon as a power shows that it is below 1. */
-    private static double ofPowers(double[][] m) {
-        double[][] power = m;
-        double logarithm = 0;
-        double n = 1;
-        for (int i = 0; i < SQUARINGS; i++) {
-            double norm = 0;
-            for (double[] row : power) {
-                double sum = 0;
-                for (double entry : row) {
-                    sum += Math.abs(entry);
-                }
-                norm = Math.max(norm, sum);
-            }
-            if (!(norm > 0 && norm < Double.POSITIVE_INFINITY)) {
-                return norm;
-            }
-            logarithm += Math.log(norm) / n;
-            if (logarithm * n < Math.log(GONE)) {
-                break;
-            }
-            double[][] scaled = AbstractIntegrator.linearCombination(1 / norm, power, 0, power);
-            power = AbstractIntegrator.product(scaled, scaled);
-            n *= 2;
+    /** NaN where the matrix is not finite. */
+    private static double iterated(double[][] m) {
+        EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(m.length, false);
+        if (!eigen.decompose(new DMatrixRMaj(m))) {
+            return Double.NaN;
         }
-        return Math.exp(logarithm);
+        double largest = 0;
+        for (int i = 0; i < m.length; i++) {
+            largest = Math.max(largest, eigen.getEigenvalue(i).getMagnitude());
+        }
+        return largest;
     }
 
     /** Of a 2x2 matrix; the discriminant is taken from its entries, which keeps nearly equal eigenvalues apart. */

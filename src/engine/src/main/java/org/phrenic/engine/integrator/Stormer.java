@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import org.phrenic.engine.ForceEvaluation;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
 
@@ -41,6 +42,7 @@ final class Stormer extends AbstractIntegrator {
     private final Workers.Task kickAndDrift = this::kickAndDrift;
     private final Workers.Task predictVelocity = this::predictVelocity;
     private final Workers.Task kick = this::kick;
+    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
     private final Workers.Task correctAndKick = this::correctAndKick;
 
     Stormer(ParticleSystem system) {
@@ -60,7 +62,7 @@ final class Stormer extends AbstractIntegrator {
         int blocks = layout.blockCount();
         if (known == 0 || step != h) {
             system.applyPrescribed(time, x, v);
-            system.forces(time, x, v, force);
+            forces.at(time);
             system.workers().run(blocks, start);
             known = 1;
         }
@@ -70,10 +72,10 @@ final class Stormer extends AbstractIntegrator {
         system.project(time + step, step);
         if (system.dependsOnVelocity()) {
             system.workers().run(blocks, predictVelocity);
-            system.forces(time + step, x, v, force);
+            forces.at(time + step);
             system.workers().run(blocks, correctAndKick);
         } else {
-            system.forces(time + step, x, v, force, kick);
+            forcesAndKick.at(time + step);
         }
         system.projectVelocities();
         double[] oldest = history[2];

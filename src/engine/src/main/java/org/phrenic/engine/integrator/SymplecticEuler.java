@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import org.phrenic.engine.ForceEvaluation;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
 
@@ -10,6 +11,7 @@ import org.phrenic.engine.parallel.Workers;
 final class SymplecticEuler extends AbstractIntegrator {
     private double h;
     private final Workers.Task kick = this::kick;
+    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
     private final Workers.Task drift = this::drift;
 
     SymplecticEuler(ParticleSystem system) {
@@ -20,7 +22,7 @@ final class SymplecticEuler extends AbstractIntegrator {
     public void step(double time, double step) {
         h = step;
         system.applyPrescribed(time, x, v);
-        system.forces(time, x, v, force, kick);
+        forcesAndKick.at(time);
         system.workers().run(layout.blockCount(), drift);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);

@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import org.phrenic.engine.ForceEvaluation;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -22,6 +23,7 @@ final class VelocityVerlet extends AbstractIntegrator {
     private double h;
     private final Workers.Task kickAndDrift = this::kickAndDrift;
     private final Workers.Task kick = this::kick;
+    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
 
     VelocityVerlet(ParticleSystem system) {
         super(IntegratorKind.VERLET, system);
@@ -37,17 +39,17 @@ final class VelocityVerlet extends AbstractIntegrator {
         h = step;
         if (!forceIsCurrent) {
             system.applyPrescribed(time, x, v);
-            system.forces(time, x, v, force);
+            forces.at(time);
         }
         int blocks = layout.blockCount();
         system.workers().run(blocks, kickAndDrift);
         system.applyPrescribed(time + step, x, v);
         system.project(time + step, step);
         if (system.dependsOnVelocity()) {
-            system.forces(time + step, x, v, force);
+            forces.at(time + step);
             system.workers().run(blocks, kick);
         } else {
-            system.forces(time + step, x, v, force, kick);
+            forcesAndKick.at(time + step);
         }
         system.projectVelocities();
         forceIsCurrent = true;

@@ -303,14 +303,6 @@ class ForceFieldContractTest {
                     "contractile share of spring 1",
                     found);
             refused(
-                    () -> Springs.between(LAYOUT, a, b)
-                            .stiffness(1)
-                            .restLengthsAt(x)
-                            .build()
-                            .scaleStiffness(bad),
-                    "factor of stiffness",
-                    found);
-            refused(
                     () -> new Attachments(
                             LAYOUT,
                             new int[] {0},

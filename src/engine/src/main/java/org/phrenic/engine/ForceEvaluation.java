@@ -1,0 +1,78 @@
+package org.phrenic.engine;
+
+import java.util.Arrays;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
+
+/**
+ * The force on each node, without the nodes' own viscous damping, as a function of time; arrays are bound once, so that
+ * an evaluation allocates nothing. From {@link ParticleSystem#evaluation}.
+ */
+public final class ForceEvaluation {
+    /** From so many nodes on state and springs exceed a core's own cache: each block is prefetched. */
+    private static final int PREFETCH_FROM_NODES = 1 << 15;
+
+    /** Doubles in a cache line. */
+    private static final int CACHE_LINE = 8;
+
+    private final ForceSet fields;
+    private final NodeLayout layout;
+    private final Workers workers;
+    private final double[] position;
+    private final double[] velocity;
+    private final double[] force;
+    private final Workers.Task after;
+    /** One number a block, which keeps the compiler from removing the prefetching reads; empty without prefetching. */
+    private final double[] prefetched;
+
+    private final Workers.Task task = this::block;
+
+    ForceEvaluation(
+            ParticleSystem system,
+            ForceSet fields,
+            double[] position,
+            double[] velocity,
+            double[] force,
+            Workers.Task after) {
+        this.fields = fields;
+        this.layout = system.layout();
+        this.workers = system.workers();
+        this.position = position;
+        this.velocity = velocity;
+        this.force = force;
+        this.after = after;
+        prefetched = new double[layout.nodeCount() < PREFETCH_FROM_NODES ? 0 : layout.blockCount()];
+    }
+
+    /**
+     * Computes the forces at the present positions and velocities.
+     *
+     * @param time simulated time, s; nodes of prescribed motion are expected at their places
+     */
+    public void at(double time) {
+        fields.prepare(time);
+        workers.run(layout.blockCount(), task);
+    }
+
+    private void block(int block) {
+        int from = 3 * layout.start(block);
+        int end = 3 * layout.end(block);
+        if (prefetched.length > 0) {
+            prefetched[block] = prefetch(position, from, end) + prefetch(velocity, from, end);
+        }
+        Arrays.fill(force, from, end, 0);
+        fields.addForces(position, velocity, force, block);
+        if (after != null) {
+            after.run(block);
+        }
+    }
+
+    /** Reads one number of each cache line. The reads are independent, so memory serves many of them at once. */
+    private static double prefetch(double[] values, int from, int end) {
+        double sum = 0;
+        for (int i = from; i < end; i += CACHE_LINE) {
+            sum += values[i];
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,74 @@
+package org.phrenic.engine;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The force fields of a system: all of them, and those switched on in the order they were added. */
+final class ForceSet {
+    private final List<ForceField> all = new ArrayList<>();
+    private ForceField[] active = {};
+    private boolean dependsOnVelocity;
+
+    void add(ForceField field) {
+        all.add(field);
+        setEnabled(field, true);
+    }
+
+    void setEnabled(ForceField field, boolean on) {
+        List<ForceField> chosen = new ArrayList<>(List.of(active));
+        chosen.remove(field);
+        if (on) {
+            chosen.add(field);
+        }
+        active = all.stream().filter(chosen::contains).toArray(ForceField[]::new);
+        dependsOnVelocity = chosen.stream().anyMatch(ForceField::dependsOnVelocity);
+    }
+
+    List<ForceField> active() {
+        return List.of(active);
+    }
+
+    boolean dependsOnVelocity() {
+        return dependsOnVelocity;
+    }
+
+    void invalidate() {
+        all.forEach(ForceField::invalidate);
+    }
+
+    void setRefreshInterval(double seconds) {
+        all.forEach(field -> field.setRefreshInterval(seconds));
+    }
+
+    void prepare(double time) {
+        for (ForceField field : active) {
+            field.prepare(time);
+        }
+    }
+
+    void addForces(double[] position, double[] velocity, double[] force, int block) {
+        for (ForceField field : active) {
+            field.addForces(position, velocity, force, block);
+        }
+    }
+
+    void addStiffness(double[] position, double[] u, double[] out, int block) {
+        for (ForceField field : active) {
+            field.addStiffness(position, u, out, block);
+        }
+    }
+
+    void addRowSums(double[] stiffness, double[] damping) {
+        for (ForceField field : active) {
+            field.addRowSums(stiffness, damping);
+        }
+    }
+
+    double potentialEnergy(double[] position) {
+        double sum = 0;
+        for (ForceField field : active) {
+            sum += field.potentialEnergy(position);
+        }
+        return sum;
+    }
+}
