@@ -1,13 +1,13 @@
 package org.phrenic.engine;
 
 /**
- * Something that positions must obey, put right after each step, as a {@link CoupledConstraint whole} or
- * {@link SeparableConstraint item by item}; velocities are corrected by the same shift over h.
+ * A condition on positions, enforced by projection after each step, as a {@link CoupledConstraint whole} or
+ * {@link SeparableConstraint item by item}; velocities get the same shift over h.
  */
 public interface Constraint {
 
     /**
-     * Told once before the constraint is put right at a time, with nodes where the step without constraints has left
+     * Told once before the constraint is projected at a time, with nodes where the step without constraints has left
      * them; it may share out work.
      */
     default void prepare(ParticleSystem system, double time) {}

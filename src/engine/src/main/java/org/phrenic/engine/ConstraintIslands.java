@@ -4,10 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.math.DisjointSets;
 
-/**
- * Nodes that items of constraints hold together: a forest in which each node points to an earlier one of its group, and
- * the first to itself.
- */
+/** Constraint islands: sets of nodes connected by items of constraints. The lowest node of an island names it. */
 final class ConstraintIslands {
     private final int[] parent;
     private final int[] itemCount;

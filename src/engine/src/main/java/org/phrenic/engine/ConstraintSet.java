@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The constraints of a system: which are switched on, in which order and how often they are put right. */
+/** The constraints of a system: which are switched on, in which order and how often they are projected. */
 final class ConstraintSet {
     private final int nodeCount;
     private final List<Constraint> all = new ArrayList<>();

@@ -1,6 +1,6 @@
 package org.phrenic.engine;
 
-/** A constraint that is put right as a whole, because its parts depend on one another. */
+/** A constraint that is projected as a whole because its parts share nodes. */
 public interface CoupledConstraint extends Constraint {
 
     /**

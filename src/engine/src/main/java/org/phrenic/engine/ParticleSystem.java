@@ -6,7 +6,7 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Nodes with mass, the force fields that pull on them, the constraints they obey, and the nodes whose motion is given.
+ * Nodes with mass, the force fields that pull on them, the constraints they obey, and the nodes of prescribed motion.
  *
  * <p>State is flat: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The arrays are handed
  * out for speed; only integrators, constraints and whoever restores a state write to them.
@@ -89,7 +89,7 @@ public final class ParticleSystem {
         return mass;
     }
 
-    /** 1/mass of each node, 0 where the motion is given; internal order, 1/kg. */
+    /** 1/mass of each node, 0 where the motion is prescribed; internal order, 1/kg. */
     public double[] inverseMasses() {
         return inverseMass;
     }
@@ -132,7 +132,7 @@ public final class ParticleSystem {
         fields.add(field);
     }
 
-    /** Adds a constraint, switched on; constraints are put right in the order they were added. */
+    /** Adds a constraint, switched on; constraints are projected in the order they were added. */
     public void add(Constraint constraint) {
         constraints.add(constraint);
     }
@@ -216,8 +216,8 @@ public final class ParticleSystem {
     }
 
     /**
-     * Puts the nodes of given motion where they are at a time, in the arrays given; nodes that are still are put there
-     * once.
+     * Puts the nodes of prescribed motion where they are at a time, in the arrays given; nodes that are still are put
+     * there once.
      */
     public void applyPrescribed(double time, double[] position, double[] velocity) {
         prescribed.apply(time, position, velocity, position == x && velocity == v);
@@ -227,7 +227,7 @@ public final class ParticleSystem {
      * The force on each node at a state and time, without the nodes' own viscous damping.
      *
      * @param time s
-     * @param position mm; nodes of given motion are expected where they belong
+     * @param position mm; nodes of prescribed motion are expected where they belong
      * @param velocity mm/s
      * @param force result, mN
      */
@@ -277,7 +277,7 @@ public final class ParticleSystem {
         constraints.setRefreshInterval(seconds);
     }
 
-    /** Puts all constraints right at the end of a step of length h that ends at {@code time}. */
+    /** Projects all constraints at the end of a step of length h that ends at {@code time}. */
     public void project(double time, double h) {
         constraints.project(this, time, h);
     }

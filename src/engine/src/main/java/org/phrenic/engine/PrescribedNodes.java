@@ -1,6 +1,6 @@
 package org.phrenic.engine;
 
-/** The nodes of a system whose motion is given, and that motion. */
+/** The nodes of a system of prescribed motion, and that motion. */
 final class PrescribedNodes {
     private int[] node = {};
     private PrescribedMotion motion = PrescribedMotion.stationary(new double[0]);

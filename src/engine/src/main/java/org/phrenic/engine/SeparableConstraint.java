@@ -1,8 +1,7 @@
 package org.phrenic.engine;
 
 /**
- * A constraint made of small items that share no node with one another, so that they can be put right in any order and
- * side by side.
+ * A constraint of items that share no node with one another, so that items are projected in any order and in parallel.
  */
 public interface SeparableConstraint extends Constraint {
 
@@ -18,7 +17,7 @@ public interface SeparableConstraint extends Constraint {
     }
 
     /**
-     * Puts some items right; others may be put right at the same time on other threads.
+     * Projects some items; others may be put right at the same time on other threads.
      *
      * @param system the nodes; positions and velocities are changed
      * @param h the step just taken, s

@@ -12,7 +12,7 @@ import org.phrenic.engine.parallel.NodeLayout;
  *
  * <p>No node may be in two pairs. Where the order is broken both nodes are moved, the correction shared by inverse
  * mass, and their speed toward each other is taken away. Normals are those of one triangle of the outer face at the
- * outer node, taken anew every few steps.
+ * outer node, refreshed every few steps.
  */
 public final class NonInversionPairs implements SeparableConstraint {
     private final int[] outer;
@@ -29,7 +29,7 @@ public final class NonInversionPairs implements SeparableConstraint {
      * @param inner the other node
      * @param triangle three nodes a pair, a triangle of the outer face, anticlockwise seen from outside
      * @param least smallest distance along the normal, mm, one a pair
-     * @param refreshInterval simulated time after which normals are taken anew, s
+     * @param refreshInterval simulated time after which normals are refreshed, s
      */
     public NonInversionPairs(
             NodeLayout layout, int[] outer, int[] inner, int[] triangle, double[] least, double refreshInterval) {

@@ -13,7 +13,7 @@ import org.phrenic.engine.parallel.Workers;
  * <p>An adhering contact holds from both sides and wholly: the node slides along the wall but cannot leave it, as the
  * lung's surface does on the pleura, however hard it is pulled.
  *
- * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and taken anew every few steps:
+ * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and refreshed every few steps:
  * between the two the node moves a fraction of a millimetre, so the plane is as good as the wall and costs a tenth.
  */
 public final class SlidingContact implements SeparableConstraint {
@@ -21,7 +21,7 @@ public final class SlidingContact implements SeparableConstraint {
     private static final int NODES_A_PIECE = 512;
     /**
      * A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until
-     * planes are taken anew, mm.
+     * planes are refreshed, mm.
      */
     private static final double FAR_MM = 5;
 
@@ -39,7 +39,7 @@ public final class SlidingContact implements SeparableConstraint {
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] inContact;
-    /** Nodes that cannot come to the wall before planes are taken anew. */
+    /** Nodes that cannot come to the wall before planes are refreshed. */
     private final boolean[] far;
 
     private double maxReturnSpeed;
@@ -51,7 +51,7 @@ public final class SlidingContact implements SeparableConstraint {
      * @param layout of the system it is for
      * @param callerNodes the nodes that the wall holds back, caller's numbering
      * @param surface the wall
-     * @param refreshInterval simulated time after which tangent planes are taken anew, s
+     * @param refreshInterval simulated time after which tangent planes are refreshed, s
      */
     public SlidingContact(NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
         this(layout, callerNodes, surface, refreshInterval, false);

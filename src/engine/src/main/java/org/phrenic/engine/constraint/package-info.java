@@ -1,2 +1,5 @@
-/** Constraints that are projected after a step: rigid links, order of faces, sliding contact. */
+/**
+ * Constraints on node positions: rigid links, sliding contact, non-inversion of sheets. Forces and time stepping do not
+ * belong here.
+ */
 package org.phrenic.engine.constraint;

@@ -1,2 +1,2 @@
-/** Static equilibrium of a particle system by Newton's method. */
+/** Static equilibrium of a particle system under its constraints, by Newton's method. Nothing here advances time. */
 package org.phrenic.engine.equilibrium;

@@ -145,31 +145,19 @@ public final class FacePressure implements ForceField {
             double fz = s * (e1x * e2y - e1y * e2x);
             int mine = mask[i];
             if (mine == ALL) {
-                force[a] += fx;
-                force[a + 1] += fy;
-                force[a + 2] += fz;
-                force[b] += fx;
-                force[b + 1] += fy;
-                force[b + 2] += fz;
-                force[c] += fx;
-                force[c + 1] += fy;
-                force[c + 2] += fz;
+                SpringKernel.add(force, a, fx, fy, fz);
+                SpringKernel.add(force, b, fx, fy, fz);
+                SpringKernel.add(force, c, fx, fy, fz);
                 continue;
             }
             if ((mine & 1) != 0) {
-                force[a] += fx;
-                force[a + 1] += fy;
-                force[a + 2] += fz;
+                SpringKernel.add(force, a, fx, fy, fz);
             }
             if ((mine & 2) != 0) {
-                force[b] += fx;
-                force[b + 1] += fy;
-                force[b + 2] += fz;
+                SpringKernel.add(force, b, fx, fy, fz);
             }
             if ((mine & 4) != 0) {
-                force[c] += fx;
-                force[c + 1] += fy;
-                force[c + 2] += fz;
+                SpringKernel.add(force, c, fx, fy, fz);
             }
         }
     }

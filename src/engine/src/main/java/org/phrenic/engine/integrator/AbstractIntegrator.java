@@ -47,7 +47,7 @@ abstract class AbstractIntegrator implements Integrator {
     @Override
     public void reset() {}
 
-    /** (f - γ v) / m for the nodes of one block; 0 where the motion is given. */
+    /** (f - γ v) / m for the nodes of one block; 0 where the motion is prescribed. */
     final void accelerations(double[] f, double[] velocity, double[] out, int block) {
         for (int n = layout.start(block); n < layout.end(block); n++) {
             double w = inverseMass[n];

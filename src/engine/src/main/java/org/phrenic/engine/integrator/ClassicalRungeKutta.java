@@ -15,7 +15,7 @@ import org.phrenic.engine.parallel.Workers;
  *     | 1/6  1/3  1/3  1/6
  * </pre>
  *
- * <p>Order 4, four force evaluations a step, stable for ω h &lt; 2.83. Constraints are put right once, at the end of
+ * <p>Order 4, four force evaluations a step, stable for ω h &lt; 2.83. Constraints are projected once, at the end of
  * the step.
  */
 final class ClassicalRungeKutta extends AbstractIntegrator {

@@ -106,7 +106,7 @@ final class Stormer extends AbstractIntegrator {
         double[] velocity = v;
         double step = h;
         int end = 3 * layout.end(block);
-        // Nodes of given motion are moved too: they are put where they belong right after.
+        // Nodes of prescribed motion are moved too: they are put where they belong right after.
         for (int i = 3 * layout.start(block); i < end; i++) {
             double u = velocity[i] + (c0 * a0[i] + c1 * a1[i] + c2 * a2[i]);
             velocity[i] = u;
@@ -142,7 +142,7 @@ final class Stormer extends AbstractIntegrator {
 
     /**
      * Viscosity at the velocity that comes out. The oldest acceleration is overwritten by the newest; both are 0 where
-     * the motion is given.
+     * the motion is prescribed.
      */
     private void kick(int block) {
         double[] c = ARRIVING[known - 1];

@@ -49,7 +49,7 @@ final class SymplecticEuler extends AbstractIntegrator {
         }
     }
 
-    /** Nodes of given motion are moved too: they are put where they belong right after. */
+    /** Nodes of prescribed motion are moved too: they are put where they belong right after. */
     private void drift(int block) {
         double[] next = force;
         double[] position = x;

@@ -79,14 +79,14 @@ final class VelocityVerlet extends AbstractIntegrator {
             velocity[i] = vx;
             velocity[i + 1] = vy;
             velocity[i + 2] = vz;
-            // Nodes of given motion are moved too: they are put where they belong right after.
+            // Nodes of prescribed motion are moved too: they are put where they belong right after.
             position[i] += step * vx;
             position[i + 1] += step * vy;
             position[i + 2] += step * vz;
         }
     }
 
-    /** Without effect on nodes of given motion: their inverse mass is 0. */
+    /** Without effect on nodes of prescribed motion: their inverse mass is 0. */
     private void kick(int block) {
         int end = layout.end(block);
         for (int from = layout.start(block); from < end; from += NodeLayout.LOOP_CHUNK) {

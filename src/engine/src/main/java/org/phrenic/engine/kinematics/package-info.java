@@ -1,2 +1,2 @@
-/** Rigid motions and bodies that turn on finite helical axes. */
+/** Rigid motions and bodies that move along helical axes: prescribed, not solved. Nothing here knows forces. */
 package org.phrenic.engine.kinematics;

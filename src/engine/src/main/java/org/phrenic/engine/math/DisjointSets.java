@@ -3,8 +3,8 @@ package org.phrenic.engine.math;
 import java.util.Arrays;
 
 /**
- * Items in sets that do not overlap, as an array in which each item names another of its set and one, the root, itself
- * (union and find with the way halved; Tarjan and van Leeuwen 1984, doi 10.1145/62.2160).
+ * Disjoint sets as a forest: each item names another of its set, the root itself (union-find with path halving; Tarjan
+ * and van Leeuwen 1984, doi 10.1145/62.2160).
  */
 public final class DisjointSets {
     private DisjointSets() {}

@@ -1,2 +1,5 @@
-/** Threads that share the work of a step with the same bits for any number of them. */
+/**
+ * How work is partitioned and shared: order and blocks of nodes, nodes and edges sorted by block, worker threads. Results
+ * have the same bits on any number of threads. No forces here.
+ */
 package org.phrenic.engine.parallel;
