@@ -60,7 +60,9 @@ public record FitSetup(
     String fingerprint() {
         StringBuilder text = new StringBuilder();
         base.toMap().forEach((key, value) -> {
-            if (!key.equals("threads") && !key.equals("name")) {
+            // Without gravity the text is that of journals written before it was a setting.
+            boolean absent = key.startsWith("gravity_") && Double.valueOf(0).equals(value);
+            if (!key.equals("threads") && !key.equals("name") && !absent) {
                 text.append(key).append('=').append(value).append('\n');
             }
         });
