@@ -142,7 +142,7 @@ public final class SimulationRun {
         map.put("nodes", scene.system().nodeCount());
         map.put("springs", scene.springCount());
         map.put("rigid_links", scene.activeLinks().map(l -> l.count()).orElse(0));
-        map.put("attachments", scene.attachmentCount());
+        map.put("attachments", scene.heldNodes().length);
         map.put("steps", stepper.steps());
         map.put("substeps", stepper.substeps());
         map.put("dt_s", stepper.dt());

@@ -88,7 +88,7 @@ public final class Runs {
                     scene.system().nodeCount(),
                     scene.springCount(),
                     scene.activeLinks().map(l -> l.count()).orElse(0),
-                    scene.attachmentCount(),
+                    scene.heldNodes().length,
                     simulation.stepper().substeps());
         }
     }

@@ -278,11 +278,6 @@ public final class Scene {
         return heldNodes;
     }
 
-    /** How many nodes bone holds. */
-    public int attachmentCount() {
-        return heldNodes.length;
-    }
-
     /** Shows a vertical action line at x and y, mm. */
     public void drawActionLine(double[] place) {
         actionLines.add(place);

@@ -24,8 +24,8 @@ final class LiverIndentation {
     private static final int SWEEPS = 12;
 
     /**
-     * Deeper than at rest by this much may go what lies on the organ, before that gives way: what a sheet of flat faces
-     * cuts off a round organ as it slides.
+     * Extra depth that is allowed before the organ gives way: what a sheet of flat faces cuts off a round organ as it
+     * slides.
      */
     private static final double SLACK_MM = 1;
 

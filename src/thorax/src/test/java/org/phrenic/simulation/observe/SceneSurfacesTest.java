@@ -126,7 +126,7 @@ class SceneSurfacesTest {
             assertThat(of.get(Overlay.Kind.RIGID_LINKS).nodePairs())
                     .hasSize(2 * physical.scene().activeLinks().orElseThrow().count());
             assertThat(of.get(Overlay.Kind.ATTACHMENTS).nodePairs())
-                    .hasSize(2 * physical.scene().attachmentCount());
+                    .hasSize(2 * physical.scene().heldNodes().length);
             assertThat(of.get(Overlay.Kind.FIBRES).nodePairs().length).isGreaterThan(500);
             assertThat(of.values()).allSatisfy(overlay -> assertThat(Arrays.stream(overlay.nodePairs()))
                     .allMatch(node -> node >= 0 && node < nodes));
