@@ -1,6 +1,5 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -78,7 +77,6 @@ final class RenderCommand extends ReportingCommand {
         if (timeOptions.movie() != null && shots.size() > 1) {
             throw new BadInputException("--movie: found " + shots.size() + " views, expected one");
         }
-        PrintWriter err = err();
         ConsoleProgress progress = progress();
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
             if (!Annotations.hasFonts()) {

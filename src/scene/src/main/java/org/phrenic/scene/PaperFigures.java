@@ -183,7 +183,7 @@ public final class PaperFigures {
                 .withRestWireframe(true)
                 .withAppearances(
                         surfaces,
-                        (s, usual) -> s == inhaled
+                        (s, usual) -> s.equals(inhaled)
                                 ? usual.withOpacity(coloured ? 1 : DIAPHRAGM_OPACITY)
                                 : usual.withVisible(false));
         if (coloured) {

@@ -116,10 +116,10 @@ final class RecordBinder {
         if (type == double.class || type == Double.class) {
             return within(value, value.number(), rule);
         } else if (type == int.class || type == Integer.class) {
-            within(value, value.integer(), rule);
+            within(value, (double) value.integer(), rule);
             return value.wholeInt();
         } else if (type == long.class || type == Long.class) {
-            within(value, value.integer(), rule);
+            within(value, (double) value.integer(), rule);
             return value.integer();
         } else if (type == boolean.class || type == Boolean.class) {
             return value.flag();

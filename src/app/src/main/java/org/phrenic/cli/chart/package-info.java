@@ -1,4 +1,2 @@
-/**
- * Charts of results as picture files, with JFreeChart.
- */
+/** Charts of results as picture files, with JFreeChart. */
 package org.phrenic.cli.chart;

@@ -1,4 +1,2 @@
-/**
- * Options that commands share, and the conversion of their text to values.
- */
+/** Options that commands share, and the conversion of their text to values. */
 package org.phrenic.cli.option;

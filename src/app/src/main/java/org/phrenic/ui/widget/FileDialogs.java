@@ -50,7 +50,8 @@ public final class FileDialogs {
         }
         File folder = chooser.getSelectedFile();
         String question = "Replace the report in " + folder.getName() + "?";
-        return confirmed(parent, title, folder, new File(folder, "report.json"), question);
+        File report = new File(folder, "report.json");
+        return confirmed(parent, title, folder, report, question);
     }
 
     private static Optional<Path> chosen(Component parent, JFileChooser chooser) {

@@ -59,7 +59,7 @@ public final class Theme {
 
     /** A colour of this moment with an opacity of 0 to 255. */
     public static Color withAlpha(Color colour, int alpha) {
-        return new Color(colour.getRGB() & 0xffffff | alpha << 24, true);
+        return new Color((colour.getRGB() & 0xffffff) | (alpha << 24), true);
     }
 
     /** Sets the look and feel of components made from here on; existing ones follow by {@link ThemeUpdater}. */

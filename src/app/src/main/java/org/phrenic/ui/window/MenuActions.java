@@ -186,9 +186,7 @@ final class MenuActions {
         if (rehearsal().isActive()) {
             rehearsal().needle().toggleHold();
         } else {
-            session.change(
-                    on ? "Hold of the breath" : "End of the hold",
-                    Assignment.of("window", Breathing.HOLD, on));
+            session.change(on ? "Hold of the breath" : "End of the hold", Assignment.of("window", Breathing.HOLD, on));
         }
     }
 

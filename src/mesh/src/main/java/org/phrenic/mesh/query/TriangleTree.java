@@ -135,7 +135,7 @@ public final class TriangleTree extends TriangleBoxes {
         double z = out.origin[2];
         int first = -1 - child[node];
         for (int place = first; place < first + count[node]; place++) {
-            if (out.leastCosine == out.leastCosine && !faces(place, out)) {
+            if (!Double.isNaN(out.leastCosine) && !faces(place, out)) {
                 continue;
             }
             double square = squaredDistance(place, x, y, z, out.weights);

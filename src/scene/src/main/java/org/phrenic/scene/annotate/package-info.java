@@ -1,4 +1,2 @@
-/**
- * What is written over a picture: orientation, ruler, colour bar, text. Java 2D only.
- */
+/** What is written over a picture: orientation, ruler, colour bar, text. Java 2D only. */
 package org.phrenic.scene.annotate;

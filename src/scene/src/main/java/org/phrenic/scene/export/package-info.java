@@ -1,4 +1,2 @@
-/**
- * Pictures and movies as files. Knows nothing of scenes.
- */
+/** Pictures and movies as files. Knows nothing of scenes. */
 package org.phrenic.scene.export;

@@ -1,4 +1,2 @@
-/**
- * The renderer: OpenGL contexts, resources, shaders and passes. The only package that calls OpenGL.
- */
+/** The renderer: OpenGL contexts, resources, shaders and passes. The only package that calls OpenGL. */
 package org.phrenic.scene.gl;

@@ -71,6 +71,7 @@ final class MotionSection {
     }
 
     @SafeVarargs
+    @SuppressWarnings("varargs")
     private List<List<String>> rows(List<Run> runs, ToDoubleFunction<PaperBreath>... measures) {
         List<List<String>> rows = new ArrayList<>();
         for (Run run : runs) {

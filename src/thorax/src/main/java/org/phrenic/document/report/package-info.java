@@ -1,5 +1,4 @@
 /**
- * Reports as HTML and Markdown pages, with the disclaimer that every report carries. Knows nothing of what is
- * reported.
+ * Reports as HTML and Markdown pages, with the disclaimer that every report carries. Knows nothing of what is reported.
  */
 package org.phrenic.document.report;
