@@ -26,8 +26,9 @@ public final class ParameterTable {
                         """
                         # Parameters
 
-                        The numbers that can be tuned, as keys of a scenario file or with `--set key=value`. "preset": the breathing preset gives it;
-                        "-": the material does not use it. This table is made from the declarations of the parts that use them.
+                        The numbers that can be tuned, as keys of a scenario file or with `--set key=value`.
+                        "preset": the breathing preset gives it; "-": the material does not use it.
+                        This table is made from the declarations of the parts that use them.
 
                         | key | unit | range | `physical` | `paper` | what it is |
                         |---|---|---|---|---|---|

@@ -113,9 +113,22 @@ final class VertexRelaxer {
         gy /= 3 * area;
         gz /= 3 * area;
         double along = gx * nx + gy * ny + gz * nz;
-        double x = vx + gx - along * nx;
-        double y = vy + gy - along * ny;
-        double z = vz + gz - along * nz;
+        double[] to = {vx + gx - along * nx, vy + gy - along * ny, vz + gz - along * nz};
+        moveOntoSurface(v, to, new double[] {nx, ny, nz}, reach);
+    }
+
+    /** Moves v to the place of the surface nearest to a point, on the side that the normal shows. */
+    private void moveOntoSurface(int v, double[] to, double[] normal, double reach) {
+        double[] p = mesh.position;
+        double x = to[0];
+        double y = to[1];
+        double z = to[2];
+        double vx = p[3 * v];
+        double vy = p[3 * v + 1];
+        double vz = p[3 * v + 2];
+        double nx = normal[0];
+        double ny = normal[1];
+        double nz = normal[2];
         // A vertex that lay on the surface is no farther from it than it has moved: most searches end in that small
         // ball.
         double step = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));

@@ -24,8 +24,8 @@ public final class Materials {
             ALL,
             TissueMaterial::label,
             values -> PHYSICAL,
-            "physical: a membrane with pressure and muscle that shortens. paper: the springs of Villard, Bourne and Bello"
-                    + " 2009.");
+            "physical: a membrane with pressure and muscle that shortens. paper: the springs of Villard, Bourne and"
+                    + " Bello 2009.");
 
     private Materials() {}
 

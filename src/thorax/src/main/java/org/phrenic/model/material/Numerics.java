@@ -51,24 +51,24 @@ public final class Numerics {
             Effect.ASSEMBLY,
             MAX_SWEEPS,
             values -> values.get(Materials.MATERIAL).projectionSweeps(),
-            "How many times a step goes through links, faces in order and contact, each of which breaks a little of what"
-                    + " the others put right.");
+            "How many times a step goes through links, faces in order and contact, each of which breaks a little of"
+                    + " what the others put right.");
     public static final NumberSetting REFRESH = new NumberSetting(
             "refresh_s",
             "Refresh",
             Effect.ASSEMBLY,
             new NumberSetting.Range("s", 1e-5, MAX_STATED_REFRESH_S),
             values -> Math.min(MAX_REFRESH_S, Math.max(REFRESH_S, REFRESH_STEPS * values.get(TIME_STEP))),
-            "Anchors on bone and the planes of the chest wall are taken anew after so much simulated time; in between they"
-                    + " go on at their velocity.");
+            "Anchors on bone and the planes of the chest wall are taken anew after so much simulated time; in between"
+                    + " they go on at their velocity.");
     public static final NumberSetting MASS_SCALING = new NumberSetting(
             "mass_scaling_s",
             "Mass scaling",
             Effect.ASSEMBLY,
             new NumberSetting.Range("s", 1e-6, MAX_SCALED_STEP_S),
             values -> SCALED_STEP_S,
-            "Physical material: the lightest nodes are made heavier until velocity Verlet bears this step; the less, the"
-                    + " less mass is added.");
+            "Physical material: the lightest nodes are made heavier until velocity Verlet bears this step; the less,"
+                    + " the less mass is added.");
     public static final WholeSetting THREADS = new WholeSetting(
             "threads",
             "Threads",

@@ -12,7 +12,8 @@ public final class OrganSettings {
             "Resolution",
             Effect.ASSEMBLY,
             Resolution.MEDIUM,
-            "How finely to mesh: 12,047, 16,023 or 20,909 vertices, the sizes of Villard, Bourne and Bello 2009, table 1.");
+            "How finely to mesh: 12,047, 16,023 or 20,909 vertices, the sizes of Villard, Bourne and Bello 2009,"
+                    + " table 1.");
     public static final ChoiceSetting<SternumModel> STERNUM = ChoiceSetting.of(
             "sternum",
             "Sternum",
