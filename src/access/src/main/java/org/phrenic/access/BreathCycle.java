@@ -6,19 +6,20 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
 
-/** One breath at evenly spaced moments; {@link CycleRecorder} records the same from a live run. */
+/** Records the body at evenly spaced moments of one breath. {@link CycleRecorder} does the same during a live run. */
 public final class BreathCycle {
-    /** The default number of moments. */
+    /** Default number of moments. */
     public static final int PHASES = 20;
-    /** Longer breaths, and those without a period, are recorded for this time, s. */
+    /** Maximum recording time, s; also used for breathing patterns without a period. */
     private static final double MAX_DURATION_S = 40;
 
     private BreathCycle() {}
 
     /**
-     * Simulates one breath from the current state.
+     * Simulates one breath from the current state and records it.
      *
-     * @param phases number of moments; the first is the current one, the last is one interval before the end
+     * @param phases number of moments; the first is the current time, the last is one interval before the end of the
+     *     breath
      */
     public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
         double start = simulation.time();
@@ -35,7 +36,7 @@ public final class BreathCycle {
         return moments;
     }
 
-    /** Whether a moment is due at a time after the first. */
+    /** Whether the next moment is due, {@code sinceS} seconds after the first. */
     static boolean isDue(double sinceS, double dtS, double breathS, int moment, int phases) {
         return sinceS >= Math.min(breathS, MAX_DURATION_S) * moment / phases - 0.5 * dtS;
     }

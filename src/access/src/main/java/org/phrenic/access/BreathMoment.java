@@ -4,10 +4,10 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * The body at one moment of a breath.
+ * The state of the body at one moment of a breath.
  *
- * @param frame a copy of its own, read-only
- * @param label what the breath is doing
+ * @param frame private copy, read-only
+ * @param label phase of the breath
  */
 public record BreathMoment(Frame frame, RespiratoryPhase label) {
     /** Simulated time, s. */

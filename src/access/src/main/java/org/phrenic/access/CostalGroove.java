@@ -7,14 +7,15 @@ import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The costal groove of a rib, where intercostal vein, artery and nerve run: its faces that look down. A path within
- * {@value #NEUROVASCULAR_ZONE_MM} mm counts as touching the vessels (a chosen width, not a measured one).
+ * The costal groove of a rib, which holds the intercostal vein, artery and nerve. It is approximated by the downward
+ * facing faces of the rib. A path closer than {@value #NEUROVASCULAR_ZONE_MM} mm counts as touching the vessels. This
+ * width is chosen, not measured.
  */
 public final class CostalGroove {
-    /** Width of the zone of the vessels, mm. */
+    /** Width of the zone around the groove that counts as vessels, mm. */
     public static final double NEUROVASCULAR_ZONE_MM = 5;
 
-    /** Largest z component of the unit normal of a face that looks down. */
+    /** A face is downward facing if the z component of its unit normal is less than this value. */
     private static final double MAX_NORMAL_Z = -0.5;
 
     private final MovingStructure rib;
@@ -36,12 +37,12 @@ public final class CostalGroove {
         faces = new TriangleTree(new TriangleMesh(mesh.positions(), lower));
     }
 
-    /** The rib. */
+    /** The rib that the groove belongs to. */
     public MovingStructure rib() {
         return rib;
     }
 
-    /** Distance of a path from the groove, mm, at most {@code limit}. */
+    /** Distance from a path to the groove, mm, at most {@code limit}. */
     public double distance(double[] from, double[] to, SegmentProbe probe, double limit) {
         if (rib.boxDistance(from, to) >= limit) {
             return limit;

@@ -10,8 +10,8 @@ import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Records the first breath of a live run at the moments of {@link BreathCycle#record}, bit for bit, from the start of
- * the run or its next restart.
+ * Records the first breath of a live run, counted from its start or latest restart. The moments are bit-identical to
+ * those of {@link BreathCycle#record}.
  */
 public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private final LiveRun run;
@@ -23,11 +23,11 @@ public final class CycleRecorder implements StepListener, StepListener.Trigger {
     private double breathS;
 
     /**
-     * @param run to which the recorder is added as listener and trigger
+     * @param run the run that the recorder is added to as listener and trigger
      * @param ofScene a frame of the scene; frames of other scenes are ignored
      * @param phases number of moments
-     * @param progress receives the recorded share of the breath, 0 to 1, on the thread of the run
-     * @param whole receives the moments, once, on the thread of the run
+     * @param progress receives the recorded fraction of the breath, 0 to 1, on the thread of the run
+     * @param whole receives all moments once, on the thread of the run
      */
     public CycleRecorder(
             LiveRun run, Frame ofScene, int phases, DoubleConsumer progress, Consumer<List<BreathMoment>> whole) {

@@ -3,10 +3,10 @@ package org.phrenic.access;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Motion of points within the liver from that of its surface. A point is a fixed affine combination of the surface's
- * vertices, {@code x = sum c_i x_i}, with the coefficients of an affine moving least squares fit about its position at
- * rest (Schaefer, McPhail and Warren 2006, doi 10.1145/1141911.1141920; weights {@code 1 / (d^2 + e^2)^2}). It is exact
- * for affine motion and otherwise follows the nearby surface.
+ * Motion of points inside the liver, derived from the motion of its surface. A point is a fixed affine combination of
+ * the surface vertices, {@code x = sum c_i x_i}. The coefficients come from an affine moving least squares fit around
+ * the rest position (Schaefer, McPhail and Warren 2006, doi 10.1145/1141911.1141920; weights {@code 1 / (d^2 +
+ * e^2)^2}). The result is exact for affine motion and otherwise follows the nearby surface.
  */
 public final class LiverTissue {
     private static final double SOFTENING_MM = 5;
@@ -16,16 +16,16 @@ public final class LiverTissue {
     private final double[] rest;
     private final MovingStructure liver;
 
-    /** A point of the tissue: its position at rest, LPS, mm, and the coefficients of the liver's vertices. */
+    /** A point of the tissue: rest position (LPS, mm) and one coefficient per liver vertex. */
     public record Point(double[] rest, double[] coefficients) {}
 
-    /** @param anatomy whose frame gives the current positions */
+    /** @param anatomy provides the current vertex positions */
     public LiverTissue(MovingAnatomy anatomy) {
         liver = anatomy.liver();
         rest = liver.surface().rest().positions();
     }
 
-    /** The point of the tissue at a position at rest. */
+    /** Returns the tissue point at a rest position, LPS, mm. */
     public Point pointAtRest(double[] place) {
         int n = rest.length / 3;
         double[] weights = new double[n];
@@ -68,7 +68,7 @@ public final class LiverTissue {
         return new Point(place.clone(), weights);
     }
 
-    /** Solves the symmetric M x = b, M given by its upper triangle, by Cramer's rule. */
+    /** Solves the symmetric system M x = b by Cramer's rule. Only the upper triangle of M is given. */
     private static double[] solveSymmetric(double[] m, double[] b) {
         double c0 = m[3] * m[5] - m[4] * m[4];
         double c1 = m[2] * m[4] - m[1] * m[5];
@@ -84,7 +84,7 @@ public final class LiverTissue {
         };
     }
 
-    /** Position of a point in the current frame, LPS, mm. */
+    /** Position of a tissue point in the current frame, LPS, mm. */
     public double[] position(Point point) {
         double[] p = liver.positions();
         double[] at = new double[3];
@@ -97,7 +97,7 @@ public final class LiverTissue {
         return liver.toWorld(at);
     }
 
-    /** The point of the tissue at a position in the current frame, by fixed-point iteration of its position at rest. */
+    /** Returns the tissue point at a current position. Its rest position is found by fixed-point iteration. */
     public Point pointNowAt(double[] place) {
         Point point = pointAtRest(place);
         for (int i = 0; i < MAX_ITERATIONS; i++) {

@@ -9,11 +9,11 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The structures of a scene as one frame shows them, ready for path queries. {@link #update} is for one thread; queries
- * between updates may come from many.
+ * The structures of a scene in their current positions, ready for path queries. {@link #update} must be called from one
+ * thread. Between updates, queries may run on many threads.
  */
 public final class MovingAnatomy {
-    /** Prefix of the name of a rib where a margin is taken from its costal groove. */
+    /** Prefix for the name of a rib when a margin is measured from its costal groove. */
     public static final String VESSELS_PREFIX = "vessels_";
 
     private final List<MovingStructure> structures = new ArrayList<>();
@@ -26,8 +26,8 @@ public final class MovingAnatomy {
     private double timeS;
 
     /**
-     * @param surfaces of a scene, in the order of its frames
-     * @throws BadInputException with one sentence, if there is no skin or no liver, or liver or lungs do not move
+     * @param surfaces surfaces of a scene, in the order of its frames
+     * @throws BadInputException if skin or liver is missing, or the liver or the lungs do not move
      */
     public MovingAnatomy(List<Surface> surfaces) {
         surfaces.forEach(surface -> structures.add(new MovingStructure(surface, structures.size())));
@@ -63,7 +63,7 @@ public final class MovingAnatomy {
         return structures.stream().filter(s -> s.surface().kind() == kind).findFirst();
     }
 
-    /** Moves all structures to a frame. */
+    /** Moves all structures to their positions in a frame. */
     public void update(Frame frame) {
         structures.forEach(s -> s.update(frame));
         timeS = frame.timeS();
@@ -74,12 +74,12 @@ public final class MovingAnatomy {
         return timeS;
     }
 
-    /** All structures, in the order of the frame. */
+    /** All structures, in the order of the surfaces in a frame. */
     public List<MovingStructure> structures() {
         return structures;
     }
 
-    /** Display name of what a margin is taken from, as {@code PathAnalyzer.nearestOfMargin} names it. */
+    /** Display name of the structure that a margin is measured from, given its name in {@code PathAnalyzer.Margin}. */
     public String labelOf(String nearest) {
         boolean groove = nearest.startsWith(VESSELS_PREFIX);
         String name = groove ? nearest.substring(VESSELS_PREFIX.length()) : nearest;
@@ -90,12 +90,12 @@ public final class MovingAnatomy {
                 .orElse("");
     }
 
-    /** The structures in a no-go zone. */
+    /** Structures that belong to a no-go zone. */
     public List<MovingStructure> hazards() {
         return hazards;
     }
 
-    /** The costal grooves of the ribs. */
+    /** Costal grooves of the ribs. */
     public List<CostalGroove> grooves() {
         return grooves;
     }
@@ -110,12 +110,12 @@ public final class MovingAnatomy {
         return liver;
     }
 
-    /** The diaphragm; empty if the body has none. */
+    /** The diaphragm, or empty if the body has none. */
     public Optional<MovingStructure> diaphragm() {
         return diaphragm;
     }
 
-    /** The pleural reflection on the diaphragm; empty if the body has no diaphragm. */
+    /** The pleural reflection on the diaphragm, or empty if the body has no diaphragm. */
     public Optional<PleuralReflection> pleura() {
         return pleura;
     }

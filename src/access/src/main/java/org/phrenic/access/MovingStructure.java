@@ -9,11 +9,11 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * One moving surface. The tree of a deforming surface is refitted to each frame; for a rigid one the query is
- * transformed into the axes of the surface at rest.
+ * A moving surface that supports distance and intersection queries. For a deforming surface, the bounding volume tree
+ * is refitted to each frame. For a rigid surface, the query is transformed into the rest axes of the surface instead.
  */
 public final class MovingStructure {
-    /** Rounding of a box transformed by a pose in single precision. */
+    /** Tolerance for rounding errors when a box is transformed by a single precision pose, mm. */
     private static final double BOX_TOLERANCE_MM = 1e-3;
 
     private final Surface surface;
@@ -37,7 +37,7 @@ public final class MovingStructure {
         box = restBox.clone();
     }
 
-    /** Moves the surface to a frame. */
+    /** Moves the surface to its position in a frame. */
     public void update(Frame frame) {
         if (surface.motion() == Surface.Motion.DEFORMING) {
             frame.writePositions(surface, index, positions);
@@ -49,7 +49,7 @@ public final class MovingStructure {
         }
     }
 
-    /** Bounds of the transformed rest box: per axis, the extreme of each term. */
+    /** Computes the bounding box of the transformed rest box. Each bound sums the extreme of each term. */
     private void updateRigidBox() {
         for (int row = 0; row < 3; row++) {
             double low = pose[4 * row + 3];
@@ -65,7 +65,7 @@ public final class MovingStructure {
         }
     }
 
-    /** Lower bound of the distance from a path, mm: the largest gap between their bounding boxes along an axis. */
+    /** Lower bound of the distance to a path, mm: the largest gap between the bounding boxes along an axis. */
     public double boxDistance(double[] from, double[] to) {
         double gap = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -80,12 +80,12 @@ public final class MovingStructure {
         return surface;
     }
 
-    /** Its no-go zone; empty if a needle may pass it. */
+    /** The no-go zone of the structure, or empty if a needle may pass through it. */
     public Optional<NoGoZone> noGo() {
         return noGo;
     }
 
-    /** Display name: "right rib 8", "left lung", "liver". */
+    /** Display name, such as "right rib 8", "left lung" or "liver". */
     public String label() {
         String side =
                 surface.side() == Side.MIDLINE ? "" : surface.side().name().toLowerCase(Locale.ROOT) + " ";
@@ -100,24 +100,24 @@ public final class MovingStructure {
         };
     }
 
-    /** The tree of the surface, in its local axes. */
+    /** Bounding volume tree of the surface, in local axes. */
     public TriangleTree tree() {
         return tree;
     }
 
-    /** Vertex positions in local axes: of the frame for a deforming surface, at rest for a rigid one. */
+    /** Vertex positions in local axes: current positions of a deforming surface, rest positions of a rigid one. */
     public double[] positions() {
         return positions;
     }
 
-    /** Sets a probe to a path, in local axes. */
+    /** Sets a probe to a path, converted to local axes. */
     public void setProbe(double[] from, double[] to, SegmentProbe probe) {
         double[] a = toLocal(from);
         double[] b = toLocal(to);
         probe.set(a[0], a[1], a[2], b[0], b[1], b[2]);
     }
 
-    /** A point in local axes: x = R^T (x' - t). */
+    /** Converts a point from world to local axes: x = R^T (x' - t). */
     public double[] toLocal(double[] world) {
         if (pose.length == 0) {
             return world.clone();
@@ -131,7 +131,7 @@ public final class MovingStructure {
         return local;
     }
 
-    /** A point of the local axes in world axes. */
+    /** Converts a point from local to world axes. */
     public double[] toWorld(double[] local) {
         double[] world = local.clone();
         if (pose.length > 0) {

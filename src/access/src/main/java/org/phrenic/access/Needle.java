@@ -6,20 +6,20 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A straight, rigid needle.
+ * A straight, rigid biopsy needle.
  *
  * @param gauge Birmingham (Stubs) gauge
- * @param lengthMm from hub to tip
+ * @param lengthMm distance from hub to tip, mm
  */
 public record Needle(int gauge, double lengthMm) {
-    /** Outer diameters of needle tube, mm (ISO 9626 nominal sizes). */
+    /** Outer diameter of needle tubing by gauge, mm (ISO 9626 nominal sizes). */
     private static final Map<Integer, Double> DIAMETER_MM =
             Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7);
 
     private static final double MIN_LENGTH_MM = 20;
     private static final double MAX_LENGTH_MM = 300;
 
-    /** @throws IllegalArgumentException with one sentence, for a gauge or a length that no biopsy needle has */
+    /** @throws IllegalArgumentException if the gauge or length is outside the range of biopsy needles */
     public Needle {
         if (!DIAMETER_MM.containsKey(gauge)) {
             throw new IllegalArgumentException("found a needle of " + gauge + " G, expected 14 to 22 G");
@@ -30,7 +30,7 @@ public record Needle(int gauge, double lengthMm) {
         }
     }
 
-    /** 18 G and 150 mm, usual for focal lesions. */
+    /** The usual needle for focal lesions: 18 G, 150 mm. */
     public static Needle standard() {
         return new Needle(18, 150);
     }
@@ -41,9 +41,9 @@ public record Needle(int gauge, double lengthMm) {
     }
 
     /**
-     * Checks that the needle reaches from one point to another.
+     * Checks that the needle is long enough to reach from {@code from} to {@code aim}.
      *
-     * @throws BadInputException with one sentence, if it does not, or the points coincide
+     * @throws BadInputException if the needle is too short or the points coincide
      */
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);

@@ -9,16 +9,16 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.phrenic.anatomy.StructureKind;
 
-/** What a needle should not touch. */
+/** Structures that a needle should not touch. */
 public enum NoGoZone {
     LUNG("lung"),
-    /** Rib, costal cartilage, sternum, vertebra, disc. */
+    /** Ribs, costal cartilages, sternum, vertebrae and discs. */
     BONE("bone"),
-    /** The zone of the intercostal vessels and nerve below a rib ({@link CostalGroove}). */
+    /** Zone of the intercostal vessels and nerve below a rib ({@link CostalGroove}). */
     VESSELS("vessels below a rib"),
     /** The pleural recess ({@link PleuralReflection}). */
     PLEURA("pleural recess"),
-    /** Any other structure of the body: trachea, bowel. */
+    /** Any other structure, such as trachea or bowel. */
     ORGAN("other organ");
 
     private final String label;
@@ -28,14 +28,14 @@ public enum NoGoZone {
     }
 
     /**
-     * The zones of a plan that names none. The recess is not among them: in the 7th to 9th intercostal space it can
-     * hardly be avoided; crossing it is reported.
+     * Zones to avoid if a plan specifies none. The pleural recess is not included because it can hardly be avoided in
+     * the 7th to 9th intercostal space. Crossing it is reported.
      */
     public static Set<NoGoZone> defaults() {
         return EnumSet.of(LUNG, BONE, VESSELS, ORGAN);
     }
 
-    /** The zone of a kind of structure; empty for those that a needle may pass. */
+    /** The zone of a kind of structure, or empty if a needle may pass through it. */
     public static Optional<NoGoZone> of(StructureKind kind) {
         return switch (kind) {
             case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> Optional.of(BONE);
@@ -50,22 +50,22 @@ public enum NoGoZone {
         return label;
     }
 
-    /** Name in files. */
+    /** Name of the zone in files. */
     public String key() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** The bit of the zone in a bit set. */
+    /** Mask with the bit of this zone, for use in a bit set. */
     public int bit() {
         return 1 << ordinal();
     }
 
-    /** The bit set of zones. */
+    /** Converts zones to a bit set. */
     public static int bits(Collection<NoGoZone> zones) {
         return zones.stream().mapToInt(NoGoZone::bit).reduce(0, (a, b) -> a | b);
     }
 
-    /** The zones of a bit set. */
+    /** Converts a bit set to zones. */
     public static Set<NoGoZone> of(int bits) {
         return Arrays.stream(values())
                 .filter(zone -> (bits & zone.bit()) != 0)

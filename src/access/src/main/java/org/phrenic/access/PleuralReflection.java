@@ -4,19 +4,20 @@ import java.util.Arrays;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The line of pleural reflection on the diaphragm. The pleural recess, between rib cage and diaphragm where no lung
- * lies, ends where the parietal pleura turns from the wall to the diaphragm. No mesh shows that line; it is taken
- * {@value #HEIGHT_ABOVE_ORIGIN_MM} mm, about one rib, above the costal origin of the diaphragm, its lower rim: at rib
- * 10 in the mid-axillary line for an origin at rib 11 (textbook limits of the pleura: ribs 8, 10 and 12 in the
- * mid-clavicular, mid-axillary and paravertebral lines). A path that enters the diaphragm above it has crossed the
- * recess.
+ * The line of pleural reflection on the diaphragm. The pleural recess is the space between rib cage and diaphragm that
+ * the lung does not fill. It ends where the parietal pleura turns from the chest wall to the diaphragm.
+ *
+ * <p>No mesh shows this line. It is approximated {@value #HEIGHT_ABOVE_ORIGIN_MM} mm (about one rib) above the costal
+ * origin of the diaphragm, which is its lower rim. For an origin at rib 11, this is rib 10 in the mid-axillary line.
+ * Textbook limits of the pleura are ribs 8, 10 and 12 in the mid-clavicular, mid-axillary and paravertebral lines. A
+ * path that enters the diaphragm above the line has crossed the recess.
  */
 public final class PleuralReflection {
-    /** Height above the costal origin, mm. */
+    /** Height of the reflection above the costal origin, mm. */
     public static final double HEIGHT_ABOVE_ORIGIN_MM = 20;
 
     private static final int SECTORS = 36;
-    /** Vertices of the rim have at least this share of the largest radius; crura and tendon lie inside. */
+    /** Minimum radius of rim vertices, as a fraction of the largest radius. Crura and tendon lie further inside. */
     private static final double MIN_RIM_RADIUS = 0.75;
 
     private final double middleX;
@@ -51,7 +52,7 @@ public final class PleuralReflection {
         return (turn + 1) % 1 * SECTORS;
     }
 
-    /** Whether a point of the diaphragm, given at rest, lies above the reflection. */
+    /** Whether a point of the diaphragm, given by its rest position, lies above the reflection. */
     public boolean isAbove(double restX, double restY, double restZ) {
         double at = sector(restX, restY) - 0.5 + SECTORS;
         int below = (int) at % SECTORS;

@@ -4,9 +4,9 @@ import java.util.Locale;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.query.TriangleTree;
 
-/** A point attached to the skin: a triangle and barycentric weights. */
+/** A point that moves with the skin, stored as a triangle and barycentric weights. */
 public final class SkinPoint {
-    /** Largest distance of a given point from the skin, mm. */
+    /** Maximum distance between the given point and the skin, mm. */
     static final double TOLERANCE_MM = 5;
 
     private final MovingStructure skin;
@@ -14,15 +14,15 @@ public final class SkinPoint {
     private final double[] weights;
 
     /**
-     * The point of the skin nearest to a place in the current frame.
+     * Returns the skin point nearest to a position in the current frame.
      *
-     * @throws BadInputException with one sentence, if the place is farther than {@value #TOLERANCE_MM} mm from the skin
+     * @throws BadInputException if the position is more than {@value #TOLERANCE_MM} mm from the skin
      */
     public static SkinPoint current(MovingStructure skin, double[] place) {
         return new SkinPoint(skin, skin.tree(), skin.toLocal(place), place);
     }
 
-    /** As {@link #current(MovingStructure, double[])}, at end-expiration. */
+    /** Like {@link #current(MovingStructure, double[])}, but for a position at end-expiration. */
     public static SkinPoint atRest(MovingStructure skin, double[] place) {
         return new SkinPoint(skin, new TriangleTree(skin.surface().rest()), place, place);
     }

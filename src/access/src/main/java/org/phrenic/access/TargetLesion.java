@@ -11,15 +11,17 @@ import org.phrenic.mesh.query.TriangleTree;
 /**
  * A spherical lesion in the liver.
  *
- * @param restMm its centre at end-expiration, LPS, mm; read-only
+ * @param restMm centre at end-expiration, LPS, mm; read-only
  */
 public record TargetLesion(double[] restMm, double diameterMm) {
-    /** Smallest and largest diameter, mm. */
+    /** Allowed range of diameters, mm. */
     public static final double SMALLEST_MM = 5;
 
     public static final double LARGEST_MM = 80;
 
-    /** Diameters of biopsied lesions, 23 +/- 14 mm (PMC4927599), and the bounds of random diameters. */
+    /**
+     * Mean, standard deviation and bounds of random diameters, mm. Biopsied lesions measure 23 +/- 14 mm (PMC4927599).
+     */
     private static final double MEAN_MM = 23;
 
     private static final double SD_MM = 14;
@@ -30,9 +32,9 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     private static final int MAX_DRAWS = 100_000;
 
     /**
-     * A target at a place.
+     * Creates a target at a position.
      *
-     * @throws BadInputException with one sentence, if the place is not in the liver or the diameter is out of range
+     * @throws BadInputException if the position is not in the liver or the diameter is out of range
      */
     public static TargetLesion at(MovingAnatomy scene, double[] restMm, double diameterMm) {
         if (!(diameterMm >= SMALLEST_MM && diameterMm <= LARGEST_MM)) {
@@ -56,12 +58,12 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     }
 
     /**
-     * A target behind a point of the liver's surface.
+     * Creates a target below a point of the liver surface.
      *
-     * @param onLiverRest the point at end-expiration
+     * @param onLiverRest surface point at end-expiration
      * @param direction unit vector of the line of sight
-     * @param depthMm depth behind the surface; half the thickness where the liver is thinner than twice the depth
-     * @throws BadInputException with one sentence, as {@link #at}
+     * @param depthMm depth below the surface; half the thickness where the liver is thinner than twice this depth
+     * @throws BadInputException as in {@link #at}
      */
     public static TargetLesion behindSurface(
             MovingAnatomy scene, double[] onLiverRest, double[] direction, double depthMm, double diameterMm) {
@@ -80,7 +82,7 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     }
 
     /**
-     * A random target wholly within the liver.
+     * Creates a random target that lies completely inside the liver.
      *
      * @param diameterMm NaN for a random diameter
      */

@@ -6,12 +6,12 @@ import java.util.stream.IntStream;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Motion of a target over a breath.
+ * Motion of a target during a breath.
  *
- * @param positions of its centre, LPS, mm; read-only
+ * @param positions positions of the centre, LPS, mm; read-only
  */
 public record TargetMotion(List<double[]> positions) {
-    /** Excursion, the largest distance between two positions, mm. */
+    /** Excursion, mm: the largest distance between any two positions. */
     public double excursionMm() {
         return positions.stream()
                 .flatMapToDouble(a -> positions.stream().mapToDouble(b -> Vectors.distance(a, b)))
@@ -19,7 +19,7 @@ public record TargetMotion(List<double[]> positions) {
                 .orElse(0);
     }
 
-    /** Range in x, y, z (left, posterior, superior), mm. */
+    /** Range of motion along x, y and z (left, posterior, superior), mm. */
     public double[] rangeMm() {
         return IntStream.range(0, 3)
                 .mapToDouble(axis -> coordinates(axis).max().orElse(0)

@@ -1,5 +1,5 @@
 /**
- * Liver access: the moving anatomy with its no-go zones and tissue points, the needle, the target lesion and the breath
- * cycle. No paths, attempts or plans; those are in the packages below.
+ * Liver access: moving anatomy with no-go zones, liver tissue points, needle, target lesion and breath cycle. Paths,
+ * attempts and plans are in the subpackages.
  */
 package org.phrenic.access;

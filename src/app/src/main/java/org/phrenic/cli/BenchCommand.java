@@ -16,7 +16,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
-/** {@code phrenic bench}: steps per second of the engine on a bare mesh; its subcommands measure the rest. */
+/**
+ * {@code phrenic bench}: measures engine steps per second on a mesh; subcommands measure speed, error and stability.
+ */
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
@@ -31,7 +33,7 @@ import picocli.CommandLine.ParameterException;
         })
 final class BenchCommand extends ReportingCommand {
 
-    /** A group: its files are required together, and not by subcommands. */
+    /** A group, so that its files are required together, and not if a subcommand is given. */
     @ArgGroup(exclusive = false)
     private Files files;
 

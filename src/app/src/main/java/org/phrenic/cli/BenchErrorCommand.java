@@ -29,7 +29,7 @@ import org.phrenic.study.error.SolverGrid;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic bench error}: cost of settings and their distance from a reference. */
+/** {@code phrenic bench error}: measures cost and error of solver settings against a reference. */
 @Command(
         name = "error",
         description = "Measure speed against error: one breath under many settings, held against a reference.",
@@ -44,7 +44,7 @@ import picocli.CommandLine.Option;
             Disclaimer.TEXT
         })
 final class BenchErrorCommand extends ReportingCommand {
-    /** Keys that the command sets itself. */
+    /** Scenario keys that the command sets. */
     private static final Set<String> RESERVED = Set.of(
             "material",
             "resolution",
@@ -180,7 +180,7 @@ final class BenchErrorCommand extends ReportingCommand {
         return scenarios;
     }
 
-    /** The settings to measure: those of the material, except given lists. */
+    /** The grid of settings to measure: option values where given, otherwise the defaults of the material. */
     private SolverGrid grid(Scenario scenario) {
         SolverGrid usual = quick ? SolverGrid.quick(scenario.material()) : SolverGrid.of(scenario.material());
         return new SolverGrid(

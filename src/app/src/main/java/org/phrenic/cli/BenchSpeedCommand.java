@@ -11,7 +11,9 @@ import org.phrenic.study.speed.SpeedStudy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic bench speed}: the paper's table of iterations a second, and cost against size. */
+/**
+ * {@code phrenic bench speed}: reproduces the paper's table of iterations per second, and measures cost against size.
+ */
 @Command(
         name = "speed",
         description = "Measure steps a second by resolution and forces, beside the paper's, and the cost of a step from"

@@ -16,7 +16,7 @@ import org.phrenic.study.stability.StabilityStudy;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic bench stability}: demanding cases under every integrator. */
+/** {@code phrenic bench stability}: runs demanding cases with every integrator. */
 @Command(
         name = "stability",
         description = "Run scenes chosen to break a simulation: each must stay stable, be noticed and recovered, or be"

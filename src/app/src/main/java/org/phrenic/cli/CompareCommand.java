@@ -27,7 +27,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic compare}: the distance between two surfaces. */
+/** {@code phrenic compare}: computes the distance between two surfaces. */
 @Command(
         name = "compare",
         description = "Say how far two surfaces lie apart, from the vertices of each to the other.",
@@ -121,7 +121,7 @@ final class CompareCommand extends ReportingCommand {
         return columns;
     }
 
-    /** The given range, else a round one that holds 95 % of the surface; diverging for signed distances. */
+    /** The given range, or a round range that contains 95 % of the surface; diverging for signed distances. */
     private ColourScale scale(SurfaceComparison comparison) {
         double round = ColourScale.roundRange(comparison.aToB().byArea().percentile95());
         String unit = ColourField.DISTANCE.unit();

@@ -20,7 +20,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Turns exceptions into one sentence on one line and an exit code. */
+/** Reports an exception as one sentence on stderr and maps it to an exit code. */
 final class FailureHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
     private final BooleanSupplier debug;
 
@@ -79,7 +79,7 @@ final class FailureHandler implements IParameterExceptionHandler, IExecutionExce
                 || failure instanceof UncheckedIOException;
     }
 
-    /** Messages of file-system exceptions are a bare path: the kind is added. */
+    /** The message of an exception. File-system exceptions contain only a path; their kind is added. */
     private static String sentence(Exception failure) {
         Throwable cause = failure instanceof UncheckedIOException ? failure.getCause() : failure;
         if (!(cause instanceof FileSystemException)) {

@@ -30,7 +30,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic fit}: tunes a body to a second breath level. */
+/** {@code phrenic fit}: fits a body to a second breath level. */
 @Command(
         name = "fit",
         description = "Tune a body until its surfaces, breathed in and held, lie on those of a second breath level.",
@@ -221,7 +221,7 @@ final class FitCommand extends ReportingCommand {
             list.add(target);
         }
         list = FitTarget.withBases(list);
-        // The base of a held-out lung is held out too.
+        // The base of a held-out lung is also held out.
         list.replaceAll(t -> heldOut.contains(t.part().label())
                         || heldOut.contains(t.part().label().replace("_base", ""))
                 ? t.withWeight(0)

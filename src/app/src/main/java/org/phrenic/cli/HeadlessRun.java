@@ -17,7 +17,7 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.Transparency;
 
-/** {@code phrenic} without a display: a quiet breath in numbers, curves and pictures. */
+/** {@code phrenic} without a display: simulates a quiet breath and writes tables, curves and pictures. */
 final class HeadlessRun {
     private static final int SIDE = 1000;
     private static final int SAMPLES = 4;
@@ -26,8 +26,8 @@ final class HeadlessRun {
     private HeadlessRun() {}
 
     /**
-     * Runs the default scenario into a folder: what {@code phrenic run} writes, {@code curves.png}, and pictures at the
-     * ends of expiration and inspiration. Where nothing can draw, a line says so.
+     * Runs the default scenario and writes into a folder: the files of {@code phrenic run}, {@code curves.png}, and
+     * pictures at end-expiration and end-inspiration. Without graphics or fonts, a line on stderr says so.
      */
     static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
         Scenario scenario = Scenario.defaults();
@@ -48,7 +48,7 @@ final class HeadlessRun {
         double[] time = observables.numbers("time_s");
         double[] volume = observables.numbers("lung_volume_change_ml");
         int most = 0;
-        // In the first half: later breaths take longer to simulate.
+        // Only the first half is searched, because later breaths take longer to simulate.
         for (int i = 1; i < time.length && time[i] < time[time.length - 1] / 2; i++) {
             most = volume[i] > volume[most] ? i : most;
         }

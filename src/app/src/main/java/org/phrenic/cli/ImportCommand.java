@@ -34,7 +34,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic import}: a volume of labels becomes a thorax folder. */
+/** {@code phrenic import}: converts a label volume to a thorax folder. */
 @Command(
         name = "import",
         description = "Make a thorax folder of a segmented scan: a closed surface for each label.",
@@ -51,7 +51,7 @@ import picocli.CommandLine.Parameters;
         })
 final class ImportCommand extends ReportingCommand {
     private static final double MAX_EDGE_MM = 50;
-    /** Headings of the table by the keys of the report. */
+    /** Table headings by report key. */
     private static final Map<String, String> COLUMNS = new LinkedHashMap<>();
 
     static {

@@ -8,7 +8,7 @@ import org.phrenic.cli.report.FileInfo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic info}: what files hold. */
+/** {@code phrenic info}: prints the contents of files. */
 @Command(
         name = "info",
         description = "Say what meshes, label volumes, scenarios and thorax folders hold.",

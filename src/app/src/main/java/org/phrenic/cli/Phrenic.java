@@ -69,9 +69,10 @@ public final class Phrenic implements Callable<Integer> {
     /**
      * Runs the command line {@code args}.
      *
-     * @param out for results
-     * @param err for log, progress and the one sentence of a failure
-     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw
+     * @param out output for results
+     * @param err output for log, progress and error messages
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 regression or validation failed, 4 no graphics
+     *     available
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();

@@ -16,7 +16,7 @@ import org.phrenic.study.regression.RegressionComparison;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic regress}: scenes computed again and compared with stored references. */
+/** {@code phrenic regress}: recomputes scenes and compares them with stored references. */
 @Command(
         name = "regress",
         description = "Compute a list of scenes anew and hold them against their stored references, node by node.",

@@ -25,7 +25,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic rehearse}: a planned needle attempt on the breathing body, and its report. */
+/** {@code phrenic rehearse}: simulates a planned needle insertion in the breathing body and writes a report. */
 @Command(
         name = "rehearse",
         description = "Play a planned needle attempt to a target in the liver and write its report.",

@@ -30,7 +30,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic render}: pictures and movies of a scenario without a window and without a display. */
+/** {@code phrenic render}: writes pictures and movies of a scenario without a window or a display. */
 @Command(
         name = "render",
         description = "Draw pictures or a movie of a scenario; needs no display.",

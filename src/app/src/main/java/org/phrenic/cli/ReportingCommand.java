@@ -45,18 +45,18 @@ abstract class ReportingCommand implements Callable<Integer> {
         return new ConsoleProgress(err());
     }
 
-    /** @param counted what a line of progress counts, such as "cells done" */
+    /** @param counted label of the counter in progress lines, such as "cells done" */
     final ConsoleProgress progress(String counted) {
         return new ConsoleProgress(err(), counted);
     }
 
-    /** Prints values as JSON, or a text. */
+    /** Prints the values as JSON with {@code --json}, and the text otherwise. */
     final void print(Map<String, ?> values, Supplier<String> text) {
         out().print(json ? JsonWriter.format(values) : text.get());
         out().flush();
     }
 
-    /** A text with the disclaimer below. */
+    /** Appends the disclaimer to a text. */
     static String withDisclaimer(String text) {
         return text + "\n" + Disclaimer.TEXT + "\n";
     }

@@ -38,7 +38,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code phrenic reproduce}: the paper's tables, figures and claims, as printed and as found here. */
+/** {@code phrenic reproduce}: compares tables, figures and claims of the paper with values computed here. */
 @Command(
         name = "reproduce",
         description = "Reproduce the tables, figures and claims of Villard, Bourne and Bello 2009 in one report.",
@@ -114,7 +114,7 @@ final class ReproduceCommand implements Callable<Integer> {
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;
     }
 
-    /** Scans to be found; empty for a synthetic patient. */
+    /** Patient scans; empty for a synthetic patient. */
     private Optional<List<PatientScans>> scans() {
         if (patients != null) {
             return Optional.of(PatientScans.findIn(patients));

@@ -4,8 +4,9 @@ import java.util.List;
 import picocli.CommandLine;
 
 /**
- * The subcommands of {@code phrenic}. Reading the options of all takes longer than many a command: if the first
- * argument names one, only that one is registered; all are for help and for messages about unknown names.
+ * The subcommands of {@code phrenic}. If the first argument names a subcommand, only that one is registered, because
+ * setting up the options of all of them takes longer than many commands. Otherwise all are registered, for help and for
+ * messages about unknown names.
  */
 final class SubCommands {
     private static final List<String> NAMES = List.of(
@@ -24,7 +25,7 @@ final class SubCommands {
 
     private SubCommands() {}
 
-    /** The command line of {@code phrenic} with the subcommands that these arguments need. */
+    /** Creates the command line of {@code phrenic} with the subcommands required by the arguments. */
     static CommandLine commandLine(Phrenic phrenic, String... args) {
         CommandLine line = new CommandLine(phrenic);
         List<String> wanted = args.length > 0 && NAMES.contains(args[0]) ? List.of(args[0]) : NAMES;

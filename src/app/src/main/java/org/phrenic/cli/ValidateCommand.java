@@ -30,7 +30,7 @@ import org.phrenic.study.validation.ValidationReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code phrenic validate}: compares the model's breaths with a table of physiology. */
+/** {@code phrenic validate}: compares simulated breaths with a table of physiological ranges. */
 @Command(
         name = "validate",
         description = "Run the breathing presets and hold them against a table of physiology.",
@@ -50,7 +50,7 @@ import picocli.CommandLine.Option;
         })
 final class ValidateCommand extends ReportingCommand {
     private static final String DEFAULT_BODY = "virtual/adult-male";
-    /** Keys that the command sets itself. */
+    /** Scenario keys that the command sets. */
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
 

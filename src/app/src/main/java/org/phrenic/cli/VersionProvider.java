@@ -3,7 +3,7 @@ package org.phrenic.cli;
 import org.phrenic.document.report.Disclaimer;
 import picocli.CommandLine.IVersionProvider;
 
-/** The version that the jar states. */
+/** Provides the version from the jar manifest. */
 final class VersionProvider implements IVersionProvider {
     @Override
     public String[] getVersion() {

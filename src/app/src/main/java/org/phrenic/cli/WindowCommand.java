@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code phrenic window}: opens the window on something. */
+/** {@code phrenic window}: opens the window, optionally with a file. */
 @Command(
         name = "window",
         description = "Open the window. Without a display: exit code 4 and one sentence.",

@@ -1,2 +1,5 @@
-/** The command line, one class a command; the only module part that prints, parses options and ends the process. */
+/**
+ * The command line, one class per command. The only part of the module that prints, parses options and ends the
+ * process.
+ */
 package org.phrenic.cli;

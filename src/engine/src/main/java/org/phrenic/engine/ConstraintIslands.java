@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.engine.math.DisjointSets;
 
-/** Constraint islands: sets of nodes connected by items of constraints. The lowest node of an island names it. */
+/** Constraint islands: sets of nodes connected by constraint items. An island is identified by its lowest node. */
 final class ConstraintIslands {
     private final int[] parent;
     private final int[] itemCount;
@@ -33,22 +33,25 @@ final class ConstraintIslands {
         }
     }
 
-    /** The group of a node: its first node. */
+    /** The island of a node, as its lowest node. */
     int islandOf(int node) {
         return DisjointSets.find(parent, node);
     }
 
-    /** Nodes of the largest group. */
+    /** Number of nodes of the largest island. */
     int largestSize() {
         return Arrays.stream(size).max().orElse(0);
     }
 
-    /** Of how many items the group of a node consists. */
+    /** Number of items in the island of a node. */
     int itemCount(int node) {
         return itemCount[islandOf(node)];
     }
 
-    /** Which piece each node is in: groups in the order of their first nodes, so that a piece lies together. */
+    /**
+     * The piece of each node. Islands are taken in the order of their lowest nodes, so that a piece is contiguous in
+     * memory.
+     */
     int[] assignPieces(int nodesAPiece) {
         int[] piece = new int[parent.length];
         int current = 0;

@@ -5,19 +5,19 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The constraints of a system: which are switched on, in which order and how often they are projected. */
+/** The constraints of a system: which are enabled, their order, and the number of projection sweeps. */
 final class ConstraintSet {
     private final int nodeCount;
     private final List<Constraint> all = new ArrayList<>();
     private Constraint[] active = {};
-    /** All of them at once, where that can be. */
+    /** Projection of all constraints by islands, where possible. */
     private Optional<IslandProjection> islands = Optional.empty();
-    /** Otherwise each by itself, in the same order. */
+    /** Otherwise the projection of each constraint, in the same order. */
     private Projector[] projectors = {};
 
     private int sweeps = 1;
 
-    /** Puts one constraint right. */
+    /** Projects one constraint. */
     @FunctionalInterface
     private interface Projector {
         void project(ParticleSystem system, double h);
@@ -55,7 +55,7 @@ final class ConstraintSet {
         return (system, h) -> alone.project(system, h, 1);
     }
 
-    /** Those switched on, in the order they were added. */
+    /** The enabled constraints, in the order they were added. */
     List<Constraint> active() {
         return List.of(active);
     }
@@ -100,7 +100,7 @@ final class ConstraintSet {
         }
     }
 
-    /** What one of them could not make hold in the last step; null where all hold. */
+    /** Describes a constraint that the last step could not satisfy; null if all hold. */
     String violation() {
         for (Constraint constraint : active) {
             String cause = constraint.violation();

@@ -6,7 +6,7 @@ public interface CoupledConstraint extends Constraint {
     /**
      * Moves nodes so that the constraint holds.
      *
-     * @param system the nodes; positions and velocities are changed
+     * @param system the particle system; positions and velocities are changed
      * @param h the step just taken, s
      */
     void project(ParticleSystem system, double h);

@@ -5,11 +5,11 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * The force on each node, without the nodes' own viscous damping, as a function of time; arrays are bound once, so that
- * an evaluation allocates nothing. From {@link ParticleSystem#evaluation}.
+ * The force on each node as a function of time, without the nodes' own viscous damping. Arrays are bound once, so that
+ * an evaluation allocates nothing. Created by {@link ParticleSystem#evaluation}.
  */
 public final class ForceEvaluation {
-    /** From so many nodes on state and springs exceed a core's own cache: each block is prefetched. */
+    /** Number of nodes from which state and springs exceed a core's own cache, so that each block is prefetched. */
     private static final int PREFETCH_FROM_NODES = 1 << 15;
 
     /** Doubles in a cache line. */
@@ -22,7 +22,7 @@ public final class ForceEvaluation {
     private final double[] velocity;
     private final double[] force;
     private final Workers.Task after;
-    /** One number a block, which keeps the compiler from removing the prefetching reads; empty without prefetching. */
+    /** One value a block, which keeps the compiler from removing the prefetching reads; empty without prefetching. */
     private final double[] prefetched;
 
     private final Workers.Task task = this::block;
@@ -45,9 +45,9 @@ public final class ForceEvaluation {
     }
 
     /**
-     * Computes the forces at the present positions and velocities.
+     * Computes the forces at the current positions and velocities.
      *
-     * @param time simulated time, s; nodes of prescribed motion are expected at their places
+     * @param time simulated time, s; prescribed nodes must already be at their positions for this time
      */
     public void at(double time) {
         fields.prepare(time);
@@ -67,7 +67,7 @@ public final class ForceEvaluation {
         }
     }
 
-    /** Reads one number of each cache line. The reads are independent, so memory serves many of them at once. */
+    /** Reads one value of each cache line. The reads are independent, so memory serves many of them at once. */
     private static double prefetch(double[] values, int from, int end) {
         double sum = 0;
         for (int i = from; i < end; i += CACHE_LINE) {

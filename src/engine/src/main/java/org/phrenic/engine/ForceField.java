@@ -1,15 +1,15 @@
 package org.phrenic.engine;
 
 /**
- * Something that pulls on nodes. Arrays are in internal node order, three numbers a node.
+ * A force on nodes. Arrays are in internal node order, three numbers a node.
  *
- * <p>Forces are asked for block by block, blocks possibly at the same time on several threads: an implementation reads
- * any node but writes only to nodes of the block it was asked for, and allocates nothing.
+ * <p>Forces are evaluated block by block, possibly on several threads at once. An implementation may read any node,
+ * writes only to nodes of the given block, and allocates nothing.
  */
 public interface ForceField {
 
     /**
-     * Told once, on one thread, before the forces at a time are asked for.
+     * Called once, on one thread, before the forces at a time are evaluated.
      *
      * @param time simulated time, s
      */
@@ -20,43 +20,40 @@ public interface ForceField {
      *
      * @param x positions, mm
      * @param v velocities, mm/s
-     * @param force where to add, mN
-     * @param block which block's nodes
+     * @param force receives the forces, mN
+     * @param block number of the block
      */
     void addForces(double[] x, double[] v, double[] force, int block);
 
-    /** Energy stored by this field at these positions, µJ (mN mm); 0 for a field that stores none. */
+    /** Potential energy at these positions, µJ (mN mm); 0 for a field that stores none. */
     default double potentialEnergy(double[] x) {
         return 0;
     }
 
     /**
-     * Adds K u for the nodes of one block, K = -∂force/∂x at x; the default is a field whose force does not depend on
-     * position. A field may leave out what would make K indefinite.
+     * Adds K u for the nodes of one block, K = -∂force/∂x at x. The default suits forces that do not depend on
+     * position. A field may omit terms that would make K indefinite.
      */
     default void addStiffness(double[] x, double[] u, double[] out, int block) {}
 
     /**
-     * Adds to each node a bound of its row sum |K_ii| + Σ|K_ij| (N/m) and of the like sum of its dashpots (N s/m):
-     * Gershgorin's bound, from which the largest stable step is estimated.
+     * Adds for each node a bound of the stiffness row sum |K_ii| + Σ|K_ij| (N/m) and of the dashpot row sum (N s/m).
+     * These are Gershgorin bounds, from which the largest stable step is estimated.
      */
     default void addRowSums(double[] stiffness, double[] damping) {}
 
     /**
-     * Sets how much simulated time may go by before what moves by a given motion is asked for anew; in between it goes
-     * on at its velocity. Nothing where nothing is kept.
+     * Sets the simulated time between two evaluations of prescribed motion. In between, positions are extrapolated at
+     * constant velocity. Has no effect on fields without prescribed motion.
      *
      * @param seconds not negative
      */
     default void setRefreshInterval(double seconds) {}
 
-    /**
-     * Forgets what was kept from earlier times: to be called after positions, parameters or the time were changed from
-     * outside.
-     */
+    /** Discards cached values. Call it after positions, parameters or the time were changed from outside. */
     default void invalidate() {}
 
-    /** Whether forces depend on velocity other than through the nodes' own viscous damping. */
+    /** Whether forces depend on velocity, apart from the nodes' own viscous damping. */
     default boolean dependsOnVelocity() {
         return false;
     }

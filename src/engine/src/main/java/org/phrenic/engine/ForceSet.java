@@ -3,7 +3,7 @@ package org.phrenic.engine;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The force fields of a system: all of them, and those switched on in the order they were added. */
+/** The force fields of a system, and those enabled in the order they were added. */
 final class ForceSet {
     private final List<ForceField> all = new ArrayList<>();
     private ForceField[] active = {};

@@ -8,19 +8,22 @@ import org.phrenic.engine.parallel.Workers;
 
 /**
  * Projects separable constraints by islands. Items that share nodes, directly or through others, form an island.
- * Islands are independent, so one thread takes a piece of them through all Gauss-Seidel sweeps without waiting for the
- * others. An island in which the first sweep moved nothing is skipped in later sweeps (nine of ten in a quiet breath).
- * The result is that of sweeping over all constraints one after the other.
+ * Islands are independent, so one thread carries a group of islands through all Gauss-Seidel sweeps without
+ * synchronisation. An island in which the first sweep moves nothing is skipped in later sweeps (nine of ten in a quiet
+ * breath). The result equals that of sweeping over all constraints one after the other.
  */
 final class IslandProjection {
-    /** A sheet's pair of nodes, its link and its contacts are five; groups beyond this would leave threads idle. */
+    /**
+     * Largest island, in nodes. Larger ones would leave threads idle; a pair of sheet nodes with its link and contacts
+     * has five.
+     */
     private static final int MOST_NODES_A_GROUP = 64;
 
     private static final int NODES_A_PIECE = 512;
 
     private final IslandItems[] members;
     private final int pieces;
-    /** Of each group: the round in which something of it last moved. */
+    /** For each island, the last projection whose first sweep moved one of its nodes. */
     private final int[] movedIn;
 
     private final Workers.Task task = this::piece;
@@ -39,9 +42,9 @@ final class IslandProjection {
     }
 
     /**
-     * Constraints put right together, in their order; nothing if one is not separable or groups are too large.
+     * A projection of these constraints, in their order; empty if one is not separable or an island is too large.
      *
-     * @param nodeCount of the system
+     * @param nodeCount number of nodes of the system
      */
     static Optional<IslandProjection> of(List<? extends Constraint> constraints, int nodeCount) {
         if (!constraints.stream().allMatch(each -> each instanceof SeparableConstraint s && s.isSeparable())) {
@@ -55,7 +58,7 @@ final class IslandProjection {
                 : Optional.of(new IslandProjection(separable, groups));
     }
 
-    /** Puts all right after a step of length h, in so many sweeps. */
+    /** Projects all constraints after a step of length h, in a given number of sweeps. */
     void project(ParticleSystem particles, double h, int sweepCount) {
         system = particles;
         step = h;
@@ -99,24 +102,24 @@ final class IslandProjection {
         }
     }
 
-    /** A constraint, its items by pieces and by groups. */
+    /** A constraint with its items sorted by piece and by island. */
     private static final class IslandItems {
         final SeparableConstraint constraint;
-        /** Items piece after piece, and where pieces begin. */
+        /** Items sorted by piece, and where each piece begins. */
         final int[] items;
 
         final int[] start;
-        /** Of each item: its group; -1 if it is alone and one sweep is enough. */
+        /** For each item, its island; -1 if it is the only one in its island and one sweep is enough. */
         final int[] islandOfItem;
-        /** Items group after group, and where groups begin. */
+        /** Items sorted by island, and where each island begins. */
         private final int[] itemsByIsland;
 
         private final int[] islandStart;
-        /** Of each piece, from where it begins: items that the sweep moved, and how many. */
+        /** For each piece, from its beginning: the items that the sweep moved, and their number. */
         final int[] movedItems;
 
         final int[] moved;
-        /** Of each piece, from where it begins: items of the groups that need another sweep, and where they end. */
+        /** For each piece, from its beginning: the items of islands that need another sweep, and where they end. */
         final int[] repeatItems;
 
         final int[] repeatEnd;

@@ -6,10 +6,11 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Nodes with mass, the force fields that pull on them, the constraints they obey, and the nodes of prescribed motion.
+ * A system of point masses (nodes): their state, the force fields and constraints that act on them, and the nodes with
+ * prescribed motion.
  *
- * <p>State is flat: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The arrays are handed
- * out for speed; only integrators, constraints and whoever restores a state write to them.
+ * <p>State is stored in flat arrays: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The
+ * arrays are exposed for speed. Only integrators, constraints and code that restores a state may write to them.
  */
 public final class ParticleSystem {
     private final NodeLayout layout;
@@ -27,7 +28,7 @@ public final class ParticleSystem {
      * @param layout order and blocks of the nodes
      * @param positions in the caller's order, mm
      * @param mass one a node in the caller's order, kg; all positive
-     * @param workers who shares the work
+     * @param workers threads for parallel work
      * @throws IllegalArgumentException if lengths differ, a mass is not positive and finite, or a position is not
      *     finite
      */
@@ -89,7 +90,7 @@ public final class ParticleSystem {
         return mass;
     }
 
-    /** 1/mass of each node, 0 where the motion is prescribed; internal order, 1/kg. */
+    /** 1/mass of each node, 0 for prescribed nodes; internal order, 1/kg. */
     public double[] inverseMasses() {
         return inverseMass;
     }
@@ -102,7 +103,7 @@ public final class ParticleSystem {
     /**
      * Sets the viscous damping of all nodes to one value, N s/m.
      *
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @throws IllegalArgumentException if the value is negative or not finite
      */
     public void setViscosity(double gamma) {
         checkDamping("viscosity", gamma, "N s/m");
@@ -110,9 +111,9 @@ public final class ParticleSystem {
     }
 
     /**
-     * Sets the viscous damping of each node to rate times its mass: γ = rate m, rate in 1/s.
+     * Sets the viscous damping of each node in proportion to its mass: γ = rate m, rate in 1/s.
      *
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @throws IllegalArgumentException if the rate is negative or not finite
      */
     public void setViscosityPerMass(double rate) {
         checkDamping("viscosity per mass", rate, "1/s");
@@ -127,34 +128,34 @@ public final class ParticleSystem {
         }
     }
 
-    /** Adds a field, switched on. */
+    /** Adds and enables a force field. */
     public void add(ForceField field) {
         fields.add(field);
     }
 
-    /** Adds a constraint, switched on; constraints are projected in the order they were added. */
+    /** Adds and enables a constraint. Constraints are projected in the order they were added. */
     public void add(Constraint constraint) {
         constraints.add(constraint);
     }
 
-    /** Switches a field on or off; off, it costs nothing. */
+    /** Enables or disables a field. A disabled field costs nothing. */
     public void setEnabled(ForceField field, boolean on) {
         fields.setEnabled(field, on);
     }
 
-    /** Switches a constraint on or off; off, it costs nothing. */
+    /** Enables or disables a constraint. A disabled constraint costs nothing. */
     public void setEnabled(Constraint constraint, boolean on) {
         constraints.setEnabled(constraint, on);
     }
 
-    /** Whether a constraint is switched on. */
+    /** Whether a constraint is enabled. */
     public boolean isEnabled(Constraint constraint) {
         return constraints.active().contains(constraint);
     }
 
     /**
-     * Lets all fields and constraints forget what they kept from earlier times: to be called after state, parameters or
-     * time were changed from outside.
+     * Discards the cached values of all fields and constraints. Call it after state, parameters or time were changed
+     * from outside.
      */
     public void invalidate() {
         fields.invalidate();
@@ -163,7 +164,7 @@ public final class ParticleSystem {
     }
 
     /**
-     * Gives a node another mass.
+     * Changes the mass of a node.
      *
      * @param internalNode internal number
      * @param kg more than 0
@@ -175,23 +176,23 @@ public final class ParticleSystem {
         }
     }
 
-    /** The fields switched on, in the order they were added. */
+    /** The enabled fields, in the order they were added. */
     public List<ForceField> fields() {
         return fields.active();
     }
 
-    /** The constraints switched on, in the order they were added. */
+    /** The enabled constraints, in the order they were added. */
     public List<Constraint> constraints() {
         return constraints.active();
     }
 
-    /** Whether any field switched on depends on velocity. */
+    /** Whether any enabled field depends on velocity. */
     public boolean dependsOnVelocity() {
         return fields.dependsOnVelocity();
     }
 
     /**
-     * Nodes that follow a given motion instead of forces; replaces what was given before.
+     * Sets the nodes with prescribed motion. Replaces any earlier choice.
      *
      * @param callerNodes in the caller's numbering, each once
      * @param motion their positions and velocities in the same order
@@ -206,7 +207,7 @@ public final class ParticleSystem {
         }
     }
 
-    /** Holds nodes (caller's numbering) where they are now. */
+    /** Fixes nodes (caller's numbering) at their current positions. */
     public void fix(int... callerNodes) {
         double[] here = new double[3 * callerNodes.length];
         for (int i = 0; i < callerNodes.length; i++) {
@@ -216,20 +217,20 @@ public final class ParticleSystem {
     }
 
     /**
-     * Puts the nodes of prescribed motion where they are at a time, in the arrays given; nodes that are still are put
-     * there once.
+     * Sets the prescribed nodes to their positions and velocities at a time, in the given arrays. Stationary nodes are
+     * set once.
      */
     public void applyPrescribed(double time, double[] position, double[] velocity) {
         prescribed.apply(time, position, velocity, position == x && velocity == v);
     }
 
     /**
-     * The force on each node at a state and time, without the nodes' own viscous damping.
+     * Computes the force on each node at a state and time, without the nodes' own viscous damping.
      *
      * @param time s
-     * @param position mm; nodes of prescribed motion are expected where they belong
+     * @param position mm; prescribed nodes must be at their positions for this time
      * @param velocity mm/s
-     * @param force result, mN
+     * @param force receives the forces, mN
      */
     public void forces(double time, double[] position, double[] velocity, double[] force) {
         evaluation(position, velocity, force, null).at(time);
@@ -240,28 +241,29 @@ public final class ParticleSystem {
      *
      * @param position mm
      * @param velocity mm/s
-     * @param force result, mN
-     * @param after run for each block when its forces are complete, while forces of other blocks may still be missing:
-     *     it may write to this block's forces but not to positions, and to this block's velocities only if no field is
-     *     {@link #dependsOnVelocity}; null for nothing
+     * @param force receives the forces, mN
+     * @param after runs for each block when its forces are complete; null for none. Forces of other blocks may still be
+     *     incomplete. It may write to this block's forces but not to positions. It may write to this block's velocities
+     *     only if no field is {@link #dependsOnVelocity}
      */
     public ForceEvaluation evaluation(double[] position, double[] velocity, double[] force, Workers.Task after) {
         return new ForceEvaluation(this, fields, position, velocity, force, after);
     }
 
-    /** Adds K u of the fields switched on for the nodes of one block; see {@link ForceField#addStiffness}. */
+    /** Adds K u of the enabled fields for the nodes of one block; see {@link ForceField#addStiffness}. */
     public void addStiffness(double[] position, double[] u, double[] out, int block) {
         fields.addStiffness(position, u, out, block);
     }
 
-    /** Adds the row sums of the fields switched on; see {@link ForceField#addRowSums}. */
+    /** Adds the row sums of the enabled fields; see {@link ForceField#addRowSums}. */
     public void addRowSums(double[] stiffness, double[] damping) {
         fields.addRowSums(stiffness, damping);
     }
 
     /**
-     * Sets how many times constraints are gone through after each step: what one puts right another may break, and each
-     * sweep leaves about half of what the last one left. Those that share no node with another hold after the first.
+     * Sets the number of Gauss-Seidel sweeps over the constraints after each step. Each sweep roughly halves the
+     * remaining error of coupled constraints. Constraints that share no node with another are satisfied after the
+     * first.
      *
      * @throws IllegalArgumentException if it is not positive
      */
@@ -269,9 +271,7 @@ public final class ParticleSystem {
         constraints.setSweeps(sweeps);
     }
 
-    /**
-     * Sets for all fields and constraints how much simulated time may go by before given motion is asked for anew, s.
-     */
+    /** Sets the simulated time between two evaluations of prescribed motion, for all fields and constraints, s. */
     public void setRefreshInterval(double seconds) {
         fields.setRefreshInterval(seconds);
         constraints.setRefreshInterval(seconds);
@@ -282,22 +282,22 @@ public final class ParticleSystem {
         constraints.project(this, time, h);
     }
 
-    /** Takes away what velocities have against the constraints; see {@link Constraint#projectVelocities}. */
+    /** Removes velocity components that violate the constraints; see {@link Constraint#projectVelocities}. */
     public void projectVelocities() {
         constraints.projectVelocities(this);
     }
 
-    /** Whether nodes may lean on a constraint, switched on or off. */
+    /** Whether the system has contact constraints, enabled or not. */
     public boolean hasContacts() {
         return constraints.hasContacts();
     }
 
-    /** What a constraint switched on could not make hold in the last step; null where all hold. */
+    /** Describes an enabled constraint that the last step could not satisfy; null if all hold. */
     public String violation() {
         return constraints.violation();
     }
 
-    /** Energy of motion, µJ. */
+    /** Kinetic energy, µJ. */
     public double kineticEnergy() {
         double sum = 0;
         for (int i = 0; i < mass.length; i++) {
@@ -309,12 +309,12 @@ public final class ParticleSystem {
         return sum;
     }
 
-    /** Energy stored by the fields switched on, µJ. */
+    /** Potential energy of the enabled fields, µJ. */
     public double potentialEnergy() {
         return fields.potentialEnergy(x);
     }
 
-    /** Position of one of the caller's nodes, written to {@code out}. */
+    /** Writes the position of a node (caller's numbering) to {@code out}. */
     public void position(int callerNode, double[] out) {
         System.arraycopy(x, 3 * layout.internal(callerNode), out, 0, 3);
     }

@@ -1,9 +1,9 @@
 package org.phrenic.engine;
 
-/** Points whose motion is given, not computed: anchors on ribs, nodes held by bone. */
+/** Points whose motion is given as a function of time, such as anchors on ribs or nodes fixed to bone. */
 public interface PrescribedMotion {
 
-    /** How many points. */
+    /** Number of points. */
     int pointCount();
 
     /**
@@ -15,12 +15,12 @@ public interface PrescribedMotion {
      */
     void at(double time, double[] position, double[] velocity);
 
-    /** Whether the points are at the same places, at rest, at all times: they are then asked for once. */
+    /** Whether the points never move. They are then evaluated once. */
     default boolean isStationary() {
         return false;
     }
 
-    /** Points that stay where they are. */
+    /** Points at constant positions. */
     static PrescribedMotion stationary(double[] positions) {
         double[] fixed = positions.clone();
         return new PrescribedMotion() {

@@ -1,6 +1,6 @@
 package org.phrenic.engine;
 
-/** The nodes of a system of prescribed motion, and that motion. */
+/** The nodes of a system with prescribed motion, and that motion. */
 final class PrescribedNodes {
     private int[] node = {};
     private PrescribedMotion motion = PrescribedMotion.stationary(new double[0]);
@@ -18,7 +18,7 @@ final class PrescribedNodes {
      *
      * @param internalNodes each once
      * @param positions their motion in the same order
-     * @throws IllegalArgumentException if the two are not as many
+     * @throws IllegalArgumentException if the numbers of nodes and points differ
      */
     void prescribe(int[] internalNodes, PrescribedMotion positions) {
         if (internalNodes.length != positions.pointCount()) {
@@ -32,16 +32,17 @@ final class PrescribedNodes {
         stationaryApplied = false;
     }
 
-    /** Still nodes are put in place anew at the next opportunity: the state was changed from outside. */
+    /**
+     * Call it after the state was changed from outside: stationary nodes are placed again at the next {@code apply}.
+     */
     void invalidate() {
         stationaryApplied = false;
     }
 
     /**
-     * Puts the nodes where they are at a time.
+     * Sets the nodes to their positions and velocities at a time.
      *
-     * @param ofSystem whether the arrays are the system's own state, in which nodes that are still are put in place
-     *     once
+     * @param ofSystem whether the arrays are the system's own state, in which stationary nodes are placed only once
      */
     void apply(double time, double[] position, double[] velocity, boolean ofSystem) {
         if (node.length == 0 || (stationaryApplied && ofSystem)) {
@@ -58,7 +59,7 @@ final class PrescribedNodes {
             velocity[at + 1] = givenV[from + 1];
             velocity[at + 2] = givenV[from + 2];
         }
-        // Nothing moves a node without inverse mass and without speed, so it need not be put back every step.
+        // Nothing moves a stationary node without inverse mass, so it need not be placed in every step.
         stationaryApplied = motion.isStationary() && ofSystem;
     }
 }

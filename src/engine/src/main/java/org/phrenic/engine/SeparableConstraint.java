@@ -1,31 +1,29 @@
 package org.phrenic.engine;
 
-/**
- * A constraint of items that share no node with one another, so that items are projected in any order and in parallel.
- */
+/** A constraint of independent items: no two share a node, so items are projected in any order and in parallel. */
 public interface SeparableConstraint extends Constraint {
 
     /**
-     * The nodes that items may move, internal numbers times 3: one array for each end of an item, in each one number an
+     * The nodes that items may move, as internal numbers times 3: one array for each end of an item, with one entry an
      * item.
      */
     int[][] itemNodes();
 
-    /** Whether no node stands in two items. */
+    /** Whether no node belongs to two items. */
     default boolean isSeparable() {
         return true;
     }
 
     /**
-     * Projects some items; others may be put right at the same time on other threads.
+     * Projects some items; other items may be projected on other threads at the same time.
      *
-     * @param system the nodes; positions and velocities are changed
+     * @param system the particle system; positions and velocities are changed
      * @param h the step just taken, s
-     * @param items their numbers
-     * @param from first of them to be put right
-     * @param to behind the last
-     * @param moved takes, from {@code from} on, the numbers of the items for which a node was moved
-     * @return how many these are
+     * @param items item numbers
+     * @param from first index in {@code items}
+     * @param to index after the last
+     * @param moved receives, from index {@code from}, the numbers of the items that moved a node
+     * @return number of items that moved a node
      */
     int project(ParticleSystem system, double h, int[] items, int from, int to, int[] moved);
 }

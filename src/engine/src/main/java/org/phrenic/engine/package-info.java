@@ -1,5 +1,5 @@
 /**
- * The core: particles, prescribed nodes, constraint islands and their projection. Knows no file, no anatomy and no
- * screen.
+ * The simulation core: particles, prescribed nodes, constraint islands and their projection. It does not depend on
+ * files, anatomy or graphics.
  */
 package org.phrenic.engine;

@@ -14,13 +14,14 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Writes a file beside its target and moves it over: whoever reads the target sees the old content or the new, never
- * half of it. On any failure the file beside is removed and the target is as it was.
+ * Atomic file writing: the content goes to a temporary file beside the target, which then replaces the target. A reader
+ * of the target sees either the old or the new content. On failure the temporary file is deleted and the target is
+ * unchanged.
  */
 public final class AtomicFile {
     private static final int ATTEMPTS = 1000;
 
-    /** Writes the content. */
+    /** Writes the content of a file. */
     @FunctionalInterface
     public interface Content {
         void writeTo(OutputStream out) throws IOException;
@@ -29,7 +30,7 @@ public final class AtomicFile {
     private AtomicFile() {}
 
     /**
-     * Writes {@code target}; missing folders are made. A target that is a device or a pipe is written directly.
+     * Writes {@code target} and creates missing folders. A target that is a device or a pipe is written directly.
      *
      * @throws OutputException if it cannot be written, naming the folder and the reason
      */

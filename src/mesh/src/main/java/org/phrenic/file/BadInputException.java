@@ -1,8 +1,8 @@
 package org.phrenic.file;
 
 /**
- * What a user gave cannot be used. The message is one sentence, fit to be shown as it is: it names the file, the place
- * in it (line, byte or key), what was found there and what was expected.
+ * Invalid user input. The message is one sentence that can be shown to the user. It names the file, the location in it
+ * (line, byte or key), what was found and what was expected.
  */
 public final class BadInputException extends RuntimeException {
     public BadInputException(String sentence) {
@@ -14,7 +14,7 @@ public final class BadInputException extends RuntimeException {
     }
 
     /**
-     * The sentence "file: place: problem".
+     * Creates an exception with the message "file: place: problem".
      *
      * @param file the file as the user named it
      * @param place "line 12", "byte 84", "key 'threads'"

@@ -6,8 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.OptionalDouble;
 
 /**
- * A place in a file held in memory, moving forward over words and lines (text) or typed values (binary). Every read
- * names what is expected, for a message with the line or byte if it is not there.
+ * A forward cursor over a file in memory that reads words and lines (text) or typed values (binary). Each read method
+ * takes a description of the expected value, which error messages contain together with the line or byte.
  */
 public final class ByteCursor implements InputLocator {
     private final String file;
@@ -20,7 +20,7 @@ public final class ByteCursor implements InputLocator {
         this.bytes = ByteBuffer.wrap(content);
     }
 
-    /** Reads binary values of this order from here on; locations in messages are bytes instead of lines. */
+    /** Switches to binary values in this byte order; error messages then name bytes instead of lines. */
     public void binary(ByteOrder order) {
         binary = true;
         bytes.order(order);
@@ -57,7 +57,7 @@ public final class ByteCursor implements InputLocator {
         return badInput(bytes.position(), "found the end of the file, expected " + expected);
     }
 
-    /** The next run of characters between white space, or null at the end of the file. */
+    /** The next word delimited by white space, or null at the end of the file. */
     public String wordOrNull() {
         while (bytes.hasRemaining() && isSpace(bytes.get(bytes.position()))) {
             bytes.get();
@@ -77,7 +77,7 @@ public final class ByteCursor implements InputLocator {
         return word;
     }
 
-    /** The rest of the line without its end, or null at the end of the file. */
+    /** The rest of the line without its line break, or null at the end of the file. */
     public String lineOrNull() {
         if (!bytes.hasRemaining()) {
             return null;
@@ -100,7 +100,7 @@ public final class ByteCursor implements InputLocator {
         return line;
     }
 
-    /** A finite decimal number written as a word. */
+    /** Reads a finite decimal number from a word. */
     public double number(String what) {
         String word = word(what);
         OptionalDouble value = Numbers.parse(word);
@@ -110,7 +110,7 @@ public final class ByteCursor implements InputLocator {
         return value.getAsDouble();
     }
 
-    /** A whole number written as a word. */
+    /** Reads a whole number from a word. */
     long integer(String what) {
         String word = word(what);
         try {
@@ -120,7 +120,7 @@ public final class ByteCursor implements InputLocator {
         }
     }
 
-    /** A count written as a word, from 0 to the largest array. */
+    /** Reads a count from a word, 0 to {@code Integer.MAX_VALUE}. */
     public int count(String what) {
         long count = integer(what);
         if (count < 0 || count > Integer.MAX_VALUE) {
@@ -129,7 +129,7 @@ public final class ByteCursor implements InputLocator {
         return (int) count;
     }
 
-    /** Refuses, before anything is allocated, a promise of more bytes than the file still has. */
+    /** Checks, before anything is allocated, that the file has at least {@code count} more bytes. */
     public void require(long count, String what) {
         if (count < 0 || count > bytes.remaining()) {
             throw badInput(
@@ -138,12 +138,12 @@ public final class ByteCursor implements InputLocator {
         }
     }
 
-    /** Like {@link #require} for values of either kind: in text a value takes a digit and a separator. */
+    /** {@link #require} for binary or text values; a text value takes at least a digit and a separator. */
     public void requireValues(long count, ScalarType type, String what) {
         require(binary ? count * type.size() : Math.max(0, 2 * count - 1), what);
     }
 
-    /** A number of {@code type}, or a word in a text file; a binary one may be NaN. */
+    /** Reads a number of {@code type}, or a word in a text file. A binary value may be NaN. */
     public double readDouble(ScalarType type, String what) {
         if (!binary) {
             return number(what);
@@ -154,7 +154,7 @@ public final class ByteCursor implements InputLocator {
         return type.readDouble(bytes, place);
     }
 
-    /** A whole number of {@code type}, or a word in a text file. */
+    /** Reads a whole number of {@code type}, or a word in a text file. */
     public long readLong(ScalarType type, String what) {
         if (!binary) {
             return integer(what);

@@ -10,8 +10,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
 /**
- * SHA-256 (FIPS 180-4) as 64 lower-case hexadecimal digits: what an input was, whether two final states are the same
- * bits.
+ * SHA-256 hashes (FIPS 180-4) as 64 lower-case hexadecimal digits. They identify inputs and compare final states bit
+ * for bit.
  */
 public final class Hashes {
     private static final int CHUNK_BYTES = 1 << 16;

@@ -5,7 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The whole of an input file, or one sentence about why it cannot be had. */
+/** Reads whole input files and reports failures in one sentence. */
 public final class InputBytes {
     private static final long LARGEST = Integer.MAX_VALUE - 64;
 
@@ -51,7 +51,7 @@ public final class InputBytes {
         }
     }
 
-    /** One sentence about a failure to read. */
+    /** Describes a read failure in one sentence. */
     public static BadInputException readFailure(Path file, IOException failure) {
         return failure instanceof AccessDeniedException
                 ? new BadInputException(file + ": found a file that may not be read, expected read permission", failure)

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** Numbers as little-endian bytes into a buffered stream. */
+/** Writes numbers as little-endian bytes to a buffered stream. */
 public final class LittleEndianOutput {
     private final OutputStream out;
     private final byte[] bytes = new byte[8];
@@ -55,7 +55,7 @@ public final class LittleEndianOutput {
         }
     }
 
-    /** Refuses a mesh a reader would refuse, before its file is begun. */
+    /** Rejects coordinates that are not finite, which readers reject, before an output file is created. */
     public static void requireFinite(double[] positions) {
         for (int i = 0; i < positions.length; i++) {
             if (!Double.isFinite(positions[i])) {

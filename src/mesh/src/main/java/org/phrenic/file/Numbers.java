@@ -2,15 +2,15 @@ package org.phrenic.file;
 
 import java.util.OptionalDouble;
 
-/** Numbers as people and programs write them in text files: decimal, finite, independent of the locale. */
+/** Parses and quotes numbers in text files: decimal, finite, independent of the locale. */
 public final class Numbers {
     private static final int SHOWN_CHARACTERS = 40;
 
     private Numbers() {}
 
     /**
-     * The finite decimal number {@code text} spells, empty for anything else. Stricter than {@link Double#parseDouble}:
-     * no hexadecimal, no type suffix, no NaN, no infinity, no overflow.
+     * Parses a finite decimal number; empty if {@code text} is not one. Stricter than {@link Double#parseDouble}: it
+     * rejects hexadecimal numbers, type suffixes, NaN, infinity and overflow.
      */
     public static OptionalDouble parse(String text) {
         if (text.isEmpty()) {
@@ -31,7 +31,7 @@ public final class Numbers {
         }
     }
 
-    /** {@code text} in single quotes for a message: shortened, control characters replaced. */
+    /** Puts {@code text} in single quotes for a message; long text is shortened and control characters are replaced. */
     public static String quote(String text) {
         StringBuilder shown = new StringBuilder("'");
         for (int i = 0; i < Math.min(text.length(), SHOWN_CHARACTERS); i++) {

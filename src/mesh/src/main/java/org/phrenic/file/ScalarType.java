@@ -21,7 +21,7 @@ public enum ScalarType {
         this.size = size;
     }
 
-    /** Bytes a value takes. */
+    /** Size of a value, bytes. */
     public int size() {
         return size;
     }
@@ -39,7 +39,7 @@ public enum ScalarType {
         };
     }
 
-    /** The integer at byte {@code at}; negative for a UINT64 of 2^63 and more. */
+    /** The integer at byte {@code at}; negative for a UINT64 of 2^63 or more. */
     public long readLong(ByteBuffer bytes, int at) {
         return switch (this) {
             case INT8 -> bytes.get(at);

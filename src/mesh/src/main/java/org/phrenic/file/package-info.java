@@ -1,5 +1,5 @@
 /**
- * What every reader and writer of files needs: whole-file writing, input bytes, numbers as text and in binary, hashes,
- * and the two exceptions for bad input and failed output. No format and no domain.
+ * Basics of file input and output: atomic writing, input bytes, number parsing and binary encoding, hashes, and the
+ * exceptions for bad input and failed output. Independent of file formats.
  */
 package org.phrenic.file;

@@ -3,8 +3,8 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * Boxes along the axes, six numbers each in a longer array: least x, y, z, greatest x, y, z, mm. Comparisons are
- * written out: Math.min and Math.max, which order signed zeros, are slow until compiled.
+ * Axis-aligned bounding boxes, six numbers each in a longer array: minimum x, y, z, then maximum x, y, z, mm.
+ * Comparisons are written out because Math.min and Math.max, which order signed zeros, are slow until compiled.
  */
 public final class BoundingBoxes {
     private BoundingBoxes() {}
@@ -42,11 +42,11 @@ public final class BoundingBoxes {
     }
 
     /**
-     * Whether a ray meets a box (slab method).
+     * Whether a ray intersects a box (slab method).
      *
      * @param limit greatest ray parameter, in lengths of the direction
-     * @param padding the box is larger by this on all sides, mm
-     * @param relative slack of the comparison, relative to the ray parameter; {@code padding} is added to it
+     * @param padding margin added to the box on all sides, mm
+     * @param relative tolerance of the comparison, relative to the ray parameter, in addition to {@code padding}
      */
     public static boolean meetsRay(
             double[] boxes,

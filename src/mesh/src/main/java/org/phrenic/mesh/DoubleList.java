@@ -2,7 +2,7 @@ package org.phrenic.mesh;
 
 import java.util.Arrays;
 
-/** A growing list of real numbers without boxing. */
+/** A growable list of doubles without boxing. */
 public final class DoubleList {
     private double[] values = new double[192];
     private int size;
@@ -14,7 +14,7 @@ public final class DoubleList {
         values[size++] = value;
     }
 
-    /** Appends a point; returns its number among the points so far, three numbers each. */
+    /** Appends a point of three numbers; returns its point index. */
     public int add(double x, double y, double z) {
         add(x);
         add(y);
@@ -22,7 +22,7 @@ public final class DoubleList {
         return size / 3 - 1;
     }
 
-    /** Squared distance of two of the points, three numbers each. */
+    /** Squared distance between two points, given by their point indices. */
     public double squaredDistance(int a, int b) {
         return Vectors.squaredDistance(values, a, b);
     }

@@ -4,15 +4,15 @@ import java.util.Arrays;
 import org.phrenic.engine.math.RadixSort;
 
 /**
- * The unique edges of a polygon mesh whose faces all have n corners, and the faces at each edge; a {@link MeshTopology}
- * without its vertex adjacency, in half the time. Built in O(m log m) as flat integer arrays, which are shared and must
- * not be written to.
+ * The unique edges of a polygon mesh whose faces all have n corners, and the faces at each edge. It is a
+ * {@link MeshTopology} without vertex adjacency and takes half the time to build, O(m log m). The integer arrays are
+ * shared and must not be modified.
  *
- * <p>Side {@code n f + i} runs from corner i of face f to its next corner. Edges are numbered in lexicographic order of
- * their vertex pair (a, b), a &lt; b. A side that joins a vertex to itself (degenerate face) is no edge.
+ * <p>Side {@code n f + i} runs from corner i of face f to its next corner. Edges are in lexicographic order of their
+ * vertex pair (a, b), a &lt; b. A side that joins a vertex to itself (degenerate face) is not an edge.
  */
 public class EdgeTable {
-    /** In place of an edge or a triangle that does not exist. */
+    /** Stands for an edge or a triangle that does not exist. */
     public static final int NONE = -1;
 
     private final int corners;
@@ -29,9 +29,9 @@ public class EdgeTable {
     /**
      * Edges of a polygon mesh.
      *
-     * @param vertexCount vertices of the mesh
-     * @param faces vertex numbers, {@code corners} for each face
-     * @param corners of every face: 3 or more
+     * @param vertexCount number of vertices of the mesh
+     * @param faces vertex indices, {@code corners} for each face
+     * @param corners number of corners of every face, at least 3
      */
     public EdgeTable(int vertexCount, int[] faces, int corners) {
         this.corners = corners;
@@ -56,9 +56,9 @@ public class EdgeTable {
         }
     }
 
-    // One method for each loop: the just-in-time compiler works on whole methods, and these run on many meshes at
+    // Each loop has its own method. The just-in-time compiler compiles whole methods, and these run on many meshes at
     // start-up.
-    /** First key of each vertex as the smaller end of an edge; the total at the end. */
+    /** First key of each vertex as the smaller end of an edge; the last entry is the total. */
     private int[] rowStarts(int[] faces, int vertexCount) {
         int[] row = new int[vertexCount + 1];
         for (int side = 0, first = 0; side < faces.length; side++) {
@@ -75,7 +75,7 @@ public class EdgeTable {
         return row;
     }
 
-    /** The sides in rows by smaller vertex, each as (larger vertex, side) in one number. */
+    /** The sides in rows by smaller vertex, each packed as (larger vertex, side). */
     private long[] keys(int[] faces, int[] row) {
         long[] keys = new long[row[row.length - 1]];
         int[] fill = row.clone();
@@ -90,7 +90,7 @@ public class EdgeTable {
         return keys;
     }
 
-    /** Number of different larger vertices in one sorted row. */
+    /** Number of distinct larger vertices in one sorted row. */
     private static int distinct(long[] keys, int from, int to) {
         int count = 0;
         for (int k = from; k < to; k++) {
@@ -99,7 +99,7 @@ public class EdgeTable {
         return count;
     }
 
-    /** Numbers the edges of one sorted row from {@code first} on; returns the next number. */
+    /** Numbers the edges of one sorted row, starting at {@code first}; returns the next free number. */
     private int number(int v, long[] keys, int from, int to, int first) {
         int count = first;
         int previous = NONE;
@@ -117,12 +117,11 @@ public class EdgeTable {
         return count;
     }
 
-    /** Number of edges. */
     public final int edgeCount() {
         return edges.length / 2;
     }
 
-    /** Vertex pairs (a, b), a &lt; b, two numbers for each edge, in lexicographic order. */
+    /** Vertex pairs (a, b), a &lt; b, two numbers per edge, in lexicographic order. */
     public int[] edges() {
         return edges;
     }
@@ -132,17 +131,17 @@ public class EdgeTable {
         return sides;
     }
 
-    /** First place of an edge in {@link #sides}; the edge number may be {@link #edgeCount}. */
+    /** Index of the first side of an edge in {@link #sides}; the edge may also be {@link #edgeCount}. */
     public int start(int edge) {
         return edgeStart[edge];
     }
 
-    /** How many faces an edge has. */
+    /** Number of faces at an edge. */
     public int faceCount(int edge) {
         return edgeStart[edge + 1] - edgeStart[edge];
     }
 
-    /** The i-th face of an edge; {@link #NONE} if it has no more than i. */
+    /** The i-th face of an edge; {@link #NONE} if the edge has at most i faces. */
     public int face(int edge, int i) {
         int place = edgeStart[edge] + i;
         return place < edgeStart[edge + 1] ? sides[place] / corners : NONE;
@@ -153,7 +152,7 @@ public class EdgeTable {
         return edgeOfSide;
     }
 
-    /** The face on the other side of an edge of two faces; {@link #NONE} on a boundary. */
+    /** The other face of an edge with two faces; {@link #NONE} on a boundary. */
     public int otherFace(int edge, int face) {
         return face(edge, 0) == face ? face(edge, 1) : face(edge, 0);
     }
@@ -169,7 +168,7 @@ public class EdgeTable {
         return true;
     }
 
-    /** Whether every edge has exactly two faces; false without edges. */
+    /** Whether every edge has exactly two faces; false for a mesh without edges. */
     public boolean isClosed() {
         for (int e = 0; e < edgeCount(); e++) {
             if (faceCount(e) != 2) {
@@ -189,7 +188,7 @@ public class EdgeTable {
         return true;
     }
 
-    /** The side that follows in a face of so many corners. */
+    /** The next side of the same face, which has the given number of corners. */
     public static int next(int side, int corners) {
         return (side + 1) % corners == 0 ? side + 1 - corners : side + 1;
     }

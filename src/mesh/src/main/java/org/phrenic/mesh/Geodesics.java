@@ -3,17 +3,17 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * Distances along the edges of a mesh (Dijkstra 1959, doi 10.1007/BF01386390). A path along edges is never shorter than
- * the geodesic on the surface; on equilateral triangles it is longer by at most 2 / sqrt(3) - 1 = 15 %.
+ * Shortest distances along mesh edges (Dijkstra 1959, doi 10.1007/BF01386390). An edge path is never shorter than the
+ * surface geodesic; on equilateral triangles it is longer by at most 2 / sqrt(3) - 1 = 15 %.
  */
 public final class Geodesics {
     private Geodesics() {}
 
     /**
-     * Distance of every vertex from the nearest source along edges, mm; infinite where no path leads.
+     * Shortest distance of every vertex from the nearest source along edges, mm; infinite for an unreachable vertex.
      *
      * @param sources vertices at distance 0, at least one
-     * @throws IllegalArgumentException if there is no source or one is no vertex of the mesh
+     * @throws IllegalArgumentException if there is no source or a source is not a vertex of the mesh
      */
     public static double[] distances(TriangleMesh mesh, MeshTopology topology, int... sources) {
         if (sources.length == 0) {

@@ -4,18 +4,20 @@ import java.util.Arrays;
 import org.phrenic.engine.math.ConjugateGradient;
 
 /**
- * The smoothest field with given values at given vertices: the solution u of Laplace's equation on the surface. With
- * linear elements, sum over the edges (i, j) at each free vertex of w_ij (u_i - u_j) = 0, w_ij = (cot alpha + cot beta)
- * / 2 with the angles opposite the edge (Pinkall and Polthier 1993, doi 10.1080/10586458.1993.10504266). Its gradient
- * leads from where u is prescribed low to where it is high, without sources in between: a direction for fibres.
+ * A harmonic scalar field: the solution u of Laplace's equation on a surface with prescribed values at given vertices.
+ * With linear elements, each free vertex i satisfies: sum over its edges (i, j) of w_ij (u_i - u_j) = 0. The weights
+ * are w_ij = (cot alpha + cot beta) / 2 with the angles opposite the edge (Pinkall and Polthier 1993, doi
+ * 10.1080/10586458.1993.10504266). The gradient points from low to high prescribed values and has no sources in
+ * between, so it serves as a fibre direction.
  *
- * <p>Where no triangles lead across, the natural condition holds: the gradient runs along a free boundary. Solved by
- * conjugate gradients with Jacobi preconditioning, in a fixed order of summation.
+ * <p>Free boundaries have the natural (Neumann) condition: the gradient is tangent to the boundary. The system is
+ * solved by conjugate gradients with Jacobi preconditioning, in a fixed order of summation.
  */
 public final class HarmonicField {
     private static final double RELATIVE_RESIDUAL = 1e-10;
     /**
-     * Keeps the matrix definite where triangles are obtuse or nearly flat; of the weight of an equilateral pair, 0.58.
+     * Least weight, which keeps the matrix positive definite with obtuse or degenerate triangles; an equilateral pair
+     * has 0.58.
      */
     private static final double LEAST_WEIGHT = 1e-3;
 
@@ -30,11 +32,11 @@ public final class HarmonicField {
     }
 
     /**
-     * Solves for the values at all other vertices.
+     * Solves for the values at all free vertices.
      *
-     * @param fixed vertices whose value is given, at least one; of a vertex named twice the last value counts
-     * @param given their values, in the same order
-     * @throws IllegalArgumentException if the two differ in length, are empty, or name no vertex of the mesh
+     * @param fixed vertices with prescribed values, at least one; for a repeated vertex the last value is used
+     * @param given prescribed values, in the same order
+     * @throws IllegalArgumentException if the two differ in length, are empty, or contain a vertex outside the mesh
      */
     public static HarmonicField solve(TriangleMesh mesh, MeshTopology topology, int[] fixed, double[] given) {
         if (fixed.length != given.length || fixed.length == 0) {
@@ -48,7 +50,7 @@ public final class HarmonicField {
         for (double value : given) {
             mean += value / given.length;
         }
-        // A component without a fixed vertex keeps the mean.
+        // A component without a fixed vertex keeps the mean of the prescribed values.
         Arrays.fill(u, mean);
         for (int k = 0; k < fixed.length; k++) {
             if (fixed[k] < 0 || fixed[k] >= count) {
@@ -63,12 +65,12 @@ public final class HarmonicField {
         return new HarmonicField(mesh, u);
     }
 
-    /** Value at each vertex; shared, read only. */
+    /** Value at each vertex; shared, must not be modified. */
     public double[] values() {
         return values;
     }
 
-    /** Gradient in each triangle, x y z in turn, in units of the value per mm; zero in a triangle without area. */
+    /** Gradient in each triangle, x y z in turn, in units of the value per mm; zero in a degenerate triangle. */
     public double[] gradients() {
         double[] gradients = new double[mesh.triangles().length];
         double[] n = new double[3];
@@ -132,7 +134,7 @@ public final class HarmonicField {
         }
     }
 
-    /** Solves for the free entries of u in place, from their given values on. */
+    /** Solves for the free entries of u in place; the given u is the initial guess. */
     private static void solve(MeshTopology topology, double[] weights, boolean[] isFixed, double[] u) {
         int count = u.length;
         double[] diagonal = new double[count];

@@ -3,8 +3,8 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * An indexed binary heap of vertices by distance, for Dijkstra's method (1959, doi 10.1007/BF01386390). The caller
- * changes the distances in a shared array.
+ * An indexed binary min-heap of vertices for Dijkstra's algorithm (1959, doi 10.1007/BF01386390). The keys are
+ * distances in an array that the caller modifies.
  */
 public final class IndexedPriorityQueue {
     private static final int ABSENT = -1;
@@ -13,7 +13,7 @@ public final class IndexedPriorityQueue {
     private final int[] place;
     private int size;
 
-    /** An empty heap over these distances, one a vertex. */
+    /** An empty heap over the keys, one per vertex. */
     public IndexedPriorityQueue(double[] key) {
         this.key = key;
         heap = new int[key.length];
@@ -25,7 +25,7 @@ public final class IndexedPriorityQueue {
         return size == 0;
     }
 
-    /** Enters the vertex, or moves it up after its distance fell. */
+    /** Inserts a vertex, or restores the heap order after its key has decreased. */
     public void insertOrDecrease(int vertex) {
         int i = place[vertex] == ABSENT ? size++ : place[vertex];
         while (i > 0) {
@@ -39,7 +39,7 @@ public final class IndexedPriorityQueue {
         put(i, vertex);
     }
 
-    /** Takes the vertex of least distance out; the heap must not be empty. */
+    /** Removes and returns the vertex with the least key; the heap must not be empty. */
     public int removeMin() {
         int nearest = heap[0];
         place[nearest] = ABSENT;

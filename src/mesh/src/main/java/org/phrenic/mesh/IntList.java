@@ -2,7 +2,7 @@ package org.phrenic.mesh;
 
 import java.util.Arrays;
 
-/** A growing list of integers without boxing; also a stack. */
+/** A growable list of integers without boxing; also a stack. */
 public final class IntList {
     private int[] values = new int[64];
     private int size;
@@ -18,7 +18,7 @@ public final class IntList {
         return values[index];
     }
 
-    /** Takes the last number off the list, which must not be empty. */
+    /** Removes and returns the last number; the list must not be empty. */
     public int removeLast() {
         return values[--size];
     }

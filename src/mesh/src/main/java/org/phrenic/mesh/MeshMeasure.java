@@ -2,12 +2,12 @@ package org.phrenic.mesh;
 
 import org.phrenic.engine.math.Triangles;
 
-/** Sizes and shape figures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
+/** Measures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
 public final class MeshMeasure {
     private MeshMeasure() {}
 
     /**
-     * Edge lengths in mm; {@code deviation} is the population standard deviation. All zero for a mesh without edges.
+     * Statistics of edge lengths, mm; {@code deviation} is the population standard deviation. All zero without edges.
      */
     public record EdgeLengths(double minimum, double mean, double maximum, double deviation) {}
 
@@ -22,9 +22,9 @@ public final class MeshMeasure {
     }
 
     /**
-     * Signed volume, mm^3, by the divergence theorem: the sum over triangles of p0 . (p1 x p2) / 6, taken about the
-     * centre of the bounding box so that a mesh far from the origin loses no digits. Positive when triangles face
-     * outward.
+     * Signed volume, mm^3, by the divergence theorem: the sum over triangles of p0 . (p1 x p2) / 6. It is positive if
+     * triangles face outward. Positions are relative to the centre of the bounding box, which preserves precision far
+     * from the origin.
      */
     public static double signedVolume(TriangleMesh mesh) {
         double[] centre = mesh.centre();
@@ -50,7 +50,7 @@ public final class MeshMeasure {
         return areas;
     }
 
-    /** Unit normal of each triangle, x y z in turn; zero for a triangle without area. */
+    /** Unit normal of each triangle, x y z in turn; zero for a degenerate triangle. */
     public static double[] triangleNormals(TriangleMesh mesh) {
         double[] normals = new double[3 * mesh.triangleCount()];
         double[] normal = new double[3];
@@ -66,9 +66,9 @@ public final class MeshMeasure {
     }
 
     /**
-     * Unit normal of each vertex, x y z in turn: the normals of its triangles weighted by the angle each has there,
-     * which does not depend on how the surface is cut into triangles (Thuermer and Wuethrich 1998, doi
-     * 10.1080/10867651.1998.10487487). Zero for a vertex without triangles.
+     * Unit normal of each vertex, x y z in turn; zero for a vertex without triangles. It is the mean of the triangle
+     * normals weighted by the angle at the vertex, which does not depend on the triangulation (Thuermer and Wuethrich
+     * 1998, doi 10.1080/10867651.1998.10487487).
      */
     public static double[] vertexNormals(TriangleMesh mesh) {
         double[] normals = new double[3 * mesh.vertexCount()];
@@ -99,7 +99,7 @@ public final class MeshMeasure {
         return normals;
     }
 
-    /** Smallest angle of each triangle, degrees; 60 is equilateral, 0 a triangle without area. */
+    /** Smallest angle of each triangle, degrees; 60 if equilateral, 0 if degenerate. */
     public static double[] smallestAngles(TriangleMesh mesh) {
         double[] angles = new double[mesh.triangleCount()];
         double[] normal = new double[3];
@@ -114,7 +114,7 @@ public final class MeshMeasure {
         return angles;
     }
 
-    /** Length of each edge of {@code topology} in its order, mm, at the positions of {@code mesh}. */
+    /** Length of each edge of {@code topology}, in its order, at the positions of {@code mesh}, mm. */
     public static double[] edgeLengths(TriangleMesh mesh, MeshTopology topology) {
         int[] edges = topology.edges();
         double[] lengths = new double[topology.edgeCount()];
@@ -145,7 +145,7 @@ public final class MeshMeasure {
         return new EdgeLengths(minimum, mean, maximum, Math.sqrt(squares / lengths.length));
     }
 
-    /** Writes (p1 - p0) x (p2 - p0) and returns its length, twice the triangle's area. */
+    /** Writes (p1 - p0) x (p2 - p0) to {@code out} and returns its length, twice the triangle area. */
     public static double triangleCrossProduct(TriangleMesh mesh, int triangle, double[] out) {
         double[] p = mesh.positions();
         int a = 3 * mesh.triangles()[3 * triangle];
@@ -158,7 +158,7 @@ public final class MeshMeasure {
         return Math.sqrt(Vectors.squaredDistance(mesh.positions(), a, b));
     }
 
-    /** Angle at the corner that {@code side} starts from, radians; atan2 keeps its digits at 0 and at 180 degrees. */
+    /** Angle at the start corner of {@code side}, radians; atan2 is accurate near 0 and 180 degrees. */
     private static double cornerAngle(TriangleMesh mesh, int side) {
         double[] p = mesh.positions();
         int[] triangles = mesh.triangles();

@@ -3,13 +3,13 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * Quality figures of a mesh for mass-spring models: the smallest angles are far from 0 without slivers, and edges of
- * equal length have a ratio of 1.
+ * Mesh quality measures for mass-spring models. A good mesh has smallest angles near 60 degrees and an edge ratio near
+ * 1.
  *
- * @param vertices count
- * @param triangles count
- * @param smallestAngleDeg of all triangles; an equilateral one has 60
- * @param firstPercentileAngleDeg one triangle in a hundred has a smallest angle below this
+ * @param vertices number of vertices
+ * @param triangles number of triangles
+ * @param smallestAngleDeg smallest angle of all triangles, degrees; 60 if all are equilateral
+ * @param firstPercentileAngleDeg first percentile of the triangles' smallest angles, degrees
  * @param shortestEdgeMm mm
  * @param meanEdgeMm mm
  * @param longestEdgeMm mm
@@ -36,7 +36,7 @@ public record MeshQuality(
                 edges.maximum());
     }
 
-    /** {@link #firstPercentileAngleDeg()} alone. */
+    /** Computes only {@link #firstPercentileAngleDeg()}. */
     public static double firstPercentileAngleDeg(TriangleMesh mesh) {
         return firstPercentile(sortedAngles(mesh));
     }
@@ -51,7 +51,7 @@ public record MeshQuality(
         return angles.length == 0 ? 0 : angles[angles.length / 100];
     }
 
-    /** Longest over shortest edge. */
+    /** Ratio of the longest to the shortest edge. */
     public double edgeRatio() {
         return shortestEdgeMm > 0 ? longestEdgeMm / shortestEdgeMm : Double.POSITIVE_INFINITY;
     }

@@ -6,11 +6,11 @@ import java.util.List;
 import org.phrenic.engine.math.DisjointSets;
 
 /**
- * Adjacency of a {@link TriangleMesh}: its {@link EdgeTable} (face = triangle) and the edges and triangles at each
- * vertex; from these boundary loops, connected components and tests for manifolds.
+ * Adjacency of a {@link TriangleMesh}: its {@link EdgeTable} and the edges and triangles at each vertex. It gives
+ * boundary loops, connected components and manifold tests.
  *
- * <p>The lists of a vertex are in compressed rows: those of vertex {@code v} are at {@code start[v]} to {@code start[v
- * + 1] - 1}, ascending. All arrays are shared and must not be written to.
+ * <p>Vertex adjacency is in compressed rows: the row of vertex {@code v} is at {@code start[v]} to {@code start[v + 1]
+ * - 1}, ascending. All arrays are shared and must not be modified.
  */
 public final class MeshTopology extends EdgeTable {
     private final TriangleMesh mesh;
@@ -28,7 +28,7 @@ public final class MeshTopology extends EdgeTable {
         vertexTriangles = rows(mesh.triangles(), 3, vertexTriangleStart);
     }
 
-    /** Compressed rows vertex to item, from items that name {@code width} vertices each; fills {@code start}. */
+    /** Builds compressed rows from vertices to items with {@code width} vertices each; fills {@code start}. */
     private static int[] rows(int[] items, int width, int[] start) {
         int vertexCount = start.length - 1;
         for (int k = 0; k < items.length; k++) {
@@ -49,7 +49,7 @@ public final class MeshTopology extends EdgeTable {
         return row;
     }
 
-    /** False where an item names a vertex again: a degenerate triangle is once in a vertex's row. */
+    /** False if the item contains the same vertex earlier, so a degenerate triangle occurs once in a vertex's row. */
     private static boolean isFirstMention(int[] items, int width, int k) {
         for (int j = k - k % width; j < k; j++) {
             if (items[j] == items[k]) {
@@ -59,7 +59,9 @@ public final class MeshTopology extends EdgeTable {
         return true;
     }
 
-    /** Whether the triangles at each vertex form a single fan, open or closed, given that edges have at most two. */
+    /**
+     * Whether the triangles at each vertex form a single open or closed fan. Requires at most two triangles per edge.
+     */
     private boolean isVertexManifold() {
         for (int v = 0; v < mesh.vertexCount(); v++) {
             int count = vertexTriangleStart[v + 1] - vertexTriangleStart[v];
@@ -71,8 +73,8 @@ public final class MeshTopology extends EdgeTable {
     }
 
     /**
-     * Number of triangles met going round {@code v} across edges, from a boundary edge if there is one; at most one
-     * above {@code most}.
+     * Number of triangles reached by walking around {@code v} across edges, from a boundary edge if there is one. Stops
+     * at {@code most} + 1.
      */
     private int fanSize(int v, int most) {
         int edge = vertexEdges[vertexEdgeStart[v]];
@@ -97,7 +99,7 @@ public final class MeshTopology extends EdgeTable {
     }
 
     /**
-     * The edge of {@code triangle} at vertex {@code v} that is not {@code edge}; {@link #NONE} in a degenerate
+     * The other edge of {@code triangle} at vertex {@code v} besides {@code edge}; {@link #NONE} in a degenerate
      * triangle.
      */
     private int otherEdgeAt(int triangle, int v, int edge) {
@@ -130,7 +132,7 @@ public final class MeshTopology extends EdgeTable {
         return vertexTriangles;
     }
 
-    /** Number of connected components; a vertex without edges is one. Computed at each call. */
+    /** Number of connected components; an isolated vertex is one. Computed at each call. */
     public int componentCount() {
         int[] parent = DisjointSets.singletons(mesh.vertexCount());
         for (int k = 0; k < edges().length; k += 2) {
@@ -143,12 +145,15 @@ public final class MeshTopology extends EdgeTable {
         return count;
     }
 
-    /** No edge has more than two triangles, and the triangles at each vertex form one fan. Computed at each call. */
+    /**
+     * Whether every edge has at most two triangles and the triangles at each vertex form one fan. Computed at each
+     * call.
+     */
     public boolean isManifold() {
         return isEdgeManifold() && isVertexManifold();
     }
 
-    /** Vertices - edges + triangles, counting only vertices that a triangle uses: 2 for a sphere, 0 for a torus. */
+    /** Euler characteristic: used vertices - edges + triangles; 2 for a sphere, 0 for a torus. */
     public int eulerCharacteristic() {
         int used = 0;
         for (int v = 0; v < mesh.vertexCount(); v++) {
@@ -158,8 +163,8 @@ public final class MeshTopology extends EdgeTable {
     }
 
     /**
-     * The closed loops of edges that have one triangle, each as its vertices in the direction of the triangles' sides.
-     * Where two loops touch in a vertex they stay apart; a chain that runs into a non-manifold edge is left out.
+     * Boundary loops: closed chains of edges with one triangle, as vertices in the direction of the triangle sides. Two
+     * loops that touch at a vertex remain separate. A chain that ends at a non-manifold edge is omitted.
      */
     public List<int[]> boundaryLoops() {
         int[] triangles = mesh.triangles();
@@ -190,8 +195,8 @@ public final class MeshTopology extends EdgeTable {
     }
 
     /**
-     * The other boundary edge of the fan at {@code vertex} that {@code edge} bounds; {@link #NONE} behind a
-     * non-manifold edge.
+     * The next boundary edge at {@code vertex}, at the other end of the fan that {@code edge} bounds; {@link #NONE} if
+     * a non-manifold edge is in between.
      */
     private int nextBoundaryEdge(int edge, int vertex) {
         int triangle = face(edge, 0);

@@ -1,11 +1,11 @@
 package org.phrenic.mesh;
 
 /**
- * An indexed triangle surface: vertex {@code i} at {@code positions()[3i..3i+2]} (mm), triangle {@code t} with corners
- * {@code triangles()[3t..3t+2]}, anticlockwise seen from outside.
+ * An indexed triangle mesh. Vertex {@code i} is at {@code positions()[3i..3i+2]} (mm). Triangle {@code t} has the
+ * corners {@code triangles()[3t..3t+2]}, anticlockwise seen from outside.
  *
- * <p>The arrays are shared, not copied, and must not be written to: a mesh is a value. Indices are checked once, on
- * construction; coordinates are not (a reader that meets a NaN says so with the line or byte it stood at).
+ * <p>A mesh is an immutable value; the arrays are shared, not copied, and must not be modified. The constructor
+ * validates indices but not coordinates, because file readers report a NaN with its line or byte.
  */
 public final class TriangleMesh {
     private final double[] positions;
@@ -13,8 +13,8 @@ public final class TriangleMesh {
 
     /**
      * @param positions x, y, z of each vertex, mm; length a multiple of 3
-     * @param triangles three vertex indices a triangle; length a multiple of 3
-     * @throws IllegalArgumentException if a length is no multiple of 3 or an index lies outside the vertices
+     * @param triangles three vertex indices per triangle; length a multiple of 3
+     * @throws IllegalArgumentException if a length is not a multiple of 3 or an index is out of range
      */
     public TriangleMesh(double[] positions, int[] triangles) {
         if (positions.length % 3 != 0) {
@@ -47,12 +47,12 @@ public final class TriangleMesh {
         return triangles.length / 3;
     }
 
-    /** Vertex coordinates in mm, x y z in turn; shared, read only. */
+    /** Vertex coordinates, x y z in turn, mm; shared, must not be modified. */
     public double[] positions() {
         return positions;
     }
 
-    /** Corner indices, three a triangle; shared, read only. */
+    /** Vertex indices, three per triangle; shared, must not be modified. */
     public int[] triangles() {
         return triangles;
     }
@@ -69,7 +69,7 @@ public final class TriangleMesh {
         return positions[3 * vertex + 2];
     }
 
-    /** The same triangles over other positions (same vertex count). */
+    /** A mesh with the same triangles and other positions for the same number of vertices. */
     public TriangleMesh withPositions(double[] moved) {
         if (moved.length != positions.length) {
             throw new IllegalArgumentException("positions: " + moved.length + " numbers, expected " + positions.length);
@@ -77,7 +77,10 @@ public final class TriangleMesh {
         return new TriangleMesh(moved, this);
     }
 
-    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinities (min above max) for a mesh without vertices. */
+    /**
+     * {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm. For an empty mesh the minima are +infinity and the maxima
+     * -infinity.
+     */
     public double[] bounds() {
         double[] box = new double[6];
         BoundingBoxes.setEmpty(box, 0);

@@ -1,6 +1,8 @@
 package org.phrenic.mesh;
 
-/** Arithmetic of points and directions, three numbers each. Each result is a new array: not for use inside a step. */
+/**
+ * Vector arithmetic on arrays of three numbers. Each result is a new array, so these methods do not suit inner loops.
+ */
 public final class Vectors {
     private Vectors() {}
 
@@ -17,7 +19,7 @@ public final class Vectors {
         return of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
 
-    /** From a at t = 0 to b at t = 1. */
+    /** Linear interpolation from a at t = 0 to b at t = 1. */
     public static double[] lerp(double[] a, double[] b, double t) {
         return of(a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]));
     }
@@ -34,7 +36,7 @@ public final class Vectors {
         return Math.sqrt(dot(a, a));
     }
 
-    /** Squared distance of points a and b of an array of three numbers a point. */
+    /** Squared distance between points a and b of an array with three numbers per point. */
     public static double squaredDistance(double[] p, int a, int b) {
         double dx = p[3 * a] - p[3 * b];
         double dy = p[3 * a + 1] - p[3 * b + 1];
@@ -51,12 +53,12 @@ public final class Vectors {
         return of(a[0] / length, a[1] / length, a[2] / length);
     }
 
-    /** {@code a} without its part along the unit vector {@code n}, made a unit vector. */
+    /** The component of {@code a} orthogonal to the unit vector {@code n}, normalized. */
     public static double[] orthonormalize(double[] a, double[] n) {
         return normalize(addScaled(a, n, -dot(a, n)));
     }
 
-    /** Distance of a point from a line through {@code on} along a unit direction. */
+    /** Distance of a point from the line through {@code on} along a unit direction. */
     public static double distanceToLine(double[] point, double[] on, double[] direction) {
         double[] d = subtract(point, on);
         return length(addScaled(d, direction, -dot(d, direction)));

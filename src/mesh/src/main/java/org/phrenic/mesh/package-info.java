@@ -1,6 +1,5 @@
 /**
- * Triangle meshes: the mesh, its edges and adjacency, its measures, and scalar fields on it; small vector and list
- * helpers. Coordinates are mm. No file, no anatomy, no force; what changes a mesh is in {@code edit}, what searches it
- * in {@code query}.
+ * Triangle meshes: topology, measures, scalar fields, and small vector and list helpers. Coordinates are in mm. Package
+ * {@code edit} creates modified meshes, and package {@code query} has geometric queries.
  */
 package org.phrenic.mesh;

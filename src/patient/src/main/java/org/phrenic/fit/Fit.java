@@ -26,11 +26,11 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * Tunes a body until its surfaces at the end of a held inspiration lie on those of a second breath level:
- * {@link FitSearch} minimises the mean symmetric distance within the bounds of the parameters.
+ * Fits the parameters of a body to a second breath level. The surfaces at the end of a held inspiration should match
+ * the target surfaces. {@link FitSearch} minimises the mean symmetric distance within the bounds of the parameters.
  *
- * <p>The same setup gives the same result on any number of threads, and also when it is interrupted and resumed from
- * its journal, unless a time limit ends the search.
+ * <p>The same setup gives the same result for any number of threads, also if the fit is interrupted and resumed from
+ * its journal. The exception is a search that is ended by a time limit.
  */
 public final class Fit {
     private static final double SENSITIVITY_STEP = 0.05;
@@ -50,11 +50,11 @@ public final class Fit {
     }
 
     /**
-     * Fits.
+     * Runs a fit.
      *
-     * @param journal file that keeps every evaluation; an interrupted fit resumes from it
-     * @throws org.phrenic.file.BadInputException with one sentence, if the body has no part of a target or the journal
-     *     is of another fit
+     * @param journal file that stores every evaluation; an interrupted fit resumes from it
+     * @throws org.phrenic.file.BadInputException if the body lacks the part of a target, or the journal belongs to
+     *     another fit
      */
     public static FitResult run(FitSetup setup, Path journal, FitProgress progress) {
         return new Fit(setup, progress).run(new FitJournal(journal, setup.fingerprint(), setup.parameters()));
@@ -90,7 +90,7 @@ public final class Fit {
                 jobs.map(job -> new BatchRunner.Job<>("", job)).toList(), threads, (count, total, what) -> {});
     }
 
-    /** Lends an objective that no other thread uses. */
+    /** Runs work on an objective that no other thread is using. */
     private <T> T withObjective(Function<FitObjective, T> work) {
         FitObjective objective = objectives.remove();
         try {
@@ -118,7 +118,7 @@ public final class Fit {
                         objective -> new ReweightedGaussNewton(objective, model).minimize(radius * t[0], t[1]))));
     }
 
-    /** Moves one parameter after the other to both sides. */
+    /** Computes the effect of moving each parameter alone, in both directions. */
     private List<FitResult.Effect> effects(double[] values) {
         List<Supplier<Double>> jobs = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
@@ -186,7 +186,7 @@ public final class Fit {
                 (System.nanoTime() - begunNs) * 1e-9);
     }
 
-    /** Hash of the state that the scenario leads to in a newly assembled simulation. */
+    /** Hash of the state that the scenario reaches in a newly assembled simulation. */
     private String stateHash(Scenario scenario) {
         try (Simulation simulation = Simulation.of(scenario, setup.thorax())) {
             long steps = Math.round(scenario.durationS() / scenario.timeStepS());

@@ -8,16 +8,16 @@ import org.phrenic.mesh.query.DistanceSummary;
 /**
  * Symmetric distances between a part of the body and its target, mm.
  *
- * @param model the part in its current position; null for pairs of points
- * @param toTarget distance of each vertex of the part from the target, or of each point from where it should be
- * @param modelWeights area about each vertex, 0 where it does not count
- * @param toModel distance of each vertex of the target from the part; empty for pairs of points
- * @param targetWeights area about each vertex of the target, 0 where it does not count
+ * @param model current mesh of the part; null for point pairs
+ * @param toTarget distance from each vertex of the part to the target, or from each point to its target position
+ * @param modelWeights area associated with each vertex of the part; 0 for excluded vertices
+ * @param toModel distance from each vertex of the target to the part; empty for point pairs
+ * @param targetWeights area associated with each vertex of the target; 0 for excluded vertices
  */
 public record FitDistances(
         TriangleMesh model, double[] toTarget, double[] modelWeights, double[] toModel, double[] targetWeights) {
 
-    /** Mean of both directions by area: the objective of a fit. */
+    /** Area-weighted mean distance over both directions. This is the objective of a fit. */
     public double mean() {
         double sum = 0;
         double total = 0;
@@ -32,7 +32,7 @@ public record FitDistances(
         return total > 0 ? sum / total : 0;
     }
 
-    /** Statistics of both directions by area. */
+    /** Area-weighted statistics over both directions. */
     public DistanceSummary summary() {
         return DistanceSummary.of(joined(toTarget, toModel), joined(modelWeights, targetWeights));
     }

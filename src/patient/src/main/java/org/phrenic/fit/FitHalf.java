@@ -1,12 +1,12 @@
 package org.phrenic.fit;
 
-/** The region of a surface that is compared: all of it, or one colour of a chessboard in the transverse plane. */
+/** Part of a surface to compare: the whole surface, or one colour of a checkerboard in the transverse plane. */
 public enum FitHalf {
     ALL,
     FITTED,
     HELD_OUT;
 
-    /** Side of a square, mm: several mesh edges, and a few squares on a dome. */
+    /** Side length of a square, mm. A square covers several mesh edges, and a dome covers a few squares. */
     private static final double SQUARE_MM = 40;
 
     boolean contains(double x, double y) {

@@ -6,19 +6,19 @@ import org.phrenic.fit.search.DistanceGradient;
 import org.phrenic.fit.search.Evaluation;
 
 /**
- * The objective of a fit: the weighted mean distance of a simulated body from its targets, and its gradient by the
- * vertex positions.
+ * The objective of a fit: the weighted mean distance between a simulated body and its targets. It also provides the
+ * gradient with respect to the vertex positions.
  *
- * <p>Used by one thread at a time.
+ * <p>Must be used by one thread at a time.
  */
 final class FitObjective implements AutoCloseable {
-    /** Value of a body whose simulation diverged, mm: larger than that of any other. */
+    /** Objective value if the simulation diverges, mm. It is larger than any regular value. */
     private static final double DIVERGED_MM = 1000;
 
     private final FitHalf half;
     private final InspiratoryHold breath;
     private final List<TargetDistance> distances;
-    /** Targets with a weight; for each, where its part begins in a shape, and its share of the mean. */
+    /** Targets with a positive weight. For each: offset of its part in a shape, and share of the mean. */
     private final List<TargetDistance> weighted;
 
     private final int[] offsets;
@@ -42,7 +42,7 @@ final class FitObjective implements AutoCloseable {
             while (!weighted.get(part).sharesSurfaces(weighted.get(i))) {
                 part++;
             }
-            // Targets of the same surfaces share their positions in the shape.
+            // Targets on the same surfaces share their positions in the shape.
             offsets[i] = part < i ? offsets[part] : next;
             next += part < i ? 0 : weighted.get(i).length();
         }
@@ -53,12 +53,12 @@ final class FitObjective implements AutoCloseable {
         return breath;
     }
 
-    /** The distance from each target, held out or not. */
+    /** Distances from all targets, including those that are not fitted. */
     List<TargetDistance> distances() {
         return distances;
     }
 
-    /** Value of the body at rest, mm. */
+    /** Objective value of the body at rest, mm. */
     double initialMm() {
         double sum = 0;
         for (int i = 0; i < weights.length; i++) {
@@ -67,7 +67,7 @@ final class FitObjective implements AutoCloseable {
         return sum;
     }
 
-    /** Simulates the breath with these parameter values. */
+    /** Simulates the breath with the given parameter values. */
     Evaluation evaluate(double[] values) {
         if (!breath.breatheIn(values)) {
             return new Evaluation(values, DIVERGED_MM);
@@ -84,7 +84,7 @@ final class FitObjective implements AutoCloseable {
         return new Evaluation(values, mean, shape);
     }
 
-    /** Visits every weighted distance of a shape; vertices are given as positions in the shape. */
+    /** Visits every weighted distance of a shape. Vertices are given as indices into the shape. */
     void visitDistances(double[] shape, DistanceGradient.Visitor visitor) {
         if (gradients.isEmpty()) {
             gradients = weighted.stream().map(d -> d.gradient(half)).toList();
@@ -101,7 +101,7 @@ final class FitObjective implements AutoCloseable {
         }
     }
 
-    /** Whether {@link #visitDistances} is possible: no target is pairs of points. */
+    /** Whether {@link #visitDistances} is supported, which is the case if no target consists of point pairs. */
     boolean hasGradient() {
         return weighted.stream().noneMatch(d -> d.target().isPointPairs());
     }

@@ -7,7 +7,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.observe.Surface;
 
-/** The part of the body that a target is a surface of. */
+/** Part of the body that a target describes. */
 public enum FitPart {
     LUNGS("lungs", StructureKind.LUNG, null),
     LUNG_RIGHT("lung_R", StructureKind.LUNG, Side.RIGHT),
@@ -27,17 +27,17 @@ public enum FitPart {
         this.side = side;
     }
 
-    /** The name on the command line and in files. */
+    /** Name on the command line and in files. */
     public String label() {
         return label;
     }
 
-    /** Whether it is the base of a lung, its {@link org.phrenic.patient.registration.DiaphragmaticSurface}. */
+    /** Whether the part is the base of a lung ({@link org.phrenic.patient.registration.DiaphragmaticSurface}). */
     public boolean isBase() {
         return this == LUNG_BASE_RIGHT || this == LUNG_BASE_LEFT;
     }
 
-    /** The base of a whole lung; null for other parts. */
+    /** The base of a whole lung, or null for other parts. */
     FitPart base() {
         return this == LUNG_RIGHT ? LUNG_BASE_RIGHT : this == LUNG_LEFT ? LUNG_BASE_LEFT : null;
     }
@@ -47,7 +47,7 @@ public enum FitPart {
         return surface.kind() == kind && (side == null || surface.side() == side);
     }
 
-    /** The part with this label; empty if there is none. */
+    /** The part with this label, or empty. */
     public static Optional<FitPart> of(String label) {
         return Arrays.stream(values()).filter(p -> p.label.equals(label)).findFirst();
     }

@@ -1,17 +1,17 @@
 package org.phrenic.fit;
 
-/** Receives the progress of a fit, from any thread, one call at a time. */
+/** Receives the progress of a fit. Calls come from any thread, but never concurrently. */
 public interface FitProgress {
     /**
-     * An evaluation of the search is done.
+     * Called after each evaluation of the search.
      *
      * @param count evaluations so far
-     * @param most the largest number of evaluations
-     * @param bestMm least mean distance so far
-     * @param initialMm mean distance at end-expiration
+     * @param most maximum number of evaluations
+     * @param bestMm smallest mean distance so far, mm
+     * @param initialMm mean distance at end-expiration, mm
      */
     void evaluated(int count, int most, double bestMm, double initialMm);
 
-    /** A sentence to show once. */
+    /** Receives a message to show once. */
     default void note(String sentence) {}
 }

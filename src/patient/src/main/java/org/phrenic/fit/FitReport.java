@@ -19,7 +19,7 @@ import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.query.DistanceSummary;
 
-/** The result of a fit as tables, as a document and as values for JSON. */
+/** The result of a fit as tables, as a document and as JSON values. */
 public record FitReport(FitResult result) {
     /** Columns of {@link #distances}. */
     public static final List<Column> DISTANCES = List.of(
@@ -41,7 +41,7 @@ public record FitReport(FitResult result) {
             Column.number("distance with a step less"),
             Column.number("with a step more"));
 
-    /** Distances before and after, mm, by target. */
+    /** Distances before and after the fit, mm, one row per target. */
     public List<List<String>> distances() {
         List<List<String>> rows = new ArrayList<>();
         for (FitResult.TargetResult t : result.targets()) {
@@ -67,7 +67,7 @@ public record FitReport(FitResult result) {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3f", value);
     }
 
-    /** The parameters and their effects, one row each. */
+    /** Parameters and their effects, one row per parameter. */
     public List<List<String>> parameters() {
         return IntStream.range(0, result.values().length)
                 .mapToObj(this::parameterRow)
@@ -115,7 +115,7 @@ public record FitReport(FitResult result) {
                         : "scenario.yaml was run and does NOT give the same state.");
     }
 
-    /** The report as a page. */
+    /** The report as a document. */
     public ReportDocument document(List<Picture> pictures) {
         FitSetup setup = result.setup();
         ReportDocument page = new ReportDocument(
@@ -148,7 +148,7 @@ public record FitReport(FitResult result) {
         return page;
     }
 
-    /** The report as values for JSON. */
+    /** The report as JSON values. */
     public Map<String, Object> values() {
         FitSetup setup = result.setup();
         OrderedValues map = new OrderedValues()
@@ -237,7 +237,7 @@ public record FitReport(FitResult result) {
         return String.format(Locale.ROOT, "%.2f", value);
     }
 
-    /** Four significant digits. */
+    /** Formats a number with four significant digits. */
     private static String number(double value) {
         return value == 0
                 ? "0"

@@ -8,18 +8,19 @@ import org.phrenic.scenario.Scenario;
 /**
  * The result of a fit.
  *
- * @param values of the parameters, in the order of the setup
- * @param bestMm the objective: weighted mean distance from the targets
- * @param initialMm the objective at end-expiration
- * @param untunedMm the objective at the start of the search
- * @param sensitivity to each parameter near the values found; empty if not requested
+ * @param values parameter values, in the order of the setup
+ * @param bestMm objective of the fitted body, mm: the weighted mean distance from the targets
+ * @param initialMm objective at end-expiration, mm
+ * @param untunedMm objective at the start of the search, mm
+ * @param sensitivity effect of each parameter near the fitted values; empty if not requested
  * @param observed observables of the fitted body by name
- * @param scenario with which {@code phrenic run} reaches the same state
- * @param reproduced whether that scenario was run and gave the same state bit by bit
+ * @param scenario scenario with which {@code phrenic run} reaches the same state
+ * @param reproduced whether that scenario was run and gave a bit-identical state
  * @param trials objective of every evaluation, in order
- * @param ended why the search ended, in words
- * @param cpuPerEvaluationS mean processor time of the evaluations of this run; NaN if all were in the journal
- * @param wallS duration of this run, s
+ * @param ended why the search ended, as text
+ * @param cpuPerEvaluationS mean processor time per evaluation of this run, s; NaN if all evaluations came from the
+ *     journal
+ * @param wallS wall-clock time of this run, s
  */
 public record FitResult(
         FitSetup setup,
@@ -38,8 +39,8 @@ public record FitResult(
         double wallS) {
 
     /**
-     * Distances from a target: initial at end-expiration, residual of the fitted body; of the whole surface, and of the
-     * two halves, null if none is held out.
+     * Distances from a target. Initial distances are at end-expiration, residual distances are those of the fitted
+     * body. They are given for the whole surface and for its two halves. The halves are null if none is held out.
      */
     public record TargetResult(
             FitTarget target,
@@ -56,11 +57,11 @@ public record FitResult(
     }
 
     /**
-     * Effect of a parameter near the values found.
+     * Effect of a parameter near the fitted values.
      *
-     * @param step by which it is moved, in its unit
-     * @param belowMm objective with a step less; NaN beyond the bound
-     * @param aboveMm objective with a step more; NaN beyond the bound
+     * @param step change of the parameter, in its unit
+     * @param belowMm objective with the parameter decreased by one step, mm; NaN outside the bounds
+     * @param aboveMm objective with the parameter increased by one step, mm; NaN outside the bounds
      */
     public record Effect(FitParameter parameter, double step, double belowMm, double aboveMm) {}
 

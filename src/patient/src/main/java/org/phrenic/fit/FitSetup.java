@@ -10,26 +10,26 @@ import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
 
 /**
- * What is fitted to what, and how.
+ * Inputs of a fit.
  *
- * @param base body, resolution and everything that is not tuned
+ * @param base scenario with body, resolution and all settings that are not fitted
  * @param thorax the body at end-expiration
- * @param targets its parts at the second breath level; at least one with a weight
- * @param parameters to tune
+ * @param targets parts of the body at the second breath level; at least one must have a positive weight
+ * @param parameters parameters to fit
  */
 public record FitSetup(
         Scenario base, Thorax thorax, List<FitTarget> targets, List<FitParameter> parameters, Options options) {
     /**
-     * How a fit is done.
+     * Options of a fit.
      *
-     * @param holdOutHalf whether one half of every surface is fitted to and the other only reported on
-     * @param alignment how the axes of the targets were brought to those of the body, in a sentence
-     * @param threads bodies simulated in parallel; the result does not depend on it
-     * @param sensitivity whether each parameter is finally moved to both sides, two evaluations each
+     * @param holdOutHalf whether only one half of every surface is fitted; the other half is only reported
+     * @param alignment how the targets were aligned with the axes of the body, as a sentence
+     * @param threads number of bodies simulated in parallel; the result does not depend on it
+     * @param sensitivity whether each parameter is finally moved in both directions, with two evaluations each
      */
     public record Options(
             boolean holdOutHalf, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
-        /** Targets in the axes of the body, no half held out. */
+        /** Options for targets that are already aligned with the body, without a held-out half. */
         public Options(FitSearch.Settings search, int threads, boolean sensitivity) {
             this(false, "none: the targets are taken to be in the axes of the body", search, threads, sensitivity);
         }
@@ -46,21 +46,21 @@ public record FitSetup(
         }
     }
 
-    /** Points per generation. */
+    /** Population size: points per generation. */
     int populationSize() {
         return options.search.population(parameters.size());
     }
 
-    /** Which half of the surfaces is fitted to. */
+    /** The half of the surfaces that is fitted. */
     FitHalf fittedHalf() {
         return options.holdOutHalf ? FitHalf.FITTED : FitHalf.ALL;
     }
 
-    /** Hash of everything that the values of the search depend on; the journal of a fit carries it. */
+    /** Hash of all inputs that affect the values of the search. It identifies the journal of a fit. */
     String fingerprint() {
         StringBuilder text = new StringBuilder();
         base.toMap().forEach((key, value) -> {
-            // Without gravity the text is that of journals written before it was a setting.
+            // Zero gravity is omitted so that journals written without a gravity setting remain valid.
             boolean absent = key.startsWith("gravity_") && Double.valueOf(0).equals(value);
             if (!key.equals("threads") && !key.equals("name") && !absent) {
                 text.append(key).append('=').append(value).append('\n');
@@ -81,7 +81,7 @@ public record FitSetup(
         return Hashes.sha256(arrays.toArray(double[][]::new)).substring(0, 12);
     }
 
-    /** A parameter in the fingerprint, with its key in capitals and without unit; part of the format of journals. */
+    /** Text of a parameter in the fingerprint: its key in capitals, without unit. Part of the journal format. */
     static String text(FitParameter p) {
         String name =
                 switch (p.parameter().key()) {

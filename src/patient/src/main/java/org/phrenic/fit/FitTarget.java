@@ -11,12 +11,13 @@ import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.patient.registration.DiaphragmaticSurface;
 
 /**
- * Where a part of the body is at the second breath level: a surface, or pairs of points. In the axes of the body, mm.
+ * Position of a part of the body at the second breath level, given as a surface or as point pairs. Coordinates are in
+ * the axes of the body, mm.
  *
- * @param surface null for pairs of points
- * @param from points on or near the part at end-expiration, x, y, z in turn; empty for a surface
+ * @param surface target surface; null for point pairs
+ * @param from points on or near the part at end-expiration, as x, y, z triples; empty for a surface
  * @param to the same points at the second breath level
- * @param weight beside other targets; 0 if it is only reported on
+ * @param weight weight relative to other targets; 0 if the target is only reported
  */
 public record FitTarget(String name, FitPart part, TriangleMesh surface, double[] from, double[] to, double weight) {
     private static final String[] FROM = {"x_mm", "y_mm", "z_mm"};
@@ -37,24 +38,24 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         to = to.clone();
     }
 
-    /** A surface of weight 1. */
+    /** Returns a surface target with weight 1. */
     public static FitTarget of(FitPart part, TriangleMesh surface) {
         return new FitTarget(part.label(), part, surface, new double[0], new double[0], 1);
     }
 
-    /** Pairs of points of weight 1. */
+    /** Returns a point pair target with weight 1. */
     public static FitTarget ofPointPairs(FitPart part, double[] from, double[] to) {
         return new FitTarget(part.label() + "_points", part, null, from, to, 1);
     }
 
-    /** The target with another weight. */
+    /** Returns a copy with another weight. */
     public FitTarget withWeight(double other) {
         return new FitTarget(name, part, surface, from, to, other);
     }
 
     /**
-     * The targets, with the base of each lung as a further target of the same weight where none is given. The base is a
-     * small part of the surface of a lung, but it alone shows the dome.
+     * Adds the base of each lung as a target of the same weight, unless it is already present. The base is a small part
+     * of the lung surface, but only the base shows the dome of the diaphragm.
      */
     public static List<FitTarget> withBases(List<FitTarget> targets) {
         List<FitTarget> all = new ArrayList<>();
@@ -70,16 +71,16 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         return all;
     }
 
-    /** Whether the target is pairs of points. */
+    /** Whether the target consists of point pairs. */
     public boolean isPointPairs() {
         return surface == null;
     }
 
     /**
-     * Reads {@code PART=FILE}, or {@code FILE} whose name without its ending is a part. A CSV file holds pairs of
-     * points in columns x_mm, y_mm, z_mm, to_x_mm, to_y_mm, to_z_mm.
+     * Reads a target given as {@code PART=FILE}, or as {@code FILE} if the file name without extension is a part. A CSV
+     * file contains point pairs in the columns x_mm, y_mm, z_mm, to_x_mm, to_y_mm, to_z_mm.
      *
-     * @throws BadInputException with one sentence
+     * @throws BadInputException if the text or the file is invalid
      */
     public static FitTarget read(String text) {
         int equals = text.indexOf('=');

@@ -16,14 +16,16 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The known second breath level of a synthetic patient, as a scan would show it. It is simulated by a model other than
- * the fitted one: another mesh, a central tendon above a plane, two rigid links per node, a kinematic sternum, and a
- * breath of usual duration; the surfaces are decimated to half their vertices and displaced along the normals by noise.
+ * The known second breath level of a synthetic patient, as it would appear in a scan. It is simulated with a model that
+ * differs from the fitted one: another mesh, a central tendon above a plane, two rigid links per node, a kinematic
+ * sternum, and a breath of normal duration. The surfaces are decimated to half their vertices and displaced along their
+ * normals by noise.
  *
  * @param targets the visible parts
- * @param domeRightMm displacement of the right dome from end-expiration
- * @param domeLeftMm displacement of the left dome
- * @param floorMm mean symmetric distance of the targets from the exact surfaces; no fit can be expected to come nearer
+ * @param domeRightMm displacement of the right dome from end-expiration, mm
+ * @param domeLeftMm displacement of the left dome from end-expiration, mm
+ * @param floorMm mean symmetric distance between the targets and the exact surfaces, mm; a fit is not expected to get
+ *     below it
  */
 public record GroundTruth(List<FitTarget> targets, double domeRightMm, double domeLeftMm, double floorMm) {
     private static final double STEP_S = 1e-3;
@@ -31,17 +33,17 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
     private static final long STEPS = 3200;
 
     /**
-     * Simulates the breath; both lungs are visible.
+     * Simulates the breath. Both lungs are visible.
      *
-     * @param resolution of the truth
-     * @param noiseMm standard deviation of the noise
-     * @param seed of the noise
+     * @param resolution resolution of the ground truth
+     * @param noiseMm standard deviation of the noise, mm
+     * @param seed random seed of the noise
      */
     public static GroundTruth of(SyntheticPatient patient, Resolution resolution, double noiseMm, long seed) {
         return of(patient, resolution, List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT), noiseMm, seed);
     }
 
-    /** As above, with other visible parts. */
+    /** Like {@link #of(SyntheticPatient, Resolution, double, long)}, with a choice of visible parts. */
     static GroundTruth of(
             SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
         List<String> settings = new ArrayList<>(List.of(

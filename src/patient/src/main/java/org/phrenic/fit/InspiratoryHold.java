@@ -18,20 +18,23 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * The second breath level: a fast inspiration that is held. The tuned values are changes at the first step, so the body
- * is assembled once for all evaluations. Each evaluation starts at rest: the state is a function of the values alone,
- * and the scenario of {@link #scenario} reaches it bit by bit.
+ * Simulates the second breath level: a fast inspiration followed by a breath hold. Parameter values are applied at the
+ * first step, so the body is assembled only once for all evaluations. Each evaluation starts at rest, so the state
+ * depends only on the parameter values. The scenario returned by {@link #scenario} reaches a bit-identical state.
  *
  * <p>Not thread-safe.
  */
 public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
-    /** Time from rest to the observation, s; docs/fit.md says how far the state then is from equilibrium. */
+    /** Time from rest to the observation, s. docs/fit.md gives the remaining distance from equilibrium at that time. */
     public static final double OBSERVED_AT_S = 1.7;
 
     private static final double INSPIRATORY_FRACTION = 0.5;
-    /** A hold stops the clock of the breath over 0.2 s, in which the clock advances by half of that time. */
+    /**
+     * Time from the start of a hold to end-inspiration, s. The breath clock stops over 0.2 s and advances by half of
+     * that time.
+     */
     private static final double STOPPING_S = 0.1;
 
     private static final Set<String> PRESETS = Set.of("deep", "quiet", "quiet-supine");
@@ -44,7 +47,7 @@ public final class InspiratoryHold implements AutoCloseable {
     /**
      * Assembles the body and lets it settle.
      *
-     * @param base body, resolution and everything that is not tuned
+     * @param base scenario with body, resolution and all settings that are not fitted
      */
     public InspiratoryHold(Scenario base, Thorax thorax, List<FitParameter> parameters) {
         held = held(base);
@@ -65,7 +68,7 @@ public final class InspiratoryHold implements AutoCloseable {
                 .with(RunSettings.DURATION, OBSERVED_AT_S);
     }
 
-    /** The scenario with which {@code phrenic run} reaches the same state; each value within its bounds. */
+    /** The scenario with which {@code phrenic run} reaches the same state. Each value is limited to its bounds. */
     public static Scenario scenario(Scenario base, List<FitParameter> parameters, double[] values) {
         Scenario held = held(base);
         return held.withChanges(changes(held, parameters, values));
@@ -85,7 +88,7 @@ public final class InspiratoryHold implements AutoCloseable {
     /**
      * Simulates the breath from rest to the observation.
      *
-     * @return false if the simulation diverged; the state is then undefined
+     * @return false if the simulation diverged, in which case the state is undefined
      */
     public boolean breatheIn(double[] values) {
         try {
@@ -96,27 +99,27 @@ public final class InspiratoryHold implements AutoCloseable {
             }
             return true;
         } catch (DivergenceException | IllegalArgumentException unstable) {
-            // A time step that no substep makes stable is an illegal argument.
+            // Thrown if no substep makes the time step stable.
             return false;
         }
     }
 
-    /** The surfaces of the body, in a fixed order. */
+    /** Surfaces of the body, in a fixed order. */
     public SceneSurfaces surfaces() {
         return surfaces;
     }
 
-    /** A surface in the current state. */
+    /** Mesh of a surface in the current state. */
     public TriangleMesh mesh(int surface) {
         return surfaces.mesh(surface);
     }
 
-    /** An observed quantity in the current state, such as {@code dome_right_mm}. */
+    /** Value of an observable in the current state, such as {@code dome_right_mm}. */
     public double observed(String column) {
         return surfaces.observe()[Observation.COLUMNS.indexOf(column)];
     }
 
-    /** Hash of the bits of the state. */
+    /** Hash of the exact bits of the state. */
     public String stateHash() {
         return simulation.stateHash();
     }

@@ -5,16 +5,16 @@ import org.phrenic.fit.search.BoxConstrainedQuadratic;
 import org.phrenic.fit.search.LinearShapeModel;
 
 /**
- * Minimises the mean distance of a linear shape model from the targets within a box: iteratively reweighted least
- * squares, Gauss-Newton steps on squared distances with weights of one over the distance. Nearest points are found anew
- * after every step.
+ * Minimises the mean distance between a linear shape model and the targets within a box. The method is iteratively
+ * reweighted least squares: Gauss-Newton steps on squared distances, each weighted by the inverse distance. Nearest
+ * points are recomputed after every step.
  */
 final class ReweightedGaussNewton {
     private static final int MAX_STEPS = 8;
     private static final int MAX_HALVINGS = 3;
-    /** Least distance in a weight, mm: about the unevenness of a scan. */
+    /** Lower bound of the distance in a weight, mm. It is about the roughness of a scanned surface. */
     private static final double MIN_DISTANCE_MM = 0.5;
-    /** Steps shorter than this share of the cube end the descent. */
+    /** The descent stops when a step is shorter than this, in units of the cube. */
     private static final double MIN_STEP = 5e-4;
 
     private final FitObjective objective;
@@ -27,7 +27,7 @@ final class ReweightedGaussNewton {
         n = model.centre().length;
     }
 
-    /** Mean distance at a point, with its gradient and Gauss-Newton matrix by the parameters. */
+    /** Mean distance at a point, with its gradient and Gauss-Newton matrix with respect to the parameters. */
     private static final class NormalEquations {
         private final double[][] a;
         private final double[] b;
@@ -40,10 +40,10 @@ final class ReweightedGaussNewton {
     }
 
     /**
-     * The point of the least mean distance found.
+     * Returns the point with the smallest mean distance found.
      *
-     * @param radius of the box about the centre of the model, cut at the unit cube
-     * @param damping of the steps, as a share of the mean curvature
+     * @param radius half width of the box around the centre of the model; the box is clipped to the unit cube
+     * @param damping damping of the steps, relative to the mean curvature
      */
     double[] minimize(double radius, double damping) {
         double[] point = model.centre().clone();
@@ -77,7 +77,7 @@ final class ReweightedGaussNewton {
         return point;
     }
 
-    /** The damped step within the box. */
+    /** Computes the damped step within the box. */
     private double[] step(NormalEquations equations, double[] point, double radius, double damping) {
         double[] low = new double[n];
         double[] high = new double[n];
@@ -113,7 +113,7 @@ final class ReweightedGaussNewton {
         return equations;
     }
 
-    /** Derivative of a distance by a parameter. */
+    /** Derivative of a distance with respect to a parameter. */
     private static double slope(double[] change, double[] direction, int[] places, double[] shares) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {

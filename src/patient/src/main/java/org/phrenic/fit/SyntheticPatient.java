@@ -10,19 +10,19 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * A virtual patient with a known second breath level: a virtual body, scaled along each axis and with its ribs more or
- * less oblique, that breathes with hidden parameters.
+ * A virtual patient with a known second breath level. A virtual body is scaled along each axis, and its ribs are made
+ * more or less oblique. It breathes with hidden parameters.
  *
  * @param anatomy the virtual body
- * @param width scale from side to side
- * @param depth scale from front to back
- * @param height scale along z
- * @param tilt rise of a point per length toward the back: positive for more oblique ribs
+ * @param width scale factor from side to side
+ * @param depth scale factor from front to back
+ * @param height scale factor along z
+ * @param tilt upward shift of a point per unit length toward the back; positive values make the ribs more oblique
  * @param hidden parameters of the breath, as {@code key=value}
  */
 public record SyntheticPatient(
         String name, String anatomy, double width, double depth, double height, double tilt, List<String> hidden) {
-    /** Name, index of the virtual body, width, depth, height, tilt, hidden parameters. */
+    /** One line per patient: name, index of the virtual body, width, depth, height, tilt, hidden parameters. */
     private static final String FIVE =
             """
             man of middle size|0|1|1|1|0|muscle_activation=0.5 left_over_right=0.95 rib_rotation=0.85
@@ -40,7 +40,7 @@ public record SyntheticPatient(
         hidden = List.copyOf(hidden);
     }
 
-    /** Five patients of both sexes, of several sizes and shapes. */
+    /** Five patients of both sexes with different sizes and shapes. */
     public static List<SyntheticPatient> five() {
         return FIVE.lines()
                 .map(row -> row.split("\\|"))
@@ -59,7 +59,7 @@ public record SyntheticPatient(
                 List.of(row[6].split(" ")));
     }
 
-    /** The body at a resolution; meshes of two resolutions share no vertex. */
+    /** The body at a resolution. Meshes of different resolutions share no vertices. */
     public Thorax body(Resolution resolution) {
         Thorax plain = SimulationRun.loadThorax(Scenario.defaults()
                 .with("anatomy=" + anatomy, "resolution=" + resolution.name().toLowerCase(Locale.ROOT)));

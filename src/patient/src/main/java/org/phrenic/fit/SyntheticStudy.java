@@ -15,7 +15,7 @@ import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
 
-/** Fits of {@link SyntheticPatient synthetic patients}: what a fit recovers of a known breath, and what remains. */
+/** Fits of {@link SyntheticPatient synthetic patients}. The study compares the fitted breath with the known one. */
 public record SyntheticStudy(List<Case> cases) {
     /** Columns of {@link #cells}. */
     public static final List<Column> COLUMNS = List.of(
@@ -34,14 +34,14 @@ public record SyntheticStudy(List<Case> cases) {
 
     private static final double NOISE_MM = 1;
 
-    /** A patient, the known breath, and the result of the fit. */
+    /** A patient with the known breath and the result of the fit. */
     public record Case(SyntheticPatient patient, GroundTruth truth, FitResult result) {
-        /** Mean initial distance of the whole lungs, or of their bases, mm. */
+        /** Mean initial distance of the whole lungs, or of their bases only, mm. */
         public double initialMm(boolean bases) {
             return mean(bases, t -> t.initial().mean());
         }
 
-        /** Mean residual distance of the whole lungs, or of their bases, mm. */
+        /** Mean residual distance of the whole lungs, or of their bases only, mm. */
         public double residualMm(boolean bases) {
             return mean(bases, t -> t.residual().mean());
         }
@@ -58,25 +58,26 @@ public record SyntheticStudy(List<Case> cases) {
             return residualMm(false) / initialMm(false);
         }
 
-        /** Height of the right dome as fitted less the true one, mm. */
+        /** Error of the fitted height of the right dome, mm: fitted minus true value. */
         public double domeRightErrorMm() {
             return result.observed().get("dome_right_mm") - truth.domeRightMm();
         }
 
-        /** Height of the left dome as fitted less the true one, mm. */
+        /** Error of the fitted height of the left dome, mm: fitted minus true value. */
         public double domeLeftErrorMm() {
             return result.observed().get("dome_left_mm") - truth.domeLeftMm();
         }
     }
 
     /**
-     * Fits the first of the five patients.
+     * Fits the first {@code count} of the five patients.
      *
-     * @param count how many of them
-     * @param resolution of the fitted bodies; the truth has the next finer one, or medium where that is the finest
-     * @param threads simulations in parallel
-     * @param search settings of each fit; their seed is that of the noise too
-     * @param folder for the journals
+     * @param count number of patients
+     * @param resolution resolution of the fitted bodies; the ground truth uses the next finer one, or medium if there
+     *     is none
+     * @param threads number of parallel simulations
+     * @param search settings of each fit; their seed is also used for the noise
+     * @param folder folder for the journals
      */
     public static SyntheticStudy run(
             int count,
@@ -109,7 +110,7 @@ public record SyntheticStudy(List<Case> cases) {
         return new SyntheticStudy(cases);
     }
 
-    /** One row per patient, mm. */
+    /** Table cells, mm, one row per patient. */
     public List<List<String>> cells() {
         return cases.stream().map(SyntheticStudy::row).toList();
     }
@@ -130,7 +131,7 @@ public record SyntheticStudy(List<Case> cases) {
                 Integer.toString(c.result.trials().length));
     }
 
-    /** The study as a page. */
+    /** The study as a document. */
     public ReportDocument document() {
         ReportDocument page = new ReportDocument(
                 "Fits to known breaths",
@@ -145,7 +146,7 @@ public record SyntheticStudy(List<Case> cases) {
         return page;
     }
 
-    /** The study as values for JSON. */
+    /** The study as JSON values. */
     public Map<String, Object> values() {
         return new OrderedValues()
                 .with("notice", Disclaimer.TEXT)

@@ -17,9 +17,9 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Symmetric distance of a part of a body from a target: from the vertices of each to the other, weighted by area. Of
- * the base of a lung only the vertices of its {@link DiaphragmaticSurface} count on either side; their nearest points
- * may lie anywhere on the lung, so the border of the base does not matter.
+ * Symmetric, area-weighted distance between a part of a body and a target, measured from the vertices of each to the
+ * surface of the other. For the base of a lung, only vertices of its {@link DiaphragmaticSurface} are used on either
+ * side. Their nearest points may lie anywhere on the lung, so the exact border of the base does not matter.
  *
  * <p>Not thread-safe.
  */
@@ -35,8 +35,8 @@ final class TargetDistance {
     private final Anchors anchors;
 
     /**
-     * @param scene of the body
-     * @throws BadInputException if the body has no such part
+     * @param scene scene of the body
+     * @throws BadInputException if the body lacks the part
      */
     TargetDistance(FitTarget target, SceneSurfaces scene) {
         this.target = target;
@@ -81,17 +81,19 @@ final class TargetDistance {
         return target;
     }
 
-    /** The part at rest. */
+    /** Distances of the part at rest. */
     FitDistances atRest(FitHalf half) {
         return of(rest, half);
     }
 
-    /** The part in the current state of the body. */
+    /** Distances of the part in the current state of the body. */
     FitDistances of(InspiratoryHold breath, FitHalf half) {
         return of(joined(breath::mesh), half);
     }
 
-    /** {@link FitDistances#mean} with the vertices of the part at these positions, without distances of weight 0. */
+    /**
+     * {@link FitDistances#mean} for the given vertex positions of the part. Distances with weight 0 are not computed.
+     */
     double mean(double[] positions, FitHalf half) {
         TriangleMesh model = rest.withPositions(positions);
         if (anchors != null) {
@@ -126,12 +128,12 @@ final class TargetDistance {
         return rest.positions().length;
     }
 
-    /** Whether another distance is of the same surfaces of the body. */
+    /** Whether another distance uses the same surfaces of the body. */
     boolean sharesSurfaces(TargetDistance other) {
         return surfaces.equals(other.surfaces);
     }
 
-    /** Gradient of the mean distance; not for pairs of points. */
+    /** Gradient of the mean distance. Not available for point pairs. */
     DistanceGradient gradient(FitHalf half) {
         double[] all = new double[rest.vertexCount()];
         Arrays.fill(all, 1);
@@ -171,12 +173,14 @@ final class TargetDistance {
         return weights;
     }
 
-    /** The surfaces of the part as one mesh. */
+    /** Joins the surfaces of the part into one mesh. */
     private TriangleMesh joined(IntFunction<TriangleMesh> meshes) {
         return MeshMerge.merge(surfaces.stream().map(meshes::apply).toList());
     }
 
-    /** Points attached to a surface: each keeps its offset from the point of the surface nearest to it at rest. */
+    /**
+     * Points attached to a surface. Each point keeps its offset from the surface point that is nearest to it at rest.
+     */
     private static final class Anchors {
         private final int[] corners;
         private final double[] weights;

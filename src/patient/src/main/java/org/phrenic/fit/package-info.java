@@ -1,5 +1,5 @@
 /**
- * A body tuned to a second breath level: setup, objective, targets and their distances, result and report, and virtual
- * patients whose breath is known. How points are searched is in {@link org.phrenic.fit.search}.
+ * Fitting of a body to a second breath level: setup, objective, targets and distances, result and report, and synthetic
+ * patients with a known breath. The search algorithms are in {@link org.phrenic.fit.search}.
  */
 package org.phrenic.fit;

@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 
-/** The structures of a whole thorax. */
+/** The structures expected in a complete thorax. */
 public final class ExpectedStructures {
     private static final int RIBS = 12;
     private static final int CARTILAGES = 10;
@@ -14,7 +14,7 @@ public final class ExpectedStructures {
 
     private ExpectedStructures() {}
 
-    /** Names of the structures that are not present; of sternum and skin, any part is enough. */
+    /** Names of missing structures. For sternum and skin, any part is sufficient. */
     public static List<String> missing(List<PatientStructure> present) {
         List<String> missing = new ArrayList<>();
         levels(present, missing, StructureKind.RIB, "rib", RIBS);

@@ -1,10 +1,10 @@
 package org.phrenic.patient;
 
-/** Receives the progress of an import, from any thread, one call at a time. */
+/** Receives the progress of an import. Calls come from any thread, but never concurrently. */
 public interface ImportProgress {
-    /** A structure is meshed, the {@code count}-th of all. */
+    /** Called when a structure has been meshed; {@code count} structures are done. */
     void meshed(int count, int total, String structure);
 
-    /** A stage begins, such as {@code telling the lungs apart}. */
+    /** Called when a stage begins. The text describes it, for example {@code telling the lungs apart}. */
     default void stage(String what) {}
 }

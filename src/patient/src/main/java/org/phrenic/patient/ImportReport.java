@@ -9,11 +9,11 @@ import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** The report of an import: what was built from a volume, and how accurately. */
+/** The report of an import: the structures built from a volume, and their accuracy. */
 public final class ImportReport {
     private ImportReport() {}
 
-    /** @param file the volume as the user named it */
+    /** @param file name of the volume as given by the user */
     public static Map<String, Object> of(String file, LabelGrid grid, PatientBody body) {
         double voxelMm = Math.cbrt(grid.voxelVolume());
         return new OrderedValues()

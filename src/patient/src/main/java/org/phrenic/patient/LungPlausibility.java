@@ -9,15 +9,15 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Checks whether lungs look like human lungs; if not, spacing, axes or labels of the file may be wrong. */
+/** Checks that lungs have plausible human size and shape. If not, spacing, axes or labels of the file may be wrong. */
 final class LungPlausibility {
-    /** Largest volume of the left lung as a multiple of the right; the heart takes room from the left. */
+    /** Maximum ratio of left to right lung volume. The left lung is usually smaller because of the heart. */
     private static final double MAX_LEFT = 1.1;
-    /** Height over depth of both lungs' bounding box, in virtual bodies and scans. */
+    /** Range of the height to depth ratio of the bounding box of both lungs, from virtual bodies and scans. */
     private static final double MIN_HEIGHT = 1.1;
 
     private static final double MAX_HEIGHT = 1.8;
-    /** From a child's lung at end-expiration to a tall man's at total lung capacity. */
+    /** Volume range of a lung, ml: from a child at end-expiration to a tall man at total lung capacity. */
     private static final double MIN_ML = 150;
 
     private static final double MAX_ML = 5000;
@@ -25,7 +25,7 @@ final class LungPlausibility {
 
     private LungPlausibility() {}
 
-    /** One sentence for each implausible finding. */
+    /** Returns one sentence for each implausible finding. */
     static List<String> check(List<PatientStructure> structures) {
         List<String> findings = new ArrayList<>();
         List<PatientStructure> lungs = structures.stream()
@@ -55,7 +55,7 @@ final class LungPlausibility {
         double[] l = left.bounds();
         double rightMl = volumeMl(right);
         double leftMl = volumeMl(left);
-        // x runs to the patient's left.
+        // The x axis points to the patient's left.
         if (r[0] + r[3] > l[0] + l[3]) {
             findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
                     + " its axes wrongly (mirrored), see --axes");

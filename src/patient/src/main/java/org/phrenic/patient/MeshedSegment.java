@@ -5,15 +5,15 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
- * The surface of a segment, and how it was made.
+ * The surface mesh of a segment, with statistics of the meshing.
  *
- * @param mesh closed, LPS, mm
- * @param labelVertices vertices of the surface of its voxels
- * @param decimatedVertices vertices after decimation
- * @param distanceToLabel symmetric distances from the surface of its voxels, by area, mm
- * @param secondPassBand of the second smoothing, widened for thin structures
- * @param components connected components of its voxels; the largest is the mesh
- * @param discardedMm3 volume of the others, and of cavities
+ * @param mesh closed surface, LPS, mm
+ * @param labelVertices number of vertices of the voxel surface
+ * @param decimatedVertices number of vertices after decimation
+ * @param distanceToLabel area-weighted symmetric distances to the voxel surface, mm
+ * @param secondPassBand pass band of the second smoothing, widened for thin structures
+ * @param components number of connected components of the voxels; only the largest is meshed
+ * @param discardedMm3 volume of the other components and of cavities, mm^3
  */
 public record MeshedSegment(
         TriangleMesh mesh,

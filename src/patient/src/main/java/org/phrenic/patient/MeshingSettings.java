@@ -1,17 +1,18 @@
 package org.phrenic.patient;
 
 /**
- * Settings of the meshing of Villard, Bourne and Bello 2009: windowed sinc smoothing, decimation, windowed sinc
- * smoothing.
+ * Settings of the meshing method of Villard, Bourne and Bello 2009: windowed sinc smoothing, decimation, and a second
+ * windowed sinc smoothing.
  *
- * @param passBand of both smoothings
- * @param keptFraction share of the vertices that decimation keeps, above 0 to 1
- * @param maxDeviationVoxels largest deviation of the decimated surface, in voxels
+ * @param passBand pass band of both smoothings
+ * @param keptFraction fraction of vertices kept by the decimation, in (0, 1]
+ * @param maxDeviationVoxels maximum deviation of the decimated surface, in voxels
  */
 public record MeshingSettings(
         int firstIterations, double passBand, double keptFraction, double maxDeviationVoxels, int secondIterations) {
     /**
-     * The paper's settings (section 4.1): pass band 0.2, 50 %, 200 second iterations; the 20 first are VTK's default.
+     * Settings of the paper (section 4.1): pass band 0.2, 50 % of the vertices, 200 iterations of the second smoothing.
+     * The 20 iterations of the first smoothing are VTK's default.
      */
     public static final MeshingSettings PAPER = new MeshingSettings(20, 0.2, 0.5, 0.5, 200);
 

@@ -10,11 +10,11 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 
 /**
- * The body of a patient; each structure has its source.
+ * The body of a patient. Each structure records its source.
  *
- * @param structures in the order in which a thorax lists them
- * @param missing names of structures of a whole thorax that the body lacks
- * @param notes on decisions and omissions, one sentence each
+ * @param structures structures in the order used by a thorax
+ * @param missing names of structures of a complete thorax that the body lacks
+ * @param notes decisions and omissions, one sentence each
  */
 public record PatientBody(String name, List<PatientStructure> structures, List<String> missing, List<String> notes) {
     public PatientBody {
@@ -23,14 +23,14 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
         notes = List.copyOf(notes);
     }
 
-    /** The structure of a name; empty if there is none. */
+    /** The structure with this name, or empty. */
     public Optional<PatientStructure> structure(String structure) {
         return structures.stream()
                 .filter(s -> s.structure().name().equals(structure))
                 .findFirst();
     }
 
-    /** Whether it can be simulated: it has a diaphragm and ribs. */
+    /** Whether the body can be simulated, which requires a diaphragm and ribs. */
     public boolean canBreathe() {
         return has(StructureKind.DIAPHRAGM) && has(StructureKind.RIB);
     }
@@ -39,7 +39,7 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
         return structures.stream().anyMatch(s -> s.structure().kind() == kind);
     }
 
-    /** The body with further notes. */
+    /** Returns a copy with additional notes. */
     public PatientBody withNotes(List<String> further) {
         return new PatientBody(
                 name,
@@ -48,13 +48,13 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
                 Stream.concat(notes.stream(), further.stream()).toList());
     }
 
-    /** Its surfaces alone. */
+    /** Converts the body to a thorax, which contains the surfaces only. */
     public Thorax thorax() {
         return new Thorax(
                 name, structures.stream().map(PatientStructure::structure).toList(), notes);
     }
 
-    /** The surfaces of structures as one mesh; empty if there are none. */
+    /** Merges the surfaces of structures into one mesh; empty if there are none. */
     public static Optional<TriangleMesh> merged(Stream<Structure> structures) {
         List<TriangleMesh> meshes = structures.map(Structure::mesh).toList();
         return meshes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(meshes));

@@ -7,12 +7,13 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.mesh.io.VtpWriter;
 
-/** Writes a body as a thorax folder: a VTP file per structure, {@code import.json} and {@code thorax.yaml}. */
+/** Writes a body as a thorax folder with one VTP file per structure, {@code import.json} and {@code thorax.yaml}. */
 public final class PatientFolder {
     private PatientFolder() {}
 
     /**
-     * Writes into a folder, each file as a whole or not at all; {@code thorax.yaml}, which lists the others, last.
+     * Writes a body to a folder. Each file is written completely or not at all. {@code thorax.yaml} is written last
+     * because it lists the other files.
      *
      * @param report content of {@code import.json}
      * @throws org.phrenic.file.OutputException if a file cannot be written

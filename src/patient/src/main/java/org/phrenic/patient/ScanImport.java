@@ -21,9 +21,9 @@ import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.patient.segmentation.LungSplitter;
 import org.phrenic.patient.segmentation.Segmentation;
 
-/** Meshes every structure that a volume of labels holds. */
+/** Imports a label volume by meshing each of its structures. */
 public final class ScanImport {
-    /** Edges of the triangles of soft organs, whose surfaces are large and smooth, and of bones, which are thin. */
+    /** Target edge lengths, mm. Soft organs have large smooth surfaces, bones are thin. */
     private static final double ORGAN_EDGE_MM = 4;
 
     private static final double BONE_EDGE_MM = 2.5;
@@ -34,16 +34,16 @@ public final class ScanImport {
             StructureKind.DIAPHRAGM, ORGAN_EDGE_MM,
             StructureKind.SKIN, 2 * ORGAN_EDGE_MM));
     private static final double MM3_PER_ML = 1000;
-    /** The outline of the body alone: background, and label 1. */
+    /** Segments of the body outline: background, and label 1. */
     private static final int[] SKIN = {0, 1};
-    /** Size of the voxels of the outline, in edges of its triangles. */
+    /** Voxel size of the body outline, relative to the edge length of its triangles. */
     private static final double VOXELS_PER_EDGE = 0.25;
 
-    /** Least discarded share of a structure that is noted. */
+    /** Minimum discarded fraction of a structure for which a note is added. */
     private static final double MIN_DISCARDED = 0.02;
-    /** Largest number of names in a note. */
+    /** Maximum number of names in a note. */
     private static final int MAX_NAMED = 8;
-    /** Structures of fewer voxels are left out. */
+    /** Structures with fewer voxels are skipped. */
     private static final int MIN_VOXELS = 30;
 
     private final LabelVolume volume;
@@ -55,8 +55,8 @@ public final class ScanImport {
 
     /**
      * @param file name of the volume, for messages
-     * @param edgeMm edge of the triangles, mm, 0 for those of the decimation; empty for 4 mm on soft structures, 2.5 mm
-     *     on bones and 8 mm on skin, or the voxel's size if that is larger
+     * @param edgeMm edge length of the triangles, mm; 0 keeps the triangles of the decimation; empty uses 4 mm for soft
+     *     structures, 2.5 mm for bones and 8 mm for skin, or the voxel size if it is larger
      */
     public ScanImport(
             LabelVolume volume,
@@ -73,10 +73,10 @@ public final class ScanImport {
     }
 
     /**
-     * Imports the structures of a table.
+     * Imports the structures listed in a table.
      *
-     * @param name of the body
-     * @throws BadInputException if the volume has none of them
+     * @param name name of the body
+     * @throws BadInputException if the volume contains none of the structures
      */
     public PatientBody run(LabelTable table, String name) {
         Segmentation segmentation = new Segmentation(volume, table, file);
@@ -105,7 +105,7 @@ public final class ScanImport {
         }
     }
 
-    /** The structures with enough voxels, the largest first, so that the parallel meshing ends evenly. */
+    /** Structures with enough voxels. The largest come first to balance the parallel meshing. */
     private List<String> meshable(Segmentation segmentation) {
         int[] counts = segmentation.counts();
         List<String> built = new ArrayList<>();
@@ -131,7 +131,7 @@ public final class ScanImport {
         int[] segments = new int[counts.length];
         built.stream().filter(s -> !isSkin(s)).mapToInt(segmentation::find).forEach(s -> segments[s] = s);
         SegmentMesher mesher = new SegmentMesher(segmentation.grid(), segments, settings);
-        // The skin encloses all else: its outline is meshed by itself.
+        // The skin encloses all other structures, so its outline is meshed separately.
         Optional<SegmentMesher> skin = built.stream()
                 .filter(ScanImport::isSkin)
                 .min(Comparator.comparingInt(segmentation::find))
@@ -176,7 +176,7 @@ public final class ScanImport {
         return edgeMm.orElse(Math.max(Math.cbrt(voxelMm3), EDGES_MM.getOrDefault(kind, BONE_EDGE_MM)));
     }
 
-    /** Factors by which voxels may be larger for triangles of an edge. */
+    /** Coarsening factor of the voxels along each grid axis for a target edge length. */
     private static int[] coarsening(Segmentation segmentation, double edge) {
         return IntStream.range(0, 3)
                 .map(direction -> Math.max(
@@ -197,7 +197,7 @@ public final class ScanImport {
                         meshed));
     }
 
-    /** Notes structures that the scan cuts off, that are in pieces, and implausible lungs. */
+    /** Adds notes about truncated structures, structures in several pieces, and implausible lungs. */
     private void note(List<PatientStructure> structures) {
         List<String> cut = new ArrayList<>();
         for (PatientStructure structure : structures) {
@@ -222,7 +222,7 @@ public final class ScanImport {
         notes.addAll(LungPlausibility.check(structures));
     }
 
-    /** Notes the labels of the volume that are of no structure. */
+    /** Adds a note about labels of the volume that belong to no structure. */
     private void noteUnused(LabelTable table) {
         int[] counts = volume.grid().counts();
         List<String> unused = new ArrayList<>();

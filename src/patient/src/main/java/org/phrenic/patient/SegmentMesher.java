@@ -14,16 +14,16 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.SurfaceNet;
 
 /**
- * Meshes the segments of a volume by the steps of {@link MeshingSettings}. The first smoothing moves the surface net
- * that neighbouring segments share, so they still meet after it; decimation and the second smoothing are separate for
- * each segment. Thread-safe.
+ * Meshes the segments of a volume with the steps of {@link MeshingSettings}. The first smoothing acts on the surface
+ * net that neighbouring segments share, so adjacent surfaces still match. Decimation and the second smoothing are
+ * applied to each segment separately. Thread-safe.
  */
 public final class SegmentMesher {
     private static final int MIN_VERTICES = 12;
 
     /**
-     * Largest relative loss of volume in the second smoothing. The paper's pass band removes structures that are two or
-     * three voxels thick, such as ribs in a coarse scan; above this loss the band is doubled.
+     * Maximum relative volume loss of the second smoothing. The pass band of the paper removes structures that are two
+     * or three voxels thick, such as ribs in a coarse scan. If the loss is larger, the band is doubled.
      */
     private static final double MAX_VOLUME_LOSS = 0.03;
 
@@ -32,7 +32,7 @@ public final class SegmentMesher {
     private final MeshingSettings settings;
     private final double voxelMm;
 
-    /** @param segments segment of each label, 0 for none */
+    /** @param segments segment number of each label; 0 for no segment */
     public SegmentMesher(LabelGrid grid, int[] segments, MeshingSettings settings) {
         voxels = SurfaceNet.of(grid, segments);
         smooth = voxels.smoothed(settings.firstIterations(), settings.passBand());
@@ -41,10 +41,10 @@ public final class SegmentMesher {
     }
 
     /**
-     * The surface of one segment.
+     * Meshes one segment.
      *
-     * @param edgeMm edge of its triangles, mm; 0 leaves those of the decimation
-     * @throws IllegalArgumentException if the volume has no such segment
+     * @param edgeMm target edge length, mm; 0 keeps the triangles of the decimation
+     * @throws IllegalArgumentException if the volume does not contain the segment
      */
     public MeshedSegment mesh(int segment, double edgeMm) {
         TriangleMesh label = largest(ConnectedComponents.of(voxels.surface(segment)));

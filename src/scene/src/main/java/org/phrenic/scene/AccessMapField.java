@@ -13,27 +13,27 @@ import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * An access map as colours on the skin: the colour of skin where the path to a target is never free, amber where it is
- * free in part of a breath, green where always.
+ * An access map as colours on the skin. Skin colour: the path to the target is never free. Amber: it is free in part of
+ * the breath. Green: it is always free.
  */
 public final class AccessMapField {
     private final List<Surface> surfaces;
     private final String skin;
     private final float[] freePercent;
 
-    /** @param surfaces of the scene that the map is of */
+    /** @param surfaces surfaces of the scene for which the map is computed */
     public AccessMapField(List<Surface> surfaces, AccessMap map) {
         this.surfaces = List.copyOf(surfaces);
         skin = StructureSelection.first(surfaces, StructureKind.SKIN).name();
         freePercent = map.freePercent();
     }
 
-    /** Sets the values of a renderer. */
+    /** Sets the access values in a renderer. */
     public void upload(Renderer renderer) {
         renderer.setField(skin, freePercent);
     }
 
-    /** The style that shows the map: skin and the organs before the target are made translucent. */
+    /** A style that shows the map: skin and the organs in front of the target become translucent. */
     public SceneStyle applyTo(SceneStyle style) {
         ColourScale scale = new ColourScale(ColourMap.ACCESS, 0, 100, ColourField.ACCESS.unit());
         return style.withField(ColourField.ACCESS, skin, scale)

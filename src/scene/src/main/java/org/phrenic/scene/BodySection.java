@@ -15,17 +15,18 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The body cut by a plane, in mm of the plane, x to the right and y upwards, from the centre of the picture.
+ * A plane section of the body and the needle. Coordinates are in mm in the plane, x to the right and y up, with the
+ * origin at the centre of the picture.
  *
- * @param parts what is cut, from the outside in
- * @param entry of the needle
- * @param tip of the needle
- * @param end of the planned path
- * @param target its centre
- * @param targetRadiusMm its radius
- * @param targetPlaneDistanceMm signed distance of its centre from the plane
- * @param right letters of the direction to the right: "L"
- * @param up letters of the upward direction
+ * @param parts sections of the structures, in painting order
+ * @param entry entry point of the needle
+ * @param tip tip of the needle
+ * @param end end point of the planned path
+ * @param target centre of the target
+ * @param targetRadiusMm radius of the target, mm
+ * @param targetPlaneDistanceMm signed distance of the target's centre from the plane, mm
+ * @param right anatomical letters of the direction to the right, such as "L"
+ * @param up anatomical letters of the upward direction
  */
 public record BodySection(
         List<Part> parts,
@@ -40,12 +41,12 @@ public record BodySection(
     /**
      * The section of a structure.
      *
-     * @param name for people
+     * @param name display name
      * @param rgb colour as {@code 0xRRGGBB}
      */
     public record Part(StructureKind kind, String name, Path2D outline, int rgb) {}
 
-    /** The order in which structures are painted. */
+    /** Painting order of the kinds of structures. */
     private static final List<StructureKind> PAINTING_ORDER = List.of(
             StructureKind.SKIN,
             StructureKind.OTHER,
@@ -58,12 +59,12 @@ public record BodySection(
             StructureKind.VERTEBRA,
             StructureKind.RIB);
 
-    /** Shorter vectors have no direction. */
+    /** Minimum length of a vector that can be normalized. */
     private static final double MIN_LENGTH = 1e-6;
 
     /**
-     * The most nearly axial plane that holds the needle, seen from below as an axial slice: the patient's right at the
-     * left, the front at the top.
+     * Section in the plane through the needle that is closest to axial. It is viewed from below, as an axial slice: the
+     * patient's right is at the left and the front at the top.
      */
     public static BodySection alongNeedle(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.normalize(Vectors.subtract(state.tip(), state.hub()));
@@ -78,8 +79,8 @@ public record BodySection(
     }
 
     /**
-     * The plane through the tip at right angles to the needle, seen from the hub: what lies ahead of the needle.
-     * Without a needle in the body, the plane through the target.
+     * Section perpendicular to the needle, viewed from the hub. The plane passes through the tip, or through the target
+     * if the needle is not placed.
      */
     public static BodySection acrossNeedle(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.normalize(Vectors.subtract(state.tip(), state.hub()));
@@ -88,13 +89,13 @@ public record BodySection(
         return cut(surfaces, frame, state, at, Vectors.cross(needle, up), up);
     }
 
-    /** A unit vector at right angles to both; x if they are parallel. */
+    /** Unit vector perpendicular to both vectors; the x axis if they are parallel. */
     private static double[] perpendicular(double[] a, double[] b) {
         double[] c = Vectors.cross(a, b);
         return Vectors.length(c) > MIN_LENGTH ? Vectors.normalize(c) : new double[] {1, 0, 0};
     }
 
-    /** Unit vector of a direction projected onto the plane of a normal. */
+    /** Unit vector of a direction projected onto the plane with the given normal. */
     private static double[] projectedOntoPlane(double[] wanted, double[] normal) {
         double[] flat = Vectors.addScaled(wanted, normal, -Vectors.dot(wanted, normal));
         return Vectors.length(flat) > MIN_LENGTH
@@ -145,7 +146,7 @@ public record BodySection(
         return path;
     }
 
-    /** Radius of the disc in which the plane cuts the target, mm; 0 if it misses it. */
+    /** Radius of the disc in which the plane cuts the target, mm; 0 if the plane misses the target. */
     public double targetSectionRadiusMm() {
         double squared = targetRadiusMm * targetRadiusMm - targetPlaneDistanceMm * targetPlaneDistanceMm;
         return squared > 0 ? Math.sqrt(squared) : 0;

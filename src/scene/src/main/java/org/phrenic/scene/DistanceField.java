@@ -7,18 +7,18 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Unsigned distance of a surface's vertices from a reference surface, such as the same organ in a scan at another
- * breath level (Villard, Bourne and Bello 2009, fig. 5), to the nearest point of the nearest triangle, mm.
+ * Unsigned distance of each vertex of a surface to the closest point of a reference surface, mm. The reference is, for
+ * example, the same organ in a scan at another breath level (Villard, Bourne and Bello 2009, fig. 5).
  */
 public final class DistanceField {
     private final SurfaceDistance reference;
 
-    /** @param reference in LPS, mm */
+    /** @param reference reference surface in LPS, mm */
     public DistanceField(TriangleMesh reference) {
         this.reference = new SurfaceDistance(reference);
     }
 
-    /** Sets the distances of one of a renderer's surfaces in a frame; does nothing if it has no such surface. */
+    /** Sets the distances of a structure in a renderer. Does nothing if the renderer has no such structure. */
     public void upload(Renderer renderer, Frame frame, String structure) {
         for (int i = 0; i < renderer.surfaces().size(); i++) {
             Surface surface = renderer.surfaces().get(i);
@@ -29,9 +29,9 @@ public final class DistanceField {
     }
 
     /**
-     * Distances of a surface's vertices, mm.
+     * Distance of each vertex of a surface, mm.
      *
-     * @param index of the surface in the scene
+     * @param index index of the surface in the scene
      */
     float[] distances(Surface surface, int index, Frame frame) {
         double[] now = new double[surface.rest().positions().length];

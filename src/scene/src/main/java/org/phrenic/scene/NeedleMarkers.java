@@ -23,10 +23,10 @@ import org.phrenic.scene.surface.Markers;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Markers of a rehearsal in the scene: target, needle, and the planned path in the colour of its advice. Drawn thicker
- * than they are, to be visible.
+ * Markers of a rehearsal in the scene: target, needle, and the planned path in the colour of its advice level. Needle
+ * and path are drawn thicker than they are, for visibility.
  *
- * @param level advice on the path
+ * @param level advice level of the planned path
  */
 public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     private static final String NEEDLE = Markers.PREFIX + "needle";
@@ -42,7 +42,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     private static final double PATH_MM = 0.9;
     private static final double ENTRY_MM = 3;
 
-    /** Surfaces to be added to those of a body. */
+    /** Marker surfaces, to be added to the surfaces of a body. */
     public static List<Surface> surfaces() {
         List<Surface> all = new ArrayList<>();
         all.add(Markers.movingRod(NEEDLE));
@@ -55,7 +55,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         return all;
     }
 
-    /** Sets the poses of the markers; returns the style that shows them. */
+    /** Sets the marker poses in a renderer and returns the style that shows the markers. */
     public static SceneStyle apply(Optional<NeedleMarkers> marks, Renderer renderer, SceneStyle style) {
         if (marks.isEmpty()) {
             return style;
@@ -84,10 +84,10 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     }
 
     /**
-     * Draws outlines of target, path and needle over a picture, visible through whatever lies before them.
+     * Draws outlines of target, path and needle over a picture, so that they show through structures in front of them.
      *
-     * @param width of the picture, in pixels of {@code graphics}
-     * @param height as above
+     * @param width width of the picture, in pixels of {@code graphics}
+     * @param height height of the picture, in pixels of {@code graphics}
      */
     public void drawOutlines(Graphics2D graphics, Camera camera, int width, int height) {
         Graphics2D g = (Graphics2D) graphics.create();
@@ -136,7 +136,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         return Vectors.addScaled(from, along, mm);
     }
 
-    /** Colour of a level as {@code 0xRRGGBB}. */
+    /** Colour of an advice level as {@code 0xRRGGBB}. */
     public static int rgb(PathAdvice.Level level) {
         return switch (level) {
             case FREE -> 0x0f8a7c;

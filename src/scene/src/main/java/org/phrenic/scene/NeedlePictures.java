@@ -32,7 +32,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Picture files of a rehearsal: the needle in the body, whole and cut open in a plane along the needle, and the access
+ * Picture files of a rehearsal: the needle in the whole body, the needle in a section plane along it, and the access
  * map on the skin.
  */
 public final class NeedlePictures implements AutoCloseable {
@@ -40,7 +40,7 @@ public final class NeedlePictures implements AutoCloseable {
     private static final int SAMPLES = 4;
     private static final String NEEDLE = "needle";
     private static final String TARGET = "target";
-    /** Drawn thicker than the needle, to be visible. */
+    /** Radius of the drawn needle, larger than the real one for visibility. */
     private static final double DRAWN_RADIUS_MM = 1.2;
 
     static final Appearance NEEDLE_APPEARANCE = Appearance.of(0x1f4e79, 1);
@@ -56,23 +56,23 @@ public final class NeedlePictures implements AutoCloseable {
         this.ownsContext = ownsContext;
     }
 
-    /** Draws with an open context, on its thread. */
+    /** Uses an open context. All calls must come from the thread of that context. */
     public static NeedlePictures using(OffscreenContext gl, List<Surface> body) {
         return new NeedlePictures(gl, body, false);
     }
 
     /**
-     * Opens a context of its own.
+     * Opens its own context, closed by {@link #close}.
      *
-     * @param body surfaces of the frames
-     * @throws NoGraphicsException if nothing here draws, with one sentence
+     * @param body surfaces, in the order of the frames
+     * @throws NoGraphicsException if no OpenGL context is available; the message is one sentence
      */
     public static NeedlePictures open(List<Surface> body) throws NoGraphicsException {
         return new NeedlePictures(OffscreenContext.headless(), body, true);
     }
 
     /**
-     * Writes the needle at one moment from the front, from the right and cut open along it.
+     * Writes pictures of the needle at one time: from the front, from the right, and in a section along the needle.
      *
      * @return names of the files
      */
@@ -122,7 +122,7 @@ public final class NeedlePictures implements AutoCloseable {
                 .withAppearance(TARGET, TARGET_APPEARANCE);
     }
 
-    /** The most nearly axial plane that holds the needle; what lies below is cut away, as in an axial slice. */
+    /** The plane through the needle that is closest to axial. The part below it is removed, as in an axial slice. */
     private static ClipPlane planeAlong(NeedleSnapshot view) {
         Vector3d tip = new Vector3d(view.tip());
         Vector3d d = new Vector3d(view.tip()).sub(new Vector3d(view.hub()));
@@ -135,7 +135,7 @@ public final class NeedlePictures implements AutoCloseable {
     }
 
     /**
-     * Writes the access map on the skin at the first moment, from the front, the right and behind.
+     * Writes pictures of the access map on the skin at the first frame, from the front, the right and behind.
      *
      * @return names of the files
      */
@@ -157,7 +157,7 @@ public final class NeedlePictures implements AutoCloseable {
         return names;
     }
 
-    /** What pictures of one moment share. */
+    /** Data shared by the pictures of one time. */
     private record Series(Path folder, Renderer renderer, Frame frame, String timestamp) {}
 
     private String write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {

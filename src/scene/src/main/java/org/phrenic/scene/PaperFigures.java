@@ -30,8 +30,9 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Figures 1 and 3 of Villard, Bourne and Bello 2009, reproduced: the thorax and the attachment points of its diaphragm;
- * and the diaphragm's motion, its shape at the end of inhale as a wireframe over the surface at the end of exhale.
+ * Reproduces figures 1 and 3 of Villard, Bourne and Bello 2009. Figure 1 shows the thorax and the attachment points of
+ * the diaphragm. Figure 3 shows the motion of the diaphragm: end of inhale as a wireframe over the surface at end of
+ * exhale.
  */
 public final class PaperFigures {
     private static final int SAMPLES = 4;
@@ -54,9 +55,9 @@ public final class PaperFigures {
     }
 
     /**
-     * The extremes of a scenario's first breath: rest, where the sum of both domes' heights is least, and its end.
+     * Frames of a scenario's first breath: rest, end of inhale (minimum of the sum of both dome heights), and end.
      *
-     * @param surfaces in the order of the frames
+     * @param surfaces surfaces, in the order of the frames
      */
     private record Breath(List<Surface> surfaces, List<Overlay> overlays, Frame rest, Frame inhaled, Frame exhaled) {
         static Breath of(Scenario scenario, SimulationRun.Progress progress) {
@@ -88,11 +89,11 @@ public final class PaperFigures {
     /**
      * Draws the figures.
      *
-     * @param own a breath of the model with this program's defaults
-     * @param published one with the paper's material; empty to leave it out
-     * @param width of a picture, pixels
-     * @return pictures by the number of their figure
-     * @throws NoGraphicsException if nothing here draws, with one sentence; nothing is simulated then
+     * @param own scenario with the default material of this program
+     * @param published scenario with the material of the paper; empty to omit it
+     * @param width width of a picture, pixels
+     * @return pictures by figure number
+     * @throws NoGraphicsException if no OpenGL context is available, before any simulation; the message is one sentence
      */
     public static Map<Integer, List<FigureImage>> draw(
             Scenario own, Optional<Scenario> published, int width, SimulationRun.Progress progress)
@@ -140,7 +141,7 @@ public final class PaperFigures {
                     case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> usual.withOpacity(BONE_OPACITY);
                     case LUNG, LIVER, SKIN, OTHER -> usual.withVisible(false);
                 });
-        // The first nodes of the scene are the diaphragm's.
+        // The first nodes of the scene belong to the diaphragm.
         int[] nodes = breath.overlays.stream()
                 .filter(o -> o.kind() == Overlay.Kind.ATTACHMENTS)
                 .flatMapToInt(o -> Arrays.stream(o.nodePairs()))
@@ -166,7 +167,7 @@ public final class PaperFigures {
         int index = breath.surfaces.indexOf(diaphragm);
         double[] start = new double[diaphragm.rest().positions().length];
         breath.inhaled.writePositions(diaphragm, index, start);
-        // The wireframe and the displacement take the end of inhale as the shape at rest.
+        // The end of inhale is the rest shape, to which wireframe and displacement refer.
         Surface inhaled = new Surface(
                 diaphragm.name(),
                 diaphragm.kind(),

@@ -25,7 +25,7 @@ import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** Simulates a scenario and writes pictures and movies of it, off screen. Times must be asked for in order. */
+/** Simulates a scenario and writes pictures and movies off screen. Times must be requested in ascending order. */
 public final class ScenarioRenderer implements AutoCloseable {
     private final OffscreenContext gl;
     private final ScenePlayer player;
@@ -38,7 +38,9 @@ public final class ScenarioRenderer implements AutoCloseable {
         renderer = new Renderer(player.surfaces(), player.overlays());
     }
 
-    /** @throws NoGraphicsException if nothing here draws, with one sentence; nothing is simulated then */
+    /**
+     * @throws NoGraphicsException if no OpenGL context is available, before any simulation; the message is one sentence
+     */
     public static ScenarioRenderer open(Scenario scenario, SimulationRun.Progress progress) throws NoGraphicsException {
         OffscreenContext gl = OffscreenContext.headless();
         try {
@@ -58,7 +60,7 @@ public final class ScenarioRenderer implements AutoCloseable {
         return player.surfaces();
     }
 
-    /** Simulated time of the whole scenario, s. */
+    /** Duration of the scenario, s. */
     public double durationS() {
         return player.durationS();
     }
@@ -67,15 +69,15 @@ public final class ScenarioRenderer implements AutoCloseable {
         return gl.info();
     }
 
-    /** Simulates to a time and writes a picture. */
+    /** Simulates up to a time and writes a picture. */
     public void writePicture(Path file, double timeS, PictureSettings settings, SceneStyle style) {
         PngFile.write(file, render(player.advanceTo(timeS), settings, style));
     }
 
     /**
-     * Simulates through these times and writes them as a movie.
+     * Simulates through the given times and writes a movie with one frame per time.
      *
-     * @param single file of each frame as a single picture; empty for none
+     * @param single picture file for each frame index; empty for no picture files
      */
     public void writeMovie(
             Path file,

@@ -13,7 +13,9 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
-/** Simulates a scenario for its pictures with the steps of a run: the state at a time is the same, bit for bit. */
+/**
+ * Simulates a scenario for pictures. It takes the same steps as a headless run, so that the states are bit-identical.
+ */
 public final class ScenePlayer implements AutoCloseable {
     private static final double PROGRESS_INTERVAL_S = 0.1;
 
@@ -24,7 +26,7 @@ public final class ScenePlayer implements AutoCloseable {
     private final Frame frame;
     private final double durationS;
 
-    /** @throws BadInputException with one sentence, if the scenario's body cannot be simulated */
+    /** @throws BadInputException if the scenario's body cannot be simulated; the message is one sentence */
     public ScenePlayer(Scenario scenario, SimulationRun.Progress progress) {
         this.scenario = scenario;
         this.progress = progress;
@@ -39,7 +41,7 @@ public final class ScenePlayer implements AutoCloseable {
         durationS = simulation.durationS();
     }
 
-    /** The surfaces, in the order of the frames. */
+    /** Surfaces, in the order of the frames. */
     public List<Surface> surfaces() {
         return surfaces.surfaces();
     }
@@ -48,17 +50,17 @@ public final class ScenePlayer implements AutoCloseable {
         return surfaces.overlays();
     }
 
-    /** Simulated time of the whole scenario, s. */
+    /** Duration of the scenario, s. */
     public double durationS() {
         return durationS;
     }
 
-    /** Phase of the breath at the present step: "inspiration". */
+    /** Breathing phase at the current step, such as "inspiration". */
     public String phase() {
         return simulation.breathLabel().name().toLowerCase(Locale.ROOT);
     }
 
-    /** Box about all surfaces at rest: {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm. */
+    /** Bounding box of all surfaces at rest: {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm. */
     public double[] bounds() {
         return SceneBounds.of(surfaces());
     }
@@ -66,8 +68,8 @@ public final class ScenePlayer implements AutoCloseable {
     /**
      * Simulates up to a time.
      *
-     * @param timeS not before the last one
-     * @return the scene at the step nearest to that time; the same object each time
+     * @param timeS time, s; not before the time of the previous call
+     * @return the frame of the nearest step; the object is reused by every call
      */
     public Frame advanceTo(double timeS) {
         long target = Math.round(timeS / scenario.timeStepS());
@@ -91,7 +93,7 @@ public final class ScenePlayer implements AutoCloseable {
         return frame;
     }
 
-    /** {@code state_sha256} of the present state. */
+    /** {@code state_sha256} of the current state. */
     public String stateHash() {
         return simulation.stateHash();
     }

@@ -22,7 +22,7 @@ import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** Pictures of surfaces without a simulation: in colours of a distance, or over each other. */
+/** Pictures of surfaces without a simulation: coloured by distance, or several surfaces in one picture. */
 public final class SurfacePictures implements AutoCloseable {
     private static final int SAMPLES = 4;
 
@@ -31,17 +31,17 @@ public final class SurfacePictures implements AutoCloseable {
     /** @param mesh in LPS, mm */
     public record Layer(TriangleMesh mesh, Appearance appearance) {}
 
-    /** @throws NoGraphicsException if nothing here draws, with one sentence */
+    /** @throws NoGraphicsException if no OpenGL context is available; the message is one sentence */
     public SurfacePictures() throws NoGraphicsException {
         gl = OffscreenContext.headless();
     }
 
     /**
-     * A surface in the colours of a distance at its vertices.
+     * Draws a surface coloured by a distance at each vertex.
      *
      * @param mesh in LPS, mm
-     * @param distancesMm one a vertex
-     * @param bounds box that the picture shows: least x, y, z, then greatest, mm
+     * @param distancesMm one distance per vertex, mm
+     * @param bounds box to show: minimum x, y, z, then maximum x, y, z, mm
      */
     public BufferedImage distances(
             TriangleMesh mesh, double[] distancesMm, PictureSettings settings, ColourScale scale, double[] bounds) {
@@ -54,7 +54,7 @@ public final class SurfacePictures implements AutoCloseable {
         return picture(renderer, style, settings, bounds);
     }
 
-    /** Surfaces over each other, each with an appearance of its own. */
+    /** Draws several surfaces in one picture, each with its own appearance. */
     public BufferedImage layers(List<Layer> layers, PictureSettings settings) {
         List<Surface> surfaces = new ArrayList<>();
         layers.forEach(layer -> surfaces.add(surface("layer " + surfaces.size(), layer.mesh())));
@@ -66,7 +66,7 @@ public final class SurfacePictures implements AutoCloseable {
         return picture(new Renderer(surfaces, List.of()), style, settings, SceneBounds.of(surfaces));
     }
 
-    /** The mesh as a surface, facing outward: inward faces would not be lit. */
+    /** The mesh as a surface with outward faces, because inward faces are not lit. */
     private static Surface surface(String name, TriangleMesh mesh) {
         TriangleMesh outward = MeshRepair.orient(mesh).mesh();
         return new Surface(name, StructureKind.OTHER, 0, Side.MIDLINE, outward, Surface.Motion.STILL, new boolean[0]);

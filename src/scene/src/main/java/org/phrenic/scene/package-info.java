@@ -1,5 +1,5 @@
 /**
- * Pictures of simulations, surfaces and rehearsals, drawn off screen, and what the window adds to its scene. The only
- * package of the module that simulates; no window, no command line.
+ * Off-screen pictures of simulations, surfaces and rehearsals, and the scene elements that the window shares. The only
+ * package of the module that runs simulations. Contains no window and no command line.
  */
 package org.phrenic.scene;

@@ -5,11 +5,11 @@ import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * Observables of a run over time, and the end-expiration and end-inspiration of its breaths.
+ * Time series of a run's observables, divided into breaths.
  *
- * <p>A breath begins at its first sample (end-expiration) and is deepest where both domes together stand lowest
- * (end-inspiration). Where a breath is held, that breath alone counts; else every whole breath; else all samples are
- * one.
+ * <p>A breath begins at its first sample (end-expiration). End-inspiration is the sample at which the sum of both dome
+ * heights is lowest. If a breath contains a hold, only that breath is used. Otherwise all complete breaths are used, or
+ * all samples as one breath if none is complete.
  */
 public final class BreathSeries {
     private final List<String> columns;
@@ -18,9 +18,9 @@ public final class BreathSeries {
     private final List<int[]> breaths = new ArrayList<>();
 
     /**
-     * @param columns names; among them {@code breath}, {@code dome_right_mm}, {@code dome_left_mm}
-     * @param rows a value a column, in the order of time; at least one row
-     * @param labels what the breath does at each row
+     * @param columns column names, including {@code breath}, {@code dome_right_mm}, {@code dome_left_mm}
+     * @param rows one value per column, in time order; at least one row
+     * @param labels respiratory phase of each row
      */
     public BreathSeries(List<String> columns, List<double[]> rows, List<RespiratoryPhase> labels) {
         if (rows.isEmpty() || rows.size() != labels.size()) {
@@ -83,7 +83,7 @@ public final class BreathSeries {
         return breaths.get(breath)[1];
     }
 
-    /** Row of a breath at which both domes together stand lowest: end-inspiration. */
+    /** Row of end-inspiration, where the sum of both dome heights is lowest. */
     public int endInspirationRow(int breath) {
         int best = endExpirationRow(breath);
         for (int i = best; i <= lastRow(breath); i++) {
@@ -98,17 +98,17 @@ public final class BreathSeries {
         return value("dome_right_mm", row) + value("dome_left_mm", row);
     }
 
-    /** Whether a breath is held somewhere. */
+    /** Whether the series contains a breath hold. */
     public boolean hasHold() {
         return labels.contains(RespiratoryPhase.HOLD);
     }
 
-    /** First row of the hold; -1 where no breath is held. */
+    /** First row of the hold; -1 without a hold. */
     public int firstHeldRow() {
         return labels.indexOf(RespiratoryPhase.HOLD);
     }
 
-    /** Mean of a column at the breaths' beginnings. */
+    /** Mean of a column at end-expiration over the breaths. */
     public double meanAtEndExpiration(String column) {
         double sum = 0;
         for (int b = 0; b < breaths.size(); b++) {
@@ -117,7 +117,7 @@ public final class BreathSeries {
         return sum / breaths.size();
     }
 
-    /** Mean of a column where the breaths are deepest. */
+    /** Mean of a column at end-inspiration over the breaths. */
     public double meanAtEndInspiration(String column) {
         double sum = 0;
         for (int b = 0; b < breaths.size(); b++) {
@@ -126,7 +126,7 @@ public final class BreathSeries {
         return sum / breaths.size();
     }
 
-    /** Mean change of a column from the beginning of a breath to where it is deepest. */
+    /** Mean change of a column from end-expiration to end-inspiration. */
     public double meanChange(String column) {
         return meanAtEndInspiration(column) - meanAtEndExpiration(column);
     }

@@ -4,19 +4,19 @@ import java.util.Locale;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.scenario.Scenario;
 
-/** The scenarios that are simulated for the paper's results, on the virtual adult male. */
+/** Scenarios that reproduce the paper's results, on the virtual adult male. */
 public final class PaperScenarios {
     /** The paper's time step, s. */
     public static final double STEP_S = 0.01;
 
     private PaperScenarios() {}
 
-    /** The model as it is used here: membrane, pressure, muscle that shortens. */
+    /** The program's default model: membrane, pressure, muscle that shortens. */
     public static Scenario defaultModel(String preset, Resolution resolution) {
         return Scenario.defaults().with("preset=" + preset, resolution(resolution));
     }
 
-    /** The model with the paper's springs, masses, action lines and tendon above a plane. */
+    /** The paper's model: its springs, masses, action lines, and tendon above a plane. */
     public static Scenario publishedModel(String preset, Resolution resolution) {
         return defaultModel(preset, resolution).with("material=paper", "pressure=false", "tendon=plane");
     }

@@ -12,18 +12,18 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.study.measure.SceneObservables;
 
-/** One breath of a preset from rest, or all of it up to the end of its hold, as curves of the observables. */
+/** Simulates a preset from rest and records its observables: one breath, or up to the end of its hold. */
 public final class PresetRun {
-    /** Between samples of a validation, s. */
+    /** Sampling interval of a validation, s. */
     public static final double SAMPLE_S = 0.05;
 
     private PresetRun() {}
 
     /**
-     * Runs it.
+     * Runs the simulation.
      *
-     * @param sampleS between samples, s
-     * @param wanted names of observables of {@link SceneObservables} to compute besides those of every run
+     * @param sampleS sampling interval, s
+     * @param wanted names of additional observables of {@link SceneObservables}
      */
     public static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {

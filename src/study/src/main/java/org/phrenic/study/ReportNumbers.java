@@ -2,11 +2,11 @@ package org.phrenic.study;
 
 import java.util.Locale;
 
-/** Numbers as reports print them. */
+/** Number formats of reports. */
 public final class ReportNumbers {
     private ReportNumbers() {}
 
-    /** Three significant digits or all whole ones: 0.12, 12.3, 123; empty for NaN and infinity. */
+    /** Two decimals below 10, one below 100, none from 100 on: 0.12, 12.3, 123; empty for NaN and infinity. */
     public static String number(double value) {
         if (!Double.isFinite(value)) {
             return "";
@@ -16,14 +16,14 @@ public final class ReportNumbers {
         return text.matches("-0(\\.0+)?") ? text.substring(1) : text;
     }
 
-    /** At most so many significant digits, without trailing zeros: 0.05, 0.00125. */
+    /** At most {@code digits} significant digits, without trailing zeros: 0.05, 0.00125. */
     public static String trimmed(double value, int digits) {
         return String.format(Locale.ROOT, "%." + digits + "g", value)
                 .replaceFirst("(\\.\\d*?)0+$", "$1")
                 .replaceFirst("\\.$", "");
     }
 
-    /** A whole number with commas between thousands: 20,909. */
+    /** A whole number with thousands separators: 20,909. */
     public static String grouped(double value) {
         return String.format(Locale.ROOT, "%,.0f", value);
     }

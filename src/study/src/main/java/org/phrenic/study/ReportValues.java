@@ -6,12 +6,12 @@ import java.util.Locale;
 import java.util.Map;
 import org.phrenic.document.Key;
 
-/** Records as values for JSON. */
+/** Converts records to values for JSON. */
 public final class ReportValues {
     private ReportValues() {}
 
     /**
-     * The components of a record by their names in snake_case, or by {@link Key}; NaN and infinity are left out.
+     * The components of a record by name, in snake_case or as given by {@link Key}. NaN and infinity are left out.
      *
      * @param row public record of numbers, booleans and texts
      */

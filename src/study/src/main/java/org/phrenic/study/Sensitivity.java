@@ -12,19 +12,21 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * Which parameter moves which observable: each parameter alone is lowered and raised by a tenth, and the change of the
- * observable over the change of the parameter is given in per cent per per cent, (q+ - q-) / q0 over (p+ - p-) / p0;
- * where a tenth leaves the parameter's range, up to its end.
+ * One-at-a-time sensitivity of observables to parameters. Each parameter is lowered and raised by 10 %, limited to its
+ * range. The sensitivity is the relative change of the observable over the relative change of the parameter, in per
+ * cent per per cent: ((q+ - q-) / q0) / ((p+ - p-) / p0).
  *
  * @param preset of breathing, one breath from rest
  * @param anatomy body
  * @param observables whose change from end-expiration to end-inspiration is evaluated
- * @param reference those changes with nothing altered
- * @param rows one a parameter
+ * @param reference these changes with unmodified parameters
+ * @param rows one per parameter
  */
 public record Sensitivity(String preset, String anatomy, List<String> observables, double[] reference, List<Row> rows) {
     private static final double STEP = 0.1;
-    /** Finer than a validation's: end-inspiration shifts a little with most parameters. */
+    /**
+     * Sampling interval, s. It is shorter than for validation because most parameters shift end-inspiration slightly.
+     */
     private static final double SAMPLE_S = 0.01;
 
     private static final List<String> OBSERVABLES = List.of(
@@ -42,20 +44,21 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
             "liver_ap_mm");
 
     /**
-     * One parameter.
+     * Sensitivity to one parameter.
      *
-     * @param parameter that was altered
+     * @param parameter that was changed
      * @param from lower value
      * @param to higher value
-     * @param effects per cent per per cent, one an observable; NaN where the observable does not change at all
+     * @param effects per cent per per cent, one per observable; NaN where the observable does not change during the
+     *     breath
      */
     public record Row(Parameter parameter, double from, double to, double[] effects) {}
 
     /**
-     * Runs it: two breaths a parameter that the material uses, and one with nothing altered.
+     * Runs the study: two breaths for each parameter that the material uses, and one with unmodified parameters.
      *
      * @param scenario preset, body, resolution and material
-     * @param threads runs at a time
+     * @param threads number of concurrent runs
      */
     public static Sensitivity of(Scenario scenario, int threads, ProgressListener progress) {
         Scenario single = scenario.with(Numerics.THREADS, 1);
@@ -94,7 +97,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
         return new Sensitivity(scenario.preset(), scenario.anatomy(), OBSERVABLES, reference, rows);
     }
 
-    /** Effects in per cent per per cent, for a change of the parameter by a share of its value. */
+    /** Sensitivities in per cent per per cent, for a parameter change of {@code share} of its value. */
     public static double[] effects(double[] reference, double[] low, double[] high, double share) {
         double[] effects = new double[reference.length];
         for (int i = 0; i < effects.length; i++) {

@@ -18,7 +18,7 @@ public final class SensitivityReport {
         this.sensitivity = sensitivity;
     }
 
-    /** Header and rows of the table, as cells: the parameter, then per cent per per cent for each observable. */
+    /** Table cells with header: the parameter, then per cent per per cent for each observable. */
     public List<List<String>> cells() {
         List<List<String>> table = new ArrayList<>();
         List<String> header = new ArrayList<>(List.of("parameter"));
@@ -53,7 +53,7 @@ public final class SensitivityReport {
         return MarkdownPage.format(report.table("", columns, cells.subList(1, cells.size())));
     }
 
-    /** All of it as values, for JSON. */
+    /** The study as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);

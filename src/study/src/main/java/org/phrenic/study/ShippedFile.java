@@ -6,12 +6,12 @@ import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Tables that come with the program, below {@code data/}. */
+/** Data files distributed with the program, below {@code data/}. */
 public final class ShippedFile {
     private ShippedFile() {}
 
     /**
-     * Reads a file; empty if the program has no such file.
+     * Reads a file; empty if it does not exist.
      *
      * @param path such as {@code validation/physiology.yaml}
      */

@@ -1,5 +1,5 @@
 /**
- * What studies share: the run of one breath with its observables as curves, sensitivity to parameters, numbers and
- * values of reports. No study of its own but the sensitivity.
+ * Code shared by the studies: simulation of one breath with its observables, number formats and report values. It also
+ * contains the sensitivity study.
  */
 package org.phrenic.study;

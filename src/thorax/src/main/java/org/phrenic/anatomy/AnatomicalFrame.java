@@ -6,16 +6,15 @@ import java.util.Optional;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The axes and the unit in which a thorax is given, and the transform to LPS millimetres. Axes are three letters, the
- * directions of +x, +y and +z (L or R, P or A, S or I). Where they are not stated they are detected from the
- * structures: the spine and sternum tell front from back, the ribs up from down, the sides named in the structures left
- * from right.
+ * The anatomical axes and length unit of a thorax, and the transform to LPS millimetres. Axes are three letters, the
+ * directions of +x, +y and +z (L or R, P or A, S or I). Unstated axes are detected from the structures: spine and
+ * sternum give the antero-posterior axis, the rib levels the vertical axis, the sides in the names the transverse axis.
  *
  * @param axes three letters, such as {@code LSA}
- * @param millimetresPerUnit millimetres a unit
+ * @param millimetresPerUnit length of a unit, mm
  */
 public record AnatomicalFrame(String axes, double millimetresPerUnit) {
-    /** An adult's (or child's) rib cage is at least this wide, mm; what is narrower was given in cm or m. */
+    /** Minimum width of a rib cage, mm, of an adult or a child. A smaller one was given in cm or m. */
     private static final double MIN_CAGE_WIDTH_MM = 100;
 
     private static final double MAX_CAGE_WIDTH_MM = 500;
@@ -54,7 +53,7 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
         return even * sign(axes.charAt(0)) * sign(axes.charAt(1)) * sign(axes.charAt(2));
     }
 
-    /** The mesh in LPS and mm; triangles keep their order, for the frame is right-handed. */
+    /** Transforms a mesh to LPS and mm. The frame is right-handed, so triangles keep their orientation. */
     public TriangleMesh toLps(TriangleMesh mesh) {
         double[] given = mesh.positions();
         double[] out = new double[given.length];
@@ -70,9 +69,9 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     /**
-     * The frame of stated axes, its unit read off the width of the rib cage.
+     * Creates a frame from stated axes; the unit follows from the width of the rib cage.
      *
-     * @throws IllegalArgumentException if the axes are none, or there are no ribs to read the unit off
+     * @throws IllegalArgumentException if the axes are invalid, or there are no ribs to determine the unit
      */
     public static AnatomicalFrame ofStatedAxes(String axes, List<Structure> structures) {
         AnatomicalFrame frame = new AnatomicalFrame(axes, 1);
@@ -84,9 +83,9 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     /**
-     * Reads axes and unit off the structures.
+     * Detects axes and unit from the structures.
      *
-     * @throws IllegalArgumentException if there are too few to tell, or the sides that the names state are mirrored
+     * @throws IllegalArgumentException if there are too few structures, or the sides in their names are mirrored
      */
     public static AnatomicalFrame detect(List<Structure> structures) {
         String axes = detectedAxes(structures);
@@ -106,7 +105,7 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
         return new AnatomicalFrame(axes, detectUnit(structures, axes));
     }
 
-    /** A sentence if the axes detected from the structures differ from these; empty where none can be detected. */
+    /** Describes the difference if the detected axes differ from these; empty if they agree or cannot be detected. */
     Optional<String> axesMismatch(List<Structure> structures) {
         String seen = detectedAxes(structures);
         return determinant(seen) == 0 || seen.equals(axes)
@@ -114,7 +113,7 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
                 : Optional.of("axes: stated as " + axes + ", but the structures' names and places give " + seen);
     }
 
-    /** Axes as the structures' names and places give them, a question mark for one that they do not tell. */
+    /** Axes from the names and positions of the structures; a question mark for each undetermined axis. */
     private static String detectedAxes(List<Structure> structures) {
         double[] right = centre(structures, StructureKind.RIB, Side.RIGHT, 1, 12);
         double[] left = centre(structures, StructureKind.RIB, Side.LEFT, 1, 12);

@@ -6,32 +6,33 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The shape of the central tendon: three leaflets on the roof of the sheet, a right one (the largest), a left one (the
- * narrowest) and a median one in front of them, fused with the pericardium. Each is an ellipse in the plan of the
- * sheet, its half width and half depth being 1; they grow together until the tendon has its share of the area.
+ * The central tendon: three leaflets on the roof of the sheet, a right one (the largest), a left one (the narrowest)
+ * and a median one in front of them, fused with the pericardium. Each is an ellipse in the horizontal plan of the
+ * sheet, in units of the sheet's half-width and half-depth. They grow together until the tendon has its fraction of the
+ * area.
  */
 final class CentralTendon {
-    /** Centre u (left), centre v (posterior), radius in u, radius in v of the right, left and median leaflet. */
+    /** Centre u (left), centre v (posterior), radius in u and radius in v of the right, left and median leaflet. */
     private static final double[][] LEAFLETS = {
         {-0.42, 0.12, 0.34, 0.44}, {0.45, 0.14, 0.30, 0.42}, {0.0, -0.26, 0.40, 0.30},
     };
 
-    /** The roof: what is not steeper than this cosine of the normal to the vertical. */
+    /** A vertex belongs to the roof if the cosine between its normal and the vertical exceeds this. */
     private static final double MIN_ROOF_COSINE = 0.25;
 
     /**
-     * and higher than this share of the height of the sheet: crura hang far down, and the floor behind them is level
-     * too.
+     * A roof vertex also lies above this fraction of the sheet's height. This excludes crura, which hang far down, and
+     * the level floor behind them.
      */
     private static final double MIN_HEIGHT_SHARE = 0.65;
 
     private CentralTendon() {}
 
     /**
-     * Marks the tendon's vertices.
+     * Marks the vertices of the tendon.
      *
      * @param sheet closed sheet, LPS, mm
-     * @param share of the sheet's area, 0 to 1
+     * @param share fraction of the sheet's area, 0 to 1
      */
     static boolean[] of(TriangleMesh sheet, double share) {
         double[] box = sheet.bounds();
@@ -47,7 +48,7 @@ final class CentralTendon {
             level[i] = upper && Math.abs(normals[3 * i + 2]) > MIN_ROOF_COSINE
                     ? leafletLevel(u, v)
                     : Double.POSITIVE_INFINITY;
-            // The bits of a non-negative number sort as the number does.
+            // The bit patterns of non-negative doubles sort as their values.
             key[i] = Double.doubleToRawLongBits(level[i]);
         }
         int[] order = ArgSort.of(key);

@@ -6,19 +6,19 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The origin of the crura: the first three lumbar vertebrae and the discs between them, by tendons that blend with the
- * ligament there; and above them the front of the last thoracic one, where the median arcuate ligament joins the two.
- * What of the sheet lies there does not slide, and the less of it is muscle the nearer it is.
+ * The origin of the crura: by tendons from the vertebrae L1 to L3 and the discs between them, blended with the anterior
+ * longitudinal ligament, and above them from the front of T12, where the median arcuate ligament joins the crura. The
+ * sheet does not slide there, and its muscle fraction decreases toward the bone.
  */
 public final class CruralOrigin {
-    /** T12, and the disc below it. */
+    /** T12 and the disc below it. */
     private static final int LIGAMENT_LEVEL = StructureName.FIRST_LUMBAR - 1;
-    /** The right crus comes from L1 to L3, the left from L1 and L2 (physiology C1). */
+    /** The right crus originates from L1 to L3, the left from L1 and L2 (physiology C1). */
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
     /**
-     * The sheet's middle is 3 to 8 mm off the bone: its half thickness, ligament and what smoothing does to both
-     * surfaces. A larger reach lets the domes descend less; at 14 mm, or on a firmer bed, the sheet creases at the
-     * border of the held part.
+     * Attachment distance, mm. The middle of the sheet is 3 to 8 mm from the bone: half its thickness, the ligament and
+     * the effect of smoothing both surfaces. A larger value reduces dome descent. At 14 mm, or on a stiffer bed, the
+     * sheet creases at the border of the attached part.
      */
     private static final double REACH_MM = 15;
 
@@ -28,10 +28,10 @@ public final class CruralOrigin {
     private CruralOrigin() {}
 
     /**
-     * How much of each vertex of the sheet belongs to the origin.
+     * Attachment of each vertex of the sheet to the crural origin.
      *
-     * @return of each vertex 1 on the bone, falling smoothly to 0 at {@value #REACH_MM} mm from it; all 0 where the
-     *     body has none of these vertebrae
+     * @return for each vertex 1 on the bone, falling smoothly to 0 at {@value #REACH_MM} mm from it; all 0 if the
+     *     thorax has none of these vertebrae
      */
     public static double[] attachmentShares(Thorax thorax, Diaphragm diaphragm) {
         TriangleMesh sheet = diaphragm.sheet();
@@ -56,8 +56,8 @@ public final class CruralOrigin {
     }
 
     /**
-     * 1 beside the bone and before it, falling smoothly to 0 where the way from the bone leads back by a third of a
-     * right angle.
+     * Weight of a point beside or in front of the bone: 1, falling smoothly to 0 where the direction from the bone
+     * points 30 degrees backward.
      */
     private static double inFront(double forward, double distance) {
         double behind = distance == 0 ? 0 : Math.max(0, -forward / distance);

@@ -9,22 +9,21 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The diaphragm as tissue: its two faces, where it is inserted, which part is central tendon and which muscle, and how
- * the muscle's fibres run.
+ * The diaphragm with its two faces, insertion, central tendon, muscle and fibre directions.
  *
  * <ul>
- *   <li>Insertion: the whole outer border of the sheet (xiphoid, costal margin, ribs 11 and 12, arcuate ligaments,
- *       crura); the borders of the openings for vessels and oesophagus are free.
- *   <li>Tendon: by the trefoil rule, three leaflets on the roof with a share of the area ({@link #TENDON_SHARE}); or,
- *       as the paper does, what lies above a plane.
+ *   <li>Insertion: the outer border of the sheet (xiphoid, costal margin, ribs 11 and 12, arcuate ligaments, crura).
+ *       The borders of the openings for vessels and oesophagus are free.
+ *   <li>Tendon: three leaflets on the roof with a given fraction of the area ({@link #TENDON_SHARE}) or, as in the
+ *       paper, everything above a horizontal plane.
  *   <li>Fibres: along the gradient of a harmonic field that is 0 at the insertion and 1 at the tendon.
  * </ul>
  */
 public final class Diaphragm {
-    /** Central tendon's share of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
+    /** Area of the central tendon as a fraction of the area of a face: 143 cm² of 700 to 950 (physiology C1). */
     public static final double TENDON_SHARE = 0.14;
 
-    /** Gradient below which the field has no direction, 1/mm; over a fibre of 100 mm it changes by 1. */
+    /** Gradient below which the fibre direction is undefined, 1/mm; a fibre of 100 mm has a gradient of 0.01. */
     private static final double MIN_GRADIENT_PER_MM = 1e-12;
 
     private final TriangleMesh sheet;
@@ -51,7 +50,7 @@ public final class Diaphragm {
         this.fibre = computeFibreDirections();
     }
 
-    /** A sheet whose tendon is found by the trefoil rule. */
+    /** Creates a diaphragm with a tendon of three leaflets. */
     public static Diaphragm withTrefoilTendon(TriangleMesh sheet) {
         MeshTopology topology = new MeshTopology(sheet);
         DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
@@ -61,7 +60,7 @@ public final class Diaphragm {
         return new Diaphragm(sheet, topology, faces, inserted, distance, tendon);
     }
 
-    /** A sheet whose tendon is what lies above a horizontal plane, as the paper tells tissue apart. */
+    /** Creates a diaphragm whose tendon is everything above a horizontal plane, as in the paper. */
     public static Diaphragm withTendonAbovePlane(TriangleMesh sheet, double height) {
         MeshTopology topology = new MeshTopology(sheet);
         DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
@@ -74,7 +73,7 @@ public final class Diaphragm {
                 sheet, topology, faces, inserted, distancesFromInsertion(sheet, topology, inserted), tendon);
     }
 
-    /** The largest connected run of border vertices; openings have their own. */
+    /** Marks the largest connected component of border vertices; openings are separate components. */
     private static boolean[] outerBorder(MeshTopology topology, DiaphragmFaces faces) {
         int n = faces.vertexCount();
         int[] runs = DisjointSets.singletons(n);
@@ -148,7 +147,7 @@ public final class Diaphragm {
         return faces.isThoracic(vertex);
     }
 
-    /** Whether the vertex lies on the border that bone holds. */
+    /** True if the vertex lies on the insertion. */
     public boolean isInserted(int vertex) {
         return inserted[vertex];
     }
@@ -157,23 +156,25 @@ public final class Diaphragm {
         return tendon[vertex];
     }
 
-    /** Way along the sheet from the insertion, mm. */
+    /** Geodesic distance along the sheet from the insertion, mm. */
     public double distanceFromInsertion(int vertex) {
         return distance[vertex];
     }
 
-    /** Unit direction of the fibres in each triangle, three numbers a triangle, zero in the tendon; read only. */
+    /**
+     * Unit fibre direction of each triangle, three numbers each; zero in the tendon. The array must not be modified.
+     */
     public double[] fibreDirections() {
         return fibre;
     }
 
-    /** Whether all corners of a triangle are tendon. */
+    /** True if all corners of a triangle are tendon. */
     public boolean isTendonTriangle(int triangle) {
         int[] t = sheet.triangles();
         return tendon[t[3 * triangle]] && tendon[t[3 * triangle + 1]] && tendon[t[3 * triangle + 2]];
     }
 
-    /** Whether at least two corners of a triangle lie on the thoracic face. */
+    /** True if at least two corners of a triangle lie on the thoracic face. */
     public boolean isThoracicTriangle(int triangle) {
         int[] t = sheet.triangles();
         int count = 0;

@@ -5,17 +5,17 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The two faces of a closed double-layered diaphragm: which vertex lies on the thoracic face (toward lungs, heart and
- * chest wall) and which on the abdominal one (toward liver, stomach, spleen), and where the two meet.
+ * The two faces of a closed diaphragm sheet: the thoracic face (toward lungs, heart and chest wall), the abdominal face
+ * (toward liver, stomach, spleen) and the border between them.
  *
- * <p>An outward normal that points away from the middle of the hemidiaphragm's hollow is thoracic. That sign is settled
- * by a few rounds of voting among neighbours whose normals agree, for the flanks of the spine's groove and the crura
- * are nearly parallel to it.
+ * <p>A vertex is thoracic if its outward normal points away from the centre of the concavity of its hemidiaphragm. The
+ * flanks of the groove for the spine and the crura are nearly parallel to that direction, so a few rounds of voting
+ * among neighbours with similar normals decide the sign.
  */
 public final class DiaphragmFaces {
     /**
-     * The hollow's middle, as shares of the sheet's box: a quarter of the width to each side, a little below half
-     * height.
+     * Centre of the concavity as fractions of the sheet's bounding box: a quarter of the width to each side, slightly
+     * below half the height.
      */
     private static final double LATERAL_SHARE = 0.25;
 
@@ -25,7 +25,7 @@ public final class DiaphragmFaces {
     private final boolean[] thoracic;
     private final boolean[] onBorder;
 
-    /** Tells the faces of a closed sheet in LPS, normals outward. */
+    /** Classifies the vertices of a closed sheet in LPS with outward normals. */
     public DiaphragmFaces(TriangleMesh sheet, MeshTopology topology) {
         double[] normals = MeshMeasure.vertexNormals(sheet);
         double[] box = sheet.bounds();
@@ -68,7 +68,7 @@ public final class DiaphragmFaces {
             double agree = normals[3 * a] * normals[3 * b]
                     + normals[3 * a + 1] * normals[3 * b + 1]
                     + normals[3 * a + 2] * normals[3 * b + 2];
-            // Round the rim the normal turns over: there a neighbour says nothing, or the opposite.
+            // Normals turn over at the rim, where a neighbour's vote is meaningless or has the opposite sign.
             double weight = agree > 0.5 ? agree : 0;
             next[a] += 0.5 * weight * score[b];
             next[b] += 0.5 * weight * score[a];
@@ -79,13 +79,14 @@ public final class DiaphragmFaces {
         return next;
     }
 
-    /** Whether a vertex lies on the thoracic face. */
+    /** True if a vertex lies on the thoracic face. */
     public boolean isThoracic(int vertex) {
         return thoracic[vertex];
     }
 
     /**
-     * Whether a vertex has a neighbour on the other face: the free or inserted border of the sheet, openings included.
+     * True if a vertex has a neighbour on the other face. These vertices form the border of the sheet and of its
+     * openings.
      */
     public boolean isBorder(int vertex) {
         return onBorder[vertex];

@@ -9,40 +9,39 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Pairs of vertices across the thickness of the sheet, by the rule of Villard, Bourne and Bello 2009: take the masses
- * within a suitable distance, discard by an angle test those on the same face, sort what remains on the opposing face
- * by distance.
+ * Pairs of vertices across the thickness of a sheet, by the rule of Villard, Bourne and Bello 2009: take the vertices
+ * within a given distance, reject those on the same face by an angle test, and sort the rest by distance.
  */
 public final class OpposingVertices {
-    /** Normals of two faces of a sheet point apart: a neighbour on the same face has a positive product. */
+    /** Largest dot product of unit normals on opposing faces; vertices on the same face have a positive product. */
     private static final double MAX_NORMAL_PRODUCT = -0.25;
-    /** What lies closer is a seam between patches, not the other face. */
+    /** Closer vertices belong to a seam between patches, not to the other face. */
     private static final double MIN_DISTANCE_MM = 0.2;
 
-    /** First search radius, mm: it suffices for most vertices, the others search up to the reach. */
+    /** Initial search radius, mm. It suffices for most vertices; the rest are searched up to the full distance. */
     private static final double NEAR_MM = 8;
 
     private final TriangleMesh sheet;
     private final double[] normals;
-    /** Face of each vertex where the two faces are known; null where normals alone decide. */
+    /** Face of each vertex if known; null if only normals decide. */
     private final boolean[] face;
 
     private final double near;
     private final double reach;
     private final PointGrid far;
-    /** Opposing vertices of each vertex that are near, by distance. */
+    /** Nearby opposing vertices of each vertex, sorted by distance. */
     private final int[][] opposing;
 
     private long[] found = new long[64];
 
-    /** One pair of vertices. */
+    /** A pair of vertices. */
     public record Pair(int a, int b) {}
 
     /**
-     * Across the thickness of the diaphragm.
+     * Finds pairs across the thickness of the diaphragm.
      *
-     * @param diaphragm whose faces are told apart
-     * @param reach the suitable distance, mm
+     * @param diaphragm diaphragm with known faces
+     * @param reach maximum distance, mm
      */
     public static OpposingVertices of(Diaphragm diaphragm, double reach) {
         boolean[] thoracic = new boolean[diaphragm.sheet().vertexCount()];
@@ -53,10 +52,11 @@ public final class OpposingVertices {
     }
 
     /**
-     * Across any closed body that is thin in one direction at least (a cartilage, a sternum), told by normals alone.
+     * Finds pairs across a closed body that is thin in at least one direction (a cartilage, a sternum), by normals
+     * only.
      *
      * @param body closed surface
-     * @param reach the suitable distance, mm
+     * @param reach maximum distance, mm
      */
     public static OpposingVertices of(TriangleMesh body, double reach) {
         return new OpposingVertices(body, reach, null);
@@ -77,11 +77,11 @@ public final class OpposingVertices {
     }
 
     /**
-     * Opposing vertices of a vertex by distance.
+     * Opposing vertices of a vertex, sorted by distance.
      *
-     * @param from what is no farther is left out, mm
-     * @param to what is farther is left out, mm
-     * @param used how often each vertex is in use: one in full use is left out; null if all may be named
+     * @param from lower bound of the distance, exclusive, mm
+     * @param to upper bound of the distance, inclusive, mm
+     * @param used excludes vertices that have their maximum number of pairs; null for no exclusion
      */
     private int[] opposingWithin(PointGrid grid, int i, double from, double to, Use used) {
         int count = 0;
@@ -118,7 +118,7 @@ public final class OpposingVertices {
         return (face == null || face[i] != face[j]) && dot(normals, i, j) < MAX_NORMAL_PRODUCT;
     }
 
-    /** Puts a number where it belongs among those found so far, which are few. */
+    /** Insertion sort; few vertices are found. */
     private void insertSorted(long value, int count) {
         int k = count;
         while (k > 0 && found[k - 1] > value) {
@@ -128,7 +128,7 @@ public final class OpposingVertices {
         found[k] = value;
     }
 
-    /** A number that sorts by distance, then by index. */
+    /** Key that sorts by distance, then by index. */
     private static long byDistance(double distance, int index) {
         return (long) Float.floatToIntBits((float) distance) << 32 | index;
     }
@@ -144,7 +144,9 @@ public final class OpposingVertices {
         return v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
     }
 
-    /** Each vertex with its nearest opposing ones, at most so many a vertex; each pair once. */
+    /**
+     * Pairs of each vertex with its nearest opposing vertices, at most {@code most} per vertex; no pair occurs twice.
+     */
     public List<Pair> nearestPairs(int most) {
         long[] keys = new long[most * opposing.length];
         int count = 0;
@@ -165,8 +167,8 @@ public final class OpposingVertices {
     }
 
     /**
-     * Pairs between chosen vertices, shortest first, a vertex in at most so many of them. As rigid links of the tendon:
-     * with one a vertex a single pass puts all of them right exactly.
+     * Greedy matching of chosen vertices by increasing distance, with a maximum number of pairs per vertex. With one
+     * pair per vertex, rigid links in the tendon are independent, so that a single pass satisfies all of them exactly.
      */
     public List<Pair> greedyMatching(IntPredicate chosen, int mostPerVertex) {
         Use use = new Use(chosen, mostPerVertex);
@@ -174,7 +176,7 @@ public final class OpposingVertices {
             use.offer(i, opposing[i]);
         }
         use.takeShortestFirst();
-        // Vertices in full use are skipped: only the others search further.
+        // Only vertices below their maximum number of pairs are searched farther.
         for (int i = 0; near < reach && i < opposing.length; i++) {
             if (use.mayTake(i)) {
                 use.offer(i, opposingWithin(far, i, near, reach, use));
@@ -184,7 +186,7 @@ public final class OpposingVertices {
         return use.pairs;
     }
 
-    /** Pairs on offer and taken, and how many more each vertex may be in. */
+    /** Candidate and accepted pairs, and the number of further pairs allowed per vertex. */
     private final class Use {
         final List<Pair> pairs = new ArrayList<>();
         private final int[] places = new int[opposing.length];

@@ -3,8 +3,8 @@ package org.phrenic.anatomy;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * Points in cubic cells, for finding neighbours within one cell's size. Cells are numbered along z fastest, so the 27
- * cells round a point are nine rows of three whose points are consecutive.
+ * Uniform grid of points for neighbour searches within one cell size. Cells are numbered with z fastest, so that the 27
+ * cells around a point form nine contiguous rows of three.
  */
 final class PointGrid {
     private final int[] row;
@@ -13,8 +13,8 @@ final class PointGrid {
     private final int[] point;
 
     /**
-     * @param positions three numbers a point, mm
-     * @param size of a cell, mm
+     * @param positions three coordinates per point, mm
+     * @param size cell size, mm
      */
     PointGrid(double[] positions, double size) {
         double[] box = new double[6];
@@ -22,7 +22,7 @@ final class PointGrid {
         for (int i = 0; i < positions.length; i += 3) {
             BoundingBoxes.include(box, 0, positions, i);
         }
-        // A layer of empty cells all round, so that every point has all its neighbours.
+        // A layer of empty cells on all sides, so that every point has all neighbour cells.
         int[] cells = new int[3];
         for (int axis = 0; axis < 3; axis++) {
             cells[axis] = positions.length == 0 ? 1 : (int) ((box[3 + axis] - box[axis]) / size) + 3;
@@ -52,17 +52,17 @@ final class PointGrid {
         }
     }
 
-    /** First place of row 0 to 8 of the neighbourhood of a point. */
+    /** First position of a row (0 to 8) in the neighbourhood of a point. */
     int rowStart(int of, int number) {
         return start[cellOf[of] + row[number] - 1];
     }
 
-    /** One past the last place of a row. */
+    /** Position after the last of a row. */
     int rowEnd(int of, int number) {
         return start[cellOf[of] + row[number] + 2];
     }
 
-    /** The point at a place. */
+    /** Point at a position. */
     int point(int place) {
         return point[place];
     }

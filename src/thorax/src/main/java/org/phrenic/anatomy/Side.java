@@ -1,12 +1,12 @@
 package org.phrenic.anatomy;
 
-/** The side of the body a structure belongs to. */
+/** Side of the body. */
 public enum Side {
     RIGHT,
     LEFT,
     MIDLINE;
 
-    /** {@code -1} right, {@code +1} left, {@code 0} midline: the sign of x in LPS. */
+    /** Sign of x in LPS: -1 right, +1 left, 0 midline. */
     public int sign() {
         return switch (this) {
             case RIGHT -> -1;

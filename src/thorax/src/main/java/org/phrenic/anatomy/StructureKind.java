@@ -1,6 +1,6 @@
 package org.phrenic.anatomy;
 
-/** What a structure of the thorax is. */
+/** Kind of a structure of the thorax. */
 public enum StructureKind {
     RIB,
     COSTAL_CARTILAGE,

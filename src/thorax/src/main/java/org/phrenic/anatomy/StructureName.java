@@ -5,16 +5,16 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a structure is, read off its name: {@code rib_05_R}, {@code costal_cartilage_02_L}, {@code sternum_body},
- * {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code diaphragm}, {@code liver},
- * {@code skin_torso}; case and leading zeros do not matter.
+ * Kind, level and side of a structure, parsed from its name: {@code rib_05_R}, {@code costal_cartilage_02_L},
+ * {@code sternum_body}, {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code diaphragm},
+ * {@code liver}, {@code skin_torso}. Case and leading zeros are ignored.
  *
- * @param kind what it is
+ * @param kind kind of structure
  * @param level as in {@link Structure}
- * @param side of the body
+ * @param side side of the body
  */
 public record StructureName(StructureKind kind, int level, Side side) {
-    /** Level of the first lumbar vertebra: the twelve thoracic ones come before it. */
+    /** Level of the first lumbar vertebra, after the twelve thoracic ones. */
     public static final int FIRST_LUMBAR = 13;
 
     private static final int LAST_CERVICAL = 7;
@@ -25,7 +25,7 @@ public record StructureName(StructureKind kind, int level, Side side) {
     private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
     private static final Pattern LUNG = Pattern.compile("lung_([rl])(_.*)?");
 
-    /** Reads a name; empty if it is none of those known. */
+    /** Parses a name; empty if the name is unknown. */
     public static Optional<StructureName> parse(String name) {
         String n = name.toLowerCase(java.util.Locale.ROOT);
         Matcher m = LEVELLED.matcher(n);
@@ -66,7 +66,7 @@ public record StructureName(StructureKind kind, int level, Side side) {
         return letter.equals("r") ? Side.RIGHT : Side.LEFT;
     }
 
-    /** A level of the spine; a disc has that of the vertebra above it, 0 for the one below the last cervical. */
+    /** Level in the spine. A disc has the level of the vertebra above it; the disc C7/T1 has level 0. */
     private static Optional<StructureName> spinal(StructureKind kind, String region, String number) {
         int n = Integer.parseInt(number);
         boolean known =

@@ -6,9 +6,9 @@ import java.util.Optional;
 /**
  * A thorax at end-expiration: its named surfaces, in LPS and mm.
  *
- * @param name what to call it in reports
- * @param structures every surface, each name once
- * @param notes what a loader repaired or left out, one sentence each
+ * @param name display name for reports
+ * @param structures all surfaces, with unique names
+ * @param notes repairs and omissions by the loader, one sentence each
  */
 public record Thorax(String name, List<Structure> structures, List<String> notes) {
 
@@ -17,19 +17,19 @@ public record Thorax(String name, List<Structure> structures, List<String> notes
         notes = List.copyOf(notes);
     }
 
-    /** All structures of a kind, in the order they were given. */
+    /** All structures of a kind, in their original order. */
     public List<Structure> structuresOf(StructureKind kind) {
         return structures.stream().filter(s -> s.kind() == kind).toList();
     }
 
-    /** The structure of this kind, level and side, if the thorax has it. */
+    /** Finds the structure of a kind, level and side. */
     public Optional<Structure> find(StructureKind kind, int level, Side side) {
         return structures.stream()
                 .filter(s -> s.kind() == kind && s.level() == level && s.side() == side)
                 .findFirst();
     }
 
-    /** The structure of this name, if the thorax has it. */
+    /** Finds a structure by name. */
     public Optional<Structure> find(String name) {
         return structures.stream().filter(s -> s.name().equals(name)).findFirst();
     }

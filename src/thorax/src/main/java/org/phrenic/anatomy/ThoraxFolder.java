@@ -23,25 +23,25 @@ import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.io.MeshFiles;
 
 /**
- * Loads a thorax from a folder of meshes. A {@code thorax.yaml} may state {@code name}, {@code axes}, {@code units}
- * (mm, cm, m) and, under {@code structures}, which file holds which structure; without it files are known by their
- * names ({@link StructureName}), and axes and unit are read off the body ({@link AnatomicalFrame}). Duplicate vertices
- * are welded and broken triangles dropped, and the notes of the thorax say so.
+ * Reads a thorax from a folder of meshes. An optional {@code thorax.yaml} states {@code name}, {@code axes},
+ * {@code units} (mm, cm, m) and, under {@code structures}, the structure of each file. Without it, structures follow
+ * from the file names ({@link StructureName}), and axes and unit are detected ({@link AnatomicalFrame}). Duplicate
+ * vertices are welded and degenerate triangles dropped; the notes of the thorax report this.
  */
 public final class ThoraxFolder {
     private static final String INDEX_FILE = "thorax.yaml";
-    /** Vertices nearer than this are one: coordinates in files are rounded to a thousandth or so. */
+    /** Welding distance, mm: coordinates in files are rounded to about a thousandth. */
     private static final double WELD_MM = 1e-3;
     /**
-     * The patches of one surface are rounded each for itself: of 2,200 vertices on the seams of five scanned lobes all
-     * had their partner within 0.009 mm, on those of a liver within 0.02.
+     * Welding distance between patches of one surface, mm. Their coordinates are rounded independently: on the seams of
+     * five scanned lobes all of 2,200 vertices had a partner within 0.009 mm, on those of a liver within 0.02 mm.
      */
     private static final double SEAM_MM = 0.05;
 
     private record Found(String name, StructureName known, Path file) {}
 
     private record Repaired(TriangleMesh mesh, Optional<String> note) {}
-    /** Kinds of which a body has one at each level and side; sternum, lungs and skin may come in several parts. */
+    /** Kinds with at most one structure per level and side; sternum, lungs and skin may have several parts. */
     private static final Set<StructureKind> UNIQUE_KINDS = EnumSet.of(
             StructureKind.RIB,
             StructureKind.COSTAL_CARTILAGE,
@@ -52,7 +52,7 @@ public final class ThoraxFolder {
 
     private ThoraxFolder() {}
 
-    /** @throws BadInputException if the folder, a file in it, or what they hold is not as expected */
+    /** @throws BadInputException if the folder or a file in it cannot be read or has invalid content */
     public static Thorax load(Path folder) {
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
@@ -63,7 +63,7 @@ public final class ThoraxFolder {
         Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
         List<String> notes = new ArrayList<>();
         List<Found> found = new ArrayList<>();
-        // Lists as keys: the first hash of a record makes the JVM generate some forty classes.
+        // Lists as keys, not records: the first hash of a record makes the JVM generate some forty classes.
         Map<List<Object>, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
             Optional<StructureName> known = StructureName.parse(entry.getKey());
@@ -113,8 +113,7 @@ public final class ThoraxFolder {
     }
 
     /**
-     * Reads the files one after the other: in parallel, threads contend on the profile counters of code not yet
-     * compiled.
+     * Reads the files sequentially. In parallel, threads contend on profile counters of code that is not yet compiled.
      */
     private static List<Structure> read(List<Found> found) {
         return found.stream().map(ThoraxFolder::read).toList();
@@ -164,7 +163,8 @@ public final class ThoraxFolder {
     }
 
     /**
-     * Notes the shells of a diaphragm that are left out, such as loose crura: only the largest closed one is simulated.
+     * Adds a note on shells of the diaphragm that are left out, such as loose crura: only the largest closed one is
+     * simulated.
      */
     private static void noteExtraShells(TriangleMesh diaphragm, List<String> notes) {
         List<TriangleMesh> shells = ConnectedComponents.of(diaphragm);

@@ -1,5 +1,5 @@
 /**
- * A thorax as named structures in LPS and mm: loading a folder of meshes, the frame it was given in, and the parts of
- * the diaphragm (faces, central tendon, fibres, crura). Nothing here moves and nothing generates a body.
+ * A thorax as named structures in LPS and mm: reading a folder of meshes, its coordinate frame, and the parts of the
+ * diaphragm (faces, central tendon, fibres, crura).
  */
 package org.phrenic.anatomy;

@@ -1,45 +1,47 @@
 package org.phrenic.breathing;
 
 /**
- * The drive of the thorax at one time: activation, pressures, rotation of the ribs and their rates. Mutable, so that a
- * step writes into it and allocates nothing; all numbers are 0 at end-expiration, but for those that count.
+ * Drive of the thorax at one time: activation, pressures, rib rotation and their rates. All values are 0 at
+ * end-expiration, except phase and breath count. Mutable, so that a time step allocates nothing.
  */
 public final class BreathState {
-    /** Drive of the diaphragm's fibres, 0 relaxed, 1 what a full inspiration takes. */
+    /** Activation of the diaphragm's muscle fibres: 0 relaxed, 1 full inspiration. */
     public double activation;
 
-    /** Its derivative, 1/s. */
+    /** Time derivative of the activation, 1/s. */
     public double activationRate;
 
-    /** Transdiaphragmatic pressure of the effort, as a share (0 to 1) of the greatest voluntary one. */
+    /** Transdiaphragmatic pressure as a fraction of the maximum voluntary one, 0 to 1. */
     public double pressure;
 
-    /** Pressure of the abdominal muscles (cough), as a share (0 to 1) of the greatest. */
+    /** Pressure of the abdominal muscles (cough) as a fraction of the maximum, 0 to 1. */
     public double abdominalPressure;
 
-    /** Share of the ribs' full turn, 0 end-expiration, 1 full inspiration: the amplitude of a helical body. */
+    /** Rib rotation as a fraction of the full rotation: 0 end-expiration, 1 full inspiration. */
     public double ribTurn;
 
-    /** Its derivative, 1/s: with it prescribed ribs have exact velocities. */
+    /** Time derivative of the rib rotation, 1/s; gives prescribed ribs exact velocities. */
     public double ribTurnRate;
 
-    /** Place in the breath, from 0 to below 1. */
+    /** Phase within the breath, at least 0 and below 1. */
     public double phase;
 
-    /** Breaths begun before this one. */
+    /** Zero-based index of the breath. */
     public int breath;
 
-    /** What the breath is doing. */
+    /** Respiratory phase. */
     public RespiratoryPhase respiratoryPhase = RespiratoryPhase.PAUSE;
 
-    /** Breath and place in it at a time of breaths that all last as long; before the first, its beginning. */
+    /**
+     * Sets breath and phase at a time, for breaths of equal duration; the start of the first breath for earlier times.
+     */
     public void setPlace(double timeS, double periodS) {
         double breaths = Math.max(0, timeS / periodS);
         breath = (int) breaths;
         phase = breaths - breath;
     }
 
-    /** Rest at end-expiration; the count of breaths stays. */
+    /** Sets all values to rest at end-expiration; the breath count does not change. */
     public void setAtRest(RespiratoryPhase why) {
         activation = 0;
         activationRate = 0;

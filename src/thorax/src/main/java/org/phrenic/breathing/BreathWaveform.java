@@ -1,14 +1,15 @@
 package org.phrenic.breathing;
 
 /**
- * The shape of one breath over its phase: 0 at end-expiration, 1 at end-inspiration.
+ * The waveform of one breath as a function of its phase: 0 at end-expiration, 1 at end-inspiration.
  *
- * <p>Inspiration is a smooth step. Expiration is passive: the same step, run through {@code w(u) = (1 - exp(-k u)) / (1
- * - exp(-k))}, {@code k = } {@value #EXPIRATION_RATE}, so that flow peaks early and ebbs away as from an emptying lung.
- * The pause that follows is exactly 0.
+ * <p>Inspiration is a smootherstep. Expiration is passive: the same step at the warped argument {@code w(u) = (1 -
+ * exp(-k u)) / (1 - exp(-k))} with {@code k = } {@value #EXPIRATION_RATE}, so that flow peaks early and decays as from
+ * a passively emptying lung. The value is exactly 0 during the pause that follows.
  *
  * @param inspiratoryFraction Ti / Ttot, between 0 and 1
- * @param pauseFraction share of the breath at rest at its end, from 0; with the inspiratory fraction below 1
+ * @param pauseFraction fraction of the breath at rest at its end, at least 0; its sum with the inspiratory fraction is
+ *     below 1
  */
 public record BreathWaveform(double inspiratoryFraction, double pauseFraction) {
     private static final double EXPIRATION_RATE = 1.5;
@@ -22,7 +23,7 @@ public record BreathWaveform(double inspiratoryFraction, double pauseFraction) {
         }
     }
 
-    /** Share of the breath taken by expiration. */
+    /** Fraction of the breath taken by expiration. */
     public double expiratoryFraction() {
         return 1 - inspiratoryFraction - pauseFraction;
     }
@@ -35,7 +36,7 @@ public record BreathWaveform(double inspiratoryFraction, double pauseFraction) {
         return 1 - Smootherstep.value(passiveWarp((phase - inspiratoryFraction) / expiratoryFraction()));
     }
 
-    /** Derivative by the phase. */
+    /** Derivative with respect to phase. */
     public double slope(double phase) {
         if (phase < inspiratoryFraction) {
             return Smootherstep.slope(phase / inspiratoryFraction) / inspiratoryFraction;
@@ -48,7 +49,7 @@ public record BreathWaveform(double inspiratoryFraction, double pauseFraction) {
         return -Smootherstep.slope(passiveWarp(u)) * warpSlope / expiratoryFraction();
     }
 
-    /** What the breath is doing at a phase. */
+    /** Respiratory phase at a phase from 0 to 1. */
     public RespiratoryPhase respiratoryPhase(double phase) {
         if (phase < inspiratoryFraction) {
             return RespiratoryPhase.INSPIRATION;

@@ -3,15 +3,15 @@ package org.phrenic.breathing;
 import org.phrenic.document.Key;
 
 /**
- * How a person breathes. The presets in {@code data/breathing} give a source for each number.
+ * Parameters of a breath. The presets in {@code data/breathing} give a source for each number.
  *
  * @param ratePerMin breaths per minute, above 0, at most 150
  * @param inspiratoryFraction Ti / Ttot, above 0
- * @param pauseFraction share of the breath at rest at its end
- * @param activation drive of the diaphragm at end-inspiration, 0 to 1 (1 takes it to full inspiration)
- * @param pressure transdiaphragmatic pressure at end-inspiration as a share of the greatest voluntary one, 0 to 1
- * @param ribTurn share of the ribs' full turn at end-inspiration, 0 to 1
- * @param chestShare balance of chest and abdomen, 0 to 1: 0.5 leaves both drives as they stand, 0 breathes with the
+ * @param pauseFraction fraction of the breath at rest at its end
+ * @param activation activation of the diaphragm at end-inspiration, 0 to 1 (1: full inspiration)
+ * @param pressure transdiaphragmatic pressure at end-inspiration as a fraction of the maximum voluntary one, 0 to 1
+ * @param ribTurn rib rotation at end-inspiration as a fraction of the full rotation, 0 to 1
+ * @param chestShare balance of chest and abdomen, 0 to 1: 0.5 leaves both drives unchanged, 0 breathes with the
  *     diaphragm alone, 1 with the ribs alone
  */
 public record BreathingParameters(
@@ -22,7 +22,7 @@ public record BreathingParameters(
         @Key(min = 0, max = 1) double pressure,
         @Key(min = 0, max = 1) double ribTurn,
         @Key(min = 0, max = 1) double chestShare) {
-    /** Leaves both drives as they stand. */
+    /** Chest share that leaves both drives unchanged. */
     public static final double BALANCED_SHARE = 0.5;
 
     private static final double MAX_RATE_PER_MIN = 150;
@@ -50,33 +50,33 @@ public record BreathingParameters(
         return 60 / ratePerMin;
     }
 
-    /** Shape of a breath. */
+    /** Waveform of a breath. */
     public BreathWaveform wave() {
         return new BreathWaveform(inspiratoryFraction, pauseFraction);
     }
 
-    /** Drive of the diaphragm at end-inspiration once chest and abdomen are balanced; at most 1. */
+    /** Activation of the diaphragm at end-inspiration after balancing chest and abdomen; at most 1. */
     public double activationPeak() {
         return Math.min(1, 2 * (1 - chestShare) * activation);
     }
 
-    /** Pressure at end-inspiration once chest and abdomen are balanced; at most 1. */
+    /** Pressure at end-inspiration after balancing chest and abdomen; at most 1. */
     public double pressurePeak() {
         return Math.min(1, 2 * (1 - chestShare) * pressure);
     }
 
-    /** Turn of the ribs at end-inspiration once chest and abdomen are balanced; at most 1. */
+    /** Rib rotation at end-inspiration after balancing chest and abdomen; at most 1. */
     public double ribTurnPeak() {
         return Math.min(1, 2 * chestShare * ribTurn);
     }
 
-    /** The same with another rate, breaths per minute. */
+    /** Returns a copy with another rate, breaths per minute. */
     public BreathingParameters withRatePerMin(double value) {
         return new BreathingParameters(
                 value, inspiratoryFraction, pauseFraction, activation, pressure, ribTurn, chestShare);
     }
 
-    /** The same with drive, pressure and turn of the ribs multiplied, each at most 1. */
+    /** Returns a copy with activation, pressure and rib rotation multiplied by a factor, each at most 1. */
     public BreathingParameters withDepth(double factor) {
         return new BreathingParameters(
                 ratePerMin,
@@ -88,12 +88,12 @@ public record BreathingParameters(
                 chestShare);
     }
 
-    /** The same with another inspiratory fraction. */
+    /** Returns a copy with another inspiratory fraction. */
     public BreathingParameters withInspiratoryFraction(double value) {
         return new BreathingParameters(ratePerMin, value, pauseFraction, activation, pressure, ribTurn, chestShare);
     }
 
-    /** The same with another balance of chest and abdomen. */
+    /** Returns a copy with another balance of chest and abdomen. */
     public BreathingParameters withChestShare(double value) {
         return new BreathingParameters(
                 ratePerMin, inspiratoryFraction, pauseFraction, activation, pressure, ribTurn, value);

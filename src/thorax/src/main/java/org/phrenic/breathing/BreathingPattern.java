@@ -1,29 +1,28 @@
 package org.phrenic.breathing;
 
 /**
- * Breathing as a function of time. Every pattern starts at end-expiration at time 0 (and rests there before), and its
- * values are continuous with continuous derivatives, so that nothing it drives is jerked. Immutable, and safe to share.
+ * Breathing as a function of time. Every pattern starts at end-expiration at time 0 and rests there before. Its values
+ * are C1-continuous, so that driven parts move smoothly. Implementations are immutable and thread-safe.
  */
 public interface BreathingPattern {
-    /** What to call it in reports. */
+    /** Display name for reports. */
     String name();
 
-    /** Seconds after which it repeats itself; infinite if it does not. */
+    /** Period, s; infinite if the pattern does not repeat. */
     double periodS();
 
     /**
-     * Seconds after which everything it does has been seen, and what is simulated where nobody says how long: two
-     * periods.
+     * Time that covers everything the pattern does, s; the default duration of a simulation. Two periods by default.
      */
     default double fullDurationS() {
         return 2 * periodS();
     }
 
     /**
-     * Writes what is asked of the thorax at a time; allocates nothing.
+     * Writes the state of the drive at a time; allocates nothing.
      *
-     * @param timeS seconds since the start
-     * @param state receives it
+     * @param timeS time since the start, s
+     * @param state receives the result
      */
     void at(double timeS, BreathState state);
 }

@@ -5,26 +5,26 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
 
 /**
- * A recorded breathing signal: larger is deeper, in whatever unit it was recorded.
+ * A recorded breathing signal. Larger values mean deeper inspiration; the unit is that of the recording.
  *
- * <p>The arrays are shared, not copied, and must not be written to by those who receive them.
+ * <p>The arrays are shared, not copied, and must not be modified.
  *
- * @param name where it came from
- * @param timeS seconds, rising strictly
- * @param amplitude the signal
- * @param dropped rows of the recording left out because their times did not rise
+ * @param name source of the recording
+ * @param timeS sample times, s, strictly increasing
+ * @param amplitude signal
+ * @param dropped number of rows left out of the recording because their times did not increase
  */
 @SuppressWarnings("ArrayRecordComponent") // samples, read only
 public record BreathingTrace(String name, double[] timeS, double[] amplitude, int dropped) {
     /**
-     * End-expiration and end-inspiration of a normalised trace: these percentiles, so that a cough or a slip sets no
-     * scale.
+     * Percentile taken as end-expiration when a trace is normalised. A percentile is robust to coughs and artefacts,
+     * unlike the extremes.
      */
     public static final double BASELINE_PERCENT = 5;
 
     public static final double PEAK_PERCENT = 95;
 
-    /** Fewer samples hold no breath. */
+    /** Smallest number of samples that can hold a breath. */
     private static final int MIN_SAMPLES = 8;
 
     public BreathingTrace {
@@ -44,7 +44,7 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
         }
     }
 
-    /** Without its straight line of least squares: a body that sinks into the couch, a drifting sensor. */
+    /** Subtracts the least-squares line, which removes sensor drift and slow sinking of the body. */
     public BreathingTrace detrended() {
         int count = timeS.length;
         double meanTime = Arrays.stream(timeS).sum() / count;
@@ -63,9 +63,10 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
     }
 
     /**
-     * From 0 at end-expiration (the 5th percentile) to 1 at end-inspiration (the 95th); single values lie beyond both.
+     * Normalises to 0 at end-expiration (5th percentile) and 1 at end-inspiration (95th percentile). Values may lie
+     * outside 0 to 1.
      *
-     * @throws IllegalArgumentException if the signal does not change
+     * @throws IllegalArgumentException if the signal is constant
      */
     public BreathingTrace normalised() {
         Percentile percentile = new Percentile().withEstimationType(EstimationType.R_7);

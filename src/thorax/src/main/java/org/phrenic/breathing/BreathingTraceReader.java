@@ -9,12 +9,13 @@ import org.phrenic.document.TextFile;
 import org.phrenic.file.BadInputException;
 
 /**
- * Reads recorded breathing.
+ * Reads recorded breathing signals.
  *
- * <p>Two layouts, told apart by their headers: {@code time_s,amplitude} (commas, decimal points), and the skin markers
- * of {@code Frame;Timestamp;x;y;z} (semicolons, decimal commas, ms and mm; T. Krilavicius et al. 2015), of which the
- * signal is the first principal component. Such files may end in a row of zeros, which is dropped. Times must rise; up
- * to 1 % of rows whose time does not (cameras that stamp some frames in another unit) are left out, more are refused.
+ * <p>The header selects one of two formats. The first is {@code time_s,amplitude} (commas, decimal points). The second
+ * has skin markers, {@code Frame;Timestamp;x;y;z} (semicolons, decimal commas, ms and mm; T. Krilavicius et al. 2015);
+ * its signal is the first principal component. A row of zeros at the end of such a file is dropped. Times must
+ * increase. Up to 1 % of rows with times that do not increase are dropped (some cameras stamp frames in another unit);
+ * with more, the file is rejected.
  */
 public final class BreathingTraceReader {
     private static final List<String> MARKER = List.of("Frame", "Timestamp", "x", "y", "z");
@@ -28,7 +29,7 @@ public final class BreathingTraceReader {
     /**
      * Reads a trace.
      *
-     * @throws BadInputException if it cannot be read or is none; the message names the file and the line
+     * @throws BadInputException if the file cannot be read or is not a trace; the message names file and line
      */
     public static BreathingTrace read(Path file) {
         String name = file.toString();
@@ -66,7 +67,7 @@ public final class BreathingTraceReader {
         }
     }
 
-    /** The rows whose time is above that of every row before; refuses a table in which more than a few are not. */
+    /** Indices of rows whose time exceeds that of every earlier row; throws if too many rows do not. */
     private static int[] inOrder(CsvTable table, String column, int count) {
         double[] time = table.numbers(column);
         int[] kept = new int[count];

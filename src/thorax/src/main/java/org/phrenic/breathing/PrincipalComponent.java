@@ -6,15 +6,15 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * The one signal in the motion of a marker: its displacement along the direction of largest variance. People rest
- * longer at end-expiration than at end-inspiration, so the signal is turned to have a positive third moment: larger is
- * deeper.
+ * The first principal component of a marker's motion: its displacement along the direction of largest variance. The
+ * sign is chosen for a positive third central moment, so that larger is deeper, because people rest longer at
+ * end-expiration than at end-inspiration.
  */
 final class PrincipalComponent {
     private PrincipalComponent() {}
 
     /**
-     * The signal of rows that hold x, y, z from a column on.
+     * Computes the signal from rows that hold x, y, z starting at a column.
      *
      * @throws IllegalArgumentException if there are no rows or the marker does not move
      */

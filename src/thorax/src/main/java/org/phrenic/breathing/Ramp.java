@@ -1,16 +1,15 @@
 package org.phrenic.breathing;
 
 /**
- * A value that goes smoothly from one to another, for parameters changed while the simulation runs. See
- * {@link #DEFAULT_S}.
+ * A smooth transition between two values, for parameters that change during a simulation. See {@link #DEFAULT_S}.
  *
- * @param from value until the start
+ * @param from value before the start
  * @param to value after the end
- * @param startS when it starts, s
- * @param durationS how long it takes, s, above 0
+ * @param startS start time, s
+ * @param durationS duration, s, above 0
  */
 public record Ramp(double from, double to, double startS, double durationS) {
-    /** Long against a time step, short to the eye. */
+    /** Default duration, s: many time steps, but short for a viewer. */
     public static final double DEFAULT_S = 0.2;
 
     public Ramp {
@@ -19,7 +18,7 @@ public record Ramp(double from, double to, double startS, double durationS) {
         }
     }
 
-    /** A ramp of {@value #DEFAULT_S} s. */
+    /** Creates a ramp of {@value #DEFAULT_S} s. */
     public static Ramp of(double from, double to, double startS) {
         return new Ramp(from, to, startS, DEFAULT_S);
     }
@@ -34,7 +33,7 @@ public record Ramp(double from, double to, double startS, double durationS) {
         return (to - from) / durationS * Smootherstep.slope((timeS - startS) / durationS);
     }
 
-    /** Whether it has arrived. */
+    /** True once the ramp has ended. */
     public boolean isDone(double timeS) {
         return timeS >= startS + durationS;
     }

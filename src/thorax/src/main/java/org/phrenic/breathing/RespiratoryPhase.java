@@ -1,11 +1,11 @@
 package org.phrenic.breathing;
 
-/** What a breath is doing. */
+/** Phase of the respiratory cycle. */
 public enum RespiratoryPhase {
     INSPIRATION,
     EXPIRATION,
     /** At rest between breaths. */
     PAUSE,
-    /** Held: at inspiration or expiration, or against a closed glottis. */
+    /** Breath hold: at inspiration or expiration, or against a closed glottis. */
     HOLD
 }

@@ -1,8 +1,8 @@
 package org.phrenic.breathing;
 
 /**
- * The smoother step from 0 to 1: {@code s(u) = u^3 (10 - 15 u + 6 u^2)}, 0 before {@code u = 0} and 1 after {@code u =
- * 1}; its first and second derivatives are 0 at both ends (K. Perlin 2002, doi 10.1145/566654.566636).
+ * Smootherstep: {@code s(u) = u^3 (10 - 15 u + 6 u^2)} on 0 to 1, 0 below and 1 above. Its first and second derivatives
+ * are 0 at both ends (K. Perlin 2002, doi 10.1145/566654.566636).
  */
 public final class Smootherstep {
     private Smootherstep() {}
@@ -11,7 +11,7 @@ public final class Smootherstep {
         if (u <= 0) {
             return 0;
         }
-        // Above the middle from the other end, so that s(1) is exactly 1 and 1 - s falls exactly to 0.
+        // For u above 1/2 use 1 - s(1 - u), so that s(1) is exactly 1.
         return u >= 1 ? 1 : u > 0.5 ? 1 - rise(1 - u) : rise(u);
     }
 

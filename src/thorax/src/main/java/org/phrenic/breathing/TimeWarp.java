@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The time of a breath that can be held: it runs with simulated time, slows smoothly to a stop and starts again.
+ * Warped time for breathing that can be paused: it advances with simulated time, slows smoothly to a stop and resumes.
  *
- * <p>{@code tau(t) = tau_0 + r_0 (t - t_0) + (r_1 - r_0) D I((t - t_0) / D)}, {@code r} its rate (1 goes, 0 stands),
- * {@code D} the ramp and {@code I} the integral of the smooth step; so tau and its rate are continuous, and tau is a
- * function of the changes alone, not of the steps between.
+ * <p>{@code tau(t) = tau_0 + r_0 (t - t_0) + (r_1 - r_0) D I((t - t_0) / D)}, with rate {@code r} (1 running, 0
+ * stopped), ramp duration {@code D} and the integral {@code I} of the smootherstep. Tau and its rate are continuous.
+ * Tau depends on the rate changes only, not on the time steps.
  */
 public final class TimeWarp {
-    /** From {@code startS}, where the clock shows {@code tauS}, the rate goes from one value to another. */
+    /** A change of rate that begins at {@code startS}, where warped time is {@code tauS}. */
     private record RateChange(double startS, double tauS, double from, double to, double rampS) {
         double tau(double timeS) {
             double t = timeS - startS;
@@ -26,15 +26,15 @@ public final class TimeWarp {
     private final boolean runs;
     private final List<RateChange> turns = new ArrayList<>();
 
-    /** @param runs whether it runs from the start, or stands at 0 */
+    /** @param runs true if warped time runs from the start, false if it stays at 0 */
     public TimeWarp(boolean runs) {
         this.runs = runs;
     }
 
     /**
-     * Starts or stops warped time from a time on; a change at the same time is replaced.
+     * Starts or stops warped time at a given time; replaces a change at the same time.
      *
-     * @param rampS how long it takes, s, above 0
+     * @param rampS duration of the transition, s, above 0
      */
     public void setRunning(boolean go, double nowS, double rampS) {
         if (!turns.isEmpty() && turns.get(turns.size() - 1).startS() == nowS) {
@@ -43,13 +43,13 @@ public final class TimeWarp {
         turns.add(new RateChange(nowS, warpedTime(nowS), rate(nowS), go ? 1 : 0, rampS));
     }
 
-    /** Warped time at a time, s. */
+    /** Warped time at a simulated time, s. */
     public double warpedTime(double timeS) {
         RateChange turn = changeAt(timeS);
         return turn != null ? turn.tau(timeS) : runs ? timeS : 0;
     }
 
-    /** Rate of warped time at a time, 0 to 1. */
+    /** Rate of warped time at a simulated time, 0 to 1. */
     public double rate(double timeS) {
         RateChange turn = changeAt(timeS);
         return turn != null ? turn.rate(timeS) : runs ? 1 : 0;

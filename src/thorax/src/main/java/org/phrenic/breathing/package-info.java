@@ -1,5 +1,5 @@
 /**
- * What a breath is: its parameters, its waveform, the state that a pattern writes at a time, and recorded traces. No
- * anatomy and no simulation.
+ * Model of a breath: its parameters, waveform and state at a time, and recorded traces. Independent of anatomy and
+ * simulation.
  */
 package org.phrenic.breathing;

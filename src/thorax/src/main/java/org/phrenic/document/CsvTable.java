@@ -18,9 +18,8 @@ import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 
 /**
- * A table read from CSV (RFC 4180, UTF-8, with or without byte order mark) whose first line names the columns. Cells
- * are separated by commas or by semicolons, whichever the header has; with semicolons a number may be written with a
- * decimal comma.
+ * A table read from CSV (RFC 4180, UTF-8, with or without byte order mark) whose first line has the column names. The
+ * delimiter is a comma or a semicolon, as in the header. With semicolons, numbers may have a decimal comma.
  */
 public final class CsvTable {
     private final String file;
@@ -41,23 +40,23 @@ public final class CsvTable {
     /**
      * Reads {@code file}.
      *
-     * @throws BadInputException if it cannot be read, a column has no name or the name of another, or a row is longer
-     *     or shorter than the header
+     * @throws BadInputException if it cannot be read, a column name is missing or repeated, or a row and the header
+     *     differ in length
      */
     public static CsvTable read(Path file) {
         return parse(file.toString(), new String(InputBytes.read(file), StandardCharsets.UTF_8));
     }
 
     /**
-     * Reads {@code text}.
+     * Parses {@code text}.
      *
-     * @param name what to call it in messages
+     * @param name name for error messages
      */
     public static CsvTable parse(String name, String text) {
         return parse(name, text, null);
     }
 
-    /** As the other; lines that begin with {@code comment} are not read, null for none. */
+    /** Parses {@code text} and ignores lines that begin with {@code comment}; null for no comments. */
     public static CsvTable parse(String name, String text, Character comment) {
         String content = text.startsWith("\uFEFF") ? text.substring(1) : text;
         char delimiter = comment == null ? delimiter(content) : ',';
@@ -122,7 +121,7 @@ public final class CsvTable {
         }
     }
 
-    /** The semicolon if the first line has one outside quotes, else the comma. */
+    /** The semicolon if the first line has one outside quotes, otherwise the comma. */
     private static char delimiter(String content) {
         boolean quoted = false;
         for (int i = 0; i < content.length(); i++) {
@@ -154,7 +153,7 @@ public final class CsvTable {
     /**
      * A column of finite numbers, top to bottom.
      *
-     * @throws BadInputException if there is no such column or a cell is no number
+     * @throws BadInputException if there is no such column or a cell is not a finite number
      */
     public double[] numbers(String column) {
         int at = index(column);

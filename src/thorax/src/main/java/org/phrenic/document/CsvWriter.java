@@ -13,12 +13,9 @@ import org.apache.commons.csv.CSVPrinter;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
-/**
- * Writes tables as CSV: commas, decimal points whatever the locale, lines that end with a line feed; NaN is an empty
- * cell.
- */
+/** Writes tables as CSV with commas, decimal points in every locale, and line feeds. NaN is an empty cell. */
 public final class CsvWriter {
-    /** As many digits as it takes to read the same number back. */
+    /** Writes the shortest digits that read back as the same number. */
     public static final int ALL_DIGITS = 0;
 
     private static final CSVFormat FORMAT =
@@ -27,10 +24,10 @@ public final class CsvWriter {
     private CsvWriter() {}
 
     /**
-     * The text of a table of numbers.
+     * Formats a table of numbers.
      *
-     * @param columns values by column name, left to right, all of one length
-     * @param digits significant digits a number is rounded to, or {@link #ALL_DIGITS}
+     * @param columns values by column name, left to right, all of the same length
+     * @param digits significant digits, or {@link #ALL_DIGITS}
      * @throws IllegalArgumentException if the columns differ in length
      */
     public static String format(Map<String, double[]> columns, int digits) {
@@ -50,7 +47,7 @@ public final class CsvWriter {
         return format(List.copyOf(columns.keySet()), cells);
     }
 
-    /** The text of a table of any cells; those with commas, quotes or line breaks are quoted. */
+    /** Formats a table of arbitrary cells; those with commas, quotes or line breaks are quoted. */
     public static String format(List<String> header, List<? extends List<?>> rows) {
         StringBuilder text = new StringBuilder();
         try (CSVPrinter printer = new CSVPrinter(text, FORMAT)) {
@@ -65,7 +62,7 @@ public final class CsvWriter {
     }
 
     /**
-     * Writes a table of numbers to {@code file} as a whole or not at all.
+     * Writes a table of numbers to {@code file} atomically.
      *
      * @throws OutputException if the file cannot be written
      */
@@ -74,7 +71,7 @@ public final class CsvWriter {
     }
 
     /**
-     * Writes a table of any cells to {@code file} as a whole or not at all.
+     * Writes a table of arbitrary cells to {@code file} atomically.
      *
      * @throws OutputException if the file cannot be written
      */
@@ -82,7 +79,7 @@ public final class CsvWriter {
         AtomicFile.write(file, format(header, rows));
     }
 
-    /** {@code value} as in a cell: {@code Double.toString} after rounding to {@code digits} significant digits. */
+    /** Formats a cell: {@code Double.toString} of {@code value} rounded to {@code digits} significant digits. */
     public static String number(double value, int digits) {
         if (Double.isNaN(value)) {
             return "";

@@ -16,15 +16,18 @@ import java.util.Map;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
-/** Writes maps as JSON (RFC 8259) by Jackson: two spaces a level, lists in one line, keys in their order. */
+/**
+ * Writes maps as JSON (RFC 8259) with Jackson. Indentation is two spaces, lists are on one line and keys keep their
+ * order.
+ */
 public final class JsonWriter {
-    /** Surrogates and what lies above them are escaped, so that half a pair can be written too. */
+    /** Surrogates and higher characters are escaped, so that an unpaired surrogate can be written too. */
     private static final int HIGHEST_PLAIN_CHARACTER = Character.MIN_SURROGATE - 1;
 
     private JsonWriter() {}
 
     /**
-     * The text of {@code values}, ending with a line break.
+     * Formats {@code values} as JSON, ending with a line break.
      *
      * @param values maps, lists, double arrays, numbers, booleans, texts, enum constants, nulls
      * @throws IllegalArgumentException for NaN, infinity or a value of another type, naming its key
@@ -42,7 +45,7 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes {@link #format} to {@code file} as a whole or not at all.
+     * Writes {@link #format} to {@code file} atomically.
      *
      * @throws OutputException if the file cannot be written
      */
@@ -69,7 +72,7 @@ public final class JsonWriter {
         }
     }
 
-    /** Maps in lines of their own, lists in one line; a list indents the maps in it by a level. */
+    /** Maps have one line per key, lists are on one line. Maps inside a list are indented by one level. */
     private static final class Layout extends DefaultPrettyPrinter {
         Layout() {
             super(new Separators(null, ':', Spacing.AFTER, ',', Spacing.NONE, "", ',', Spacing.AFTER, ""));

@@ -6,30 +6,30 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * What a component of a record takes from a file, where its type does not say it all. Without it the key is the name of
- * the component in snake_case ({@code bodyHeightMm}: {@code body_height_mm}) and has to be there.
+ * Declares how a record component is read from a file, in addition to its type. Without this annotation the key is the
+ * component name in snake_case ({@code bodyHeightMm}: {@code body_height_mm}) and is required.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Key {
-    /** Stands for "there has to be one". */
+    /** Value of {@link #absent} for a required key. */
     String REQUIRED = "\0";
 
-    /** The key, where it is not the name of the component. */
+    /** The key, if it differs from the component name. */
     String value() default "";
 
-    /** The value of an absent key, written as in the file; any text for an empty list. */
+    /** Default value of an absent key, written as in the file; any text for an empty list. */
     String absent() default REQUIRED;
 
-    /** Least number allowed. */
+    /** Least allowed number, inclusive. */
     double min() default Double.NEGATIVE_INFINITY;
 
-    /** A bound that the number has to exceed. */
+    /** Exclusive lower bound. */
     double above() default Double.NEGATIVE_INFINITY;
 
-    /** Greatest number allowed. */
+    /** Greatest allowed number, inclusive. */
     double max() default Double.POSITIVE_INFINITY;
 
-    /** How many numbers a list has, or each row of a list of lists; negative for any. */
+    /** Required length of a list of numbers, or of each row in a list of lists; negative for any length. */
     int count() default -1;
 }

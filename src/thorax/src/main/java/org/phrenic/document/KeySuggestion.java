@@ -4,12 +4,12 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Which known name someone who mistyped one may have meant. */
+/** Suggests a known name for a mistyped one. */
 public final class KeySuggestion {
     private KeySuggestion() {}
 
     /**
-     * The first of {@code known} with the fewest single-letter edits to {@code name}, if these are few for its length.
+     * The first of {@code known} with the least edit distance to {@code name}, if the distance is small for its length.
      */
     public static Optional<String> nearest(String name, Collection<String> known) {
         int best = Math.max(2, name.length() / 3) + 1;

@@ -2,7 +2,7 @@ package org.phrenic.document;
 
 import java.util.LinkedHashMap;
 
-/** Keys and values of a JSON or YAML file, in the order in which they are added. */
+/** Keys and values of a JSON or YAML file, in insertion order. */
 public final class OrderedValues extends LinkedHashMap<String, Object> {
     private static final long serialVersionUID = 1;
 

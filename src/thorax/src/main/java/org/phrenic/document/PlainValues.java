@@ -8,14 +8,14 @@ import java.util.Map;
 import java.util.stream.DoubleStream;
 
 /**
- * The values a summary or scenario may hold: maps, lists, finite numbers, booleans, texts and nulls, in a stable order.
+ * Values allowed in a summary or scenario: maps, lists, finite numbers, booleans, texts and nulls, in a stable order.
  */
 final class PlainValues {
     private PlainValues() {}
 
     /**
-     * A copy made of fresh LinkedHashMap, ArrayList, Long, Double, Boolean and String alone; arrays of numbers become
-     * lists, paths and enum constants their names.
+     * A deep copy that consists of LinkedHashMap, ArrayList, Long, Double, Boolean, String and null only. Arrays of
+     * numbers become lists; paths and enum constants become their names.
      *
      * @throws IllegalArgumentException for NaN, infinity or another type, naming the path of keys
      */

@@ -12,10 +12,11 @@ import java.util.Optional;
 import org.phrenic.file.BadInputException;
 
 /**
- * Makes records of YAML mappings: one key a component, named by {@link Key} or by the component in snake_case.
+ * Creates records from YAML mappings, with one key per component, named by {@link Key} or the component name in
+ * snake_case.
  *
- * <p>A component is a number, a boolean, a text, an enum constant (in small letters), a {@code double[]}, a class with
- * a static {@code of(double[])}, another record, or a {@code List} or {@code Optional} of these.
+ * <p>A component is a number, a boolean, a text, an enum constant (in lower case), a {@code double[]}, a class with a
+ * static {@code of(double[])}, another record, or a {@code List} or {@code Optional} of these.
  */
 final class RecordBinder {
     private RecordBinder() {}
@@ -26,10 +27,10 @@ final class RecordBinder {
     }
 
     /**
-     * The record whose components are these keys of a mapping; other keys are not looked at.
+     * Creates a record from a mapping; other keys of the mapping are ignored.
      *
-     * @throws BadInputException naming file, line and key, for what is absent, of another kind, out of range, or
-     *     refused by the constructor of the record
+     * @throws BadInputException naming file, line and key, for a value that is missing, has the wrong type, is out of
+     *     range or is rejected by the record constructor
      */
     static <T> T bind(YamlMap map, Class<T> type) {
         RecordComponent[] components = type.getRecordComponents();

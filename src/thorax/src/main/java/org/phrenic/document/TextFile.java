@@ -7,14 +7,14 @@ import java.nio.file.Path;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 
-/** Text files in UTF-8, with or without byte order mark. */
+/** Reads text files in UTF-8, with or without byte order mark. */
 public final class TextFile {
     private TextFile() {}
 
     /**
      * Reads {@code file}.
      *
-     * @param expected what it is to hold, for messages
+     * @param expected description of the content for error messages
      * @throws BadInputException if it cannot be read or is not UTF-8
      */
     public static String read(Path file, String expected) {

@@ -30,9 +30,9 @@ import org.yaml.snakeyaml.events.ScalarEvent;
 import org.yaml.snakeyaml.nodes.Tag;
 
 /**
- * Reads one YAML document whose top is a mapping, by Jackson's streaming parser. The values are maps, lists and texts;
- * keys may not come twice; depth, number of values and aliases are limited, so a small file cannot unfold into a large
- * one.
+ * Reads a single YAML document whose root is a mapping, with Jackson's streaming parser. Values are maps, lists and
+ * texts. Duplicate keys are rejected. Depth, number of values and aliases are limited, so that a small file cannot
+ * expand to a large document.
  */
 public final class YamlDocument {
     private static final int MAX_DEPTH = 30;
@@ -53,16 +53,16 @@ public final class YamlDocument {
     /**
      * Reads {@code file}.
      *
-     * @throws BadInputException if it cannot be read, is not UTF-8 or no YAML mapping, or repeats a key
+     * @throws BadInputException if it cannot be read, is not UTF-8 or not a YAML mapping, or has duplicate keys
      */
     public static YamlMap read(Path file) {
         return parse(file.toString(), TextFile.read(file, "a text file"));
     }
 
     /**
-     * Reads a stream, which stays open.
+     * Reads a stream and does not close it.
      *
-     * @param name what to call it in messages
+     * @param name name for error messages
      */
     public static YamlMap read(String name, InputStream stream) {
         try {
@@ -73,9 +73,9 @@ public final class YamlDocument {
     }
 
     /**
-     * Reads {@code text}; an empty text is an empty mapping.
+     * Parses {@code text}; an empty text is an empty mapping.
      *
-     * @param name what to call it in messages
+     * @param name name for error messages
      */
     public static YamlMap parse(String name, String text) {
         try (EventParser parser = (EventParser) FACTORY.createParser(new StringReader(text))) {
@@ -111,7 +111,7 @@ public final class YamlDocument {
         return root.map();
     }
 
-    /** The value that begins at the current token. */
+    /** Parses the value that begins at the current token. */
     private YamlValue value(Place place, int depth) throws IOException {
         count(place, depth);
         if (parser.event() instanceof AliasEvent alias) {
@@ -187,7 +187,7 @@ public final class YamlDocument {
         return value;
     }
 
-    /** The same value at another place; what is inside keeps the place of the anchor. */
+    /** The same value with another location; nested values keep the location of the anchor. */
     private static YamlValue copy(YamlValue value, Place place) {
         Object content = value.content() instanceof YamlMap map ? new YamlMap(place, map.values()) : value.content();
         return new YamlValue(place, content, value.quoted());
@@ -210,11 +210,11 @@ public final class YamlDocument {
         }
     }
 
-    /** Jackson's parser with the event behind the current token: it alone knows quotes, anchors and tags. */
+    /** Jackson's parser with access to the event of the current token, which has the quotes, anchors and tags. */
     private static final class EventParser extends YAMLParser {
-        /** Values by anchor; null while the value of the anchor is still being read. */
+        /** Values by anchor; null while the value of the anchor is being read. */
         private final Map<String, YamlValue> anchors = new HashMap<>();
-        /** Line of the document that began last. */
+        /** First line of the current document. */
         private int documentLine;
 
         EventParser(IOContext context, int features, int yamlFeatures, LoaderOptions options, Reader reader) {
@@ -227,7 +227,7 @@ public final class YamlDocument {
             if (event instanceof DocumentStartEvent) {
                 documentLine = event.getStartMark().getLine() + 1;
             }
-            // Jackson takes no alias as a key.
+            // Jackson does not accept an alias as a key.
             boolean key = getParsingContext().inObject() && currentToken() != JsonToken.FIELD_NAME;
             YamlValue known = key && event instanceof AliasEvent alias ? anchors.get(alias.getAnchor()) : null;
             if (known != null && known.content() instanceof String text) {

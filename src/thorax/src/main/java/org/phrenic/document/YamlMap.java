@@ -10,12 +10,12 @@ import java.util.Set;
 import org.phrenic.file.BadInputException;
 
 /**
- * A mapping of a YAML document, in the order of the file. Getters name the key and line in their one sentence when a
- * value is missing or of another kind: {@code scenario.yaml: line 3, key 'time_step_s': found 'abc', expected a
- * number}. A key inside another mapping is told with the path to it, as {@code muscle.activation}.
+ * A mapping in a YAML document, in file order. A getter throws a {@link BadInputException} that names the file, line
+ * and key if a value is missing or has the wrong type: {@code scenario.yaml: line 3, key 'time_step_s': found 'abc',
+ * expected a number}. A nested key is named by its path, as {@code muscle.activation}.
  *
- * <p>Numbers are decimal and finite ({@code 1e-3} too); truth is {@code true} or {@code false}, so a text {@code no}
- * stays text.
+ * <p>Numbers are decimal and finite ({@code 1e-3} is allowed). Booleans are {@code true} and {@code false} only, so
+ * {@code no} is a text.
  */
 public final class YamlMap {
     private final YamlValue.Place place;
@@ -26,7 +26,7 @@ public final class YamlMap {
         this.values = values;
     }
 
-    /** The keys, in the order of the file. */
+    /** The keys, in file order. */
     public Set<String> keys() {
         return new LinkedHashSet<>(values.keySet());
     }
@@ -36,7 +36,7 @@ public final class YamlMap {
     }
 
     /**
-     * Refuses any key that is not one of {@code known}, with the nearest of them as a suggestion.
+     * Requires that every key is one of {@code known}; an error message suggests the nearest known key.
      *
      * @throws BadInputException for the first unknown key
      */
@@ -69,12 +69,12 @@ public final class YamlMap {
         return has(key) ? integer(key) : absent;
     }
 
-    /** A whole number that an {@code int} holds. */
+    /** A whole number in the range of {@code int}. */
     public int wholeInt(String key) {
         return get(key, "a whole number").wholeInt();
     }
 
-    /** True or false. */
+    /** A boolean. */
     public boolean flag(String key) {
         return get(key, "true or false").flag();
     }
@@ -83,7 +83,7 @@ public final class YamlMap {
         return has(key) ? flag(key) : absent;
     }
 
-    /** Text; a number is given as it is written. */
+    /** A text; a number is returned as it is written. */
     public String text(String key) {
         return get(key, "text").text();
     }
@@ -92,12 +92,12 @@ public final class YamlMap {
         return has(key) ? text(key) : absent;
     }
 
-    /** A mapping inside this one. */
+    /** A nested mapping. */
     public YamlMap map(String key) {
         return get(key, "a mapping").map();
     }
 
-    /** A mapping inside this one, an empty one where there is none. */
+    /** A nested mapping; empty if the key is absent. */
     public YamlMap mapOrEmpty(String key) {
         return has(key) ? map(key) : new YamlMap(place.key(key, place.line()), new LinkedHashMap<>());
     }
@@ -126,13 +126,13 @@ public final class YamlMap {
         return has(key) && values.get(key).isNumber();
     }
 
-    /** An exception that says of {@code key} what the caller found wrong: "found -1, expected more than 0". */
+    /** An exception about the value of {@code key}; a problem reads "found -1, expected more than 0". */
     public BadInputException bad(String key, String problem) {
         return (has(key) ? values.get(key).place() : place.key(key, place.line())).bad(problem);
     }
 
     /**
-     * Plain maps, lists, numbers (Long, Double), booleans, texts and nulls, in order, for {@link YamlWriter} or
+     * Plain maps, lists, numbers (Long, Double), booleans, texts and nulls in file order, for {@link YamlWriter} or
      * {@link JsonWriter}.
      */
     public Map<String, Object> toMap() {
@@ -142,23 +142,23 @@ public final class YamlMap {
     }
 
     /**
-     * The record whose components are the keys of this mapping, each named by {@link Key} or by the component in
+     * Creates a record from this mapping, with one key per component, named by {@link Key} or the component name in
      * snake_case.
      *
-     * @throws BadInputException naming file, line and key, for a key that is unknown or absent, and a value that is of
-     *     another kind, out of range, or refused by the constructor of the record
+     * @throws BadInputException naming file, line and key, for a key that is unknown or missing, or a value that has
+     *     the wrong type, is out of range or is rejected by the record constructor
      */
     public <T> T bind(Class<T> type) {
         requireOnly(RecordBinder.keys(type));
         return RecordBinder.bind(this, type);
     }
 
-    /** As {@link #bind}, where the mapping has other keys besides those of the record. */
+    /** Creates a record as {@link #bind} does; unknown keys are allowed. */
     public <T> T bindPart(Class<T> type) {
         return RecordBinder.bind(this, type);
     }
 
-    /** The keys that {@link #bindPart} looks at. */
+    /** The keys that {@link #bindPart} reads. */
     public static List<String> keysOf(Class<?> type) {
         return RecordBinder.keys(type);
     }
@@ -172,7 +172,7 @@ public final class YamlMap {
         return values;
     }
 
-    /** A value for a key that is absent, written as in a file. */
+    /** A default value for an absent key, written as in a file. */
     YamlValue absent(String key, String text) {
         return new YamlValue(place.key(key, place.line()), text, false);
     }

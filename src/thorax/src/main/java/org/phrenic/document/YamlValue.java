@@ -7,13 +7,13 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
 /**
- * A value in a YAML document that knows where it stood.
+ * A value in a YAML document with its location.
  *
- * @param content a {@link YamlMap}, a list of {@link YamlValue}, a {@code String}, or null for nothing at all
- * @param quoted whether a text stood in quotes, and so is never a number or true or false
+ * @param content a {@link YamlMap}, a list of {@link YamlValue}, a {@code String}, or null for no value
+ * @param quoted whether a text is in quotes and therefore never a number or boolean
  */
 record YamlValue(Place place, Object content, boolean quoted) {
-    /** File, line from 1 (0: not known) and path of keys. */
+    /** File, line (from 1; 0 if unknown) and path of keys. */
     record Place(String file, int line, String path) {
         Place key(String key, int keyLine) {
             return new Place(file, keyLine, path.isEmpty() ? key : path + "." + key);
@@ -65,7 +65,7 @@ record YamlValue(Place place, Object content, boolean quoted) {
         throw not("a whole number");
     }
 
-    /** A whole number that an {@code int} holds. */
+    /** A whole number in the range of {@code int}. */
     int wholeInt() {
         long value = integer();
         if (value != (int) value) {
@@ -74,7 +74,7 @@ record YamlValue(Place place, Object content, boolean quoted) {
         return (int) value;
     }
 
-    /** A list of finite numbers, so many of them unless {@code count} is negative. */
+    /** A list of finite numbers, exactly {@code count} of them unless {@code count} is negative. */
     double[] numbers(String expected, int count) {
         List<YamlValue> items = list(expected);
         if (count >= 0 && items.size() != count) {

@@ -10,14 +10,14 @@ import org.yaml.snakeyaml.Yaml;
 import org.yaml.snakeyaml.constructor.SafeConstructor;
 import org.yaml.snakeyaml.representer.Representer;
 
-/** Writes maps as YAML, one key a line, in their order; {@link YamlDocument} reads the same values back. */
+/** Writes maps as YAML with one key per line, in order. {@link YamlDocument} reads the same values back. */
 public final class YamlWriter {
     private static final int WIDTH = 4096;
 
     private YamlWriter() {}
 
     /**
-     * The text of {@code values}.
+     * Formats {@code values} as YAML.
      *
      * @param values maps, lists, double arrays, numbers, booleans, texts, enum constants, nulls
      * @throws IllegalArgumentException for NaN, infinity or a value of another type, naming its key
@@ -33,7 +33,7 @@ public final class YamlWriter {
     }
 
     /**
-     * Writes {@link #format} to {@code file} as a whole or not at all.
+     * Writes {@link #format} to {@code file} atomically.
      *
      * @throws OutputException if the file cannot be written
      */

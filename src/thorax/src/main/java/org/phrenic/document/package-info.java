@@ -1,5 +1,5 @@
 /**
- * CSV, JSON and YAML documents and the binding of YAML to records, with file, line and key in every message. Knows
- * nothing of what the values mean.
+ * CSV, JSON and YAML documents, and binding of YAML to records. Every error message names the file, line and key.
+ * Independent of the content of the documents.
  */
 package org.phrenic.document;

@@ -11,14 +11,14 @@ import org.phrenic.document.KeySuggestion;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 
-/** A setting whose value is one of several with names. */
+/** A setting with a fixed list of named values. */
 public final class ChoiceSetting<T> extends Setting<T> {
     private final Map<String, T> byName = new LinkedHashMap<>();
     private final Function<T, String> name;
     private final Function<SettingValues, T> defaultValue;
 
     /**
-     * @param values in the order in which they are offered
+     * @param values in display order
      * @param name of a value in scenario files
      */
     public ChoiceSetting(
@@ -35,7 +35,7 @@ public final class ChoiceSetting<T> extends Setting<T> {
         this.defaultValue = defaultValue;
     }
 
-    /** A choice among the constants of an enumeration by their names in lower case. */
+    /** Setting for the constants of an enumeration, named in lower case. */
     public static <E extends Enum<E>> ChoiceSetting<E> of(
             String key, String label, Effect effect, E defaultValue, String description) {
         List<E> all = List.of(defaultValue.getDeclaringClass().getEnumConstants());
@@ -52,7 +52,7 @@ public final class ChoiceSetting<T> extends Setting<T> {
         return List.copyOf(byName.keySet());
     }
 
-    /** The value of a name; null if there is none. */
+    /** The value with a name; null if there is none. */
     public T named(String option) {
         return byName.get(option);
     }

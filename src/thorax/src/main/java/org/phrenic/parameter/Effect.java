@@ -1,20 +1,20 @@
 package org.phrenic.parameter;
 
-/** What a change of a setting takes in a simulation that runs. */
+/** What a running simulation must do when a setting changes. */
 public enum Effect {
-    /** The scene is put together anew. */
+    /** Assemble the scene again. */
     ASSEMBLY(false, true, true),
-    /** Another breathing pattern begins with a breath of its own. */
+    /** Start another breathing pattern from its beginning. */
     NEW_PATTERN(true, false, false),
-    /** The breathing pattern goes on at the same place with other numbers. */
+    /** Continue the breathing pattern at the same phase with other values. */
     PATTERN(true, false, false),
-    /** Read at every evaluation of the forces. */
+    /** Nothing: the value is read at every force evaluation. */
     DRIVE(true, false, false),
-    /** Another scheme carries the state from step to step. */
+    /** Change the integrator. */
     INTEGRATION(true, false, true),
-    /** Another part of the scene at rest, but the same springs and masses. */
+    /** Update other parts of the scene; springs and masses do not change. */
     SCENE(true, true, true),
-    /** Springs, masses or damping change, and with them the longest stable step. */
+    /** Update springs, masses or damping, and with them the stability limit. */
     TISSUE(true, true, true);
 
     private final boolean live;
@@ -27,17 +27,17 @@ public enum Effect {
         this.affectsStability = affectsStability;
     }
 
-    /** Whether it can be changed while the simulation runs. */
+    /** Whether the setting can change during a run. */
     public boolean isLive() {
         return live;
     }
 
-    /** Whether a scene is assembled or settled differently with it. */
+    /** Whether the setting affects the assembled or settled scene. */
     public boolean isAssembled() {
         return assembled;
     }
 
-    /** Whether the longest stable step has to be measured anew. */
+    /** Whether the stability limit must be measured again. */
     public boolean affectsStability() {
         return affectsStability;
     }

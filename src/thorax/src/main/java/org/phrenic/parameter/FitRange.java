@@ -1,10 +1,10 @@
 package org.phrenic.parameter;
 
 /**
- * How a search looks for the value of a parameter.
+ * Search range of a parameter in a fit.
  *
- * @param minimum least value that is tried, where no other bounds are given
- * @param maximum greatest value
- * @param spread how widely it is searched at first beside others, above 0, at most 1
+ * @param minimum lower bound, unless the search states others
+ * @param maximum upper bound, unless the search states others
+ * @param spread initial search width relative to other parameters, above 0, at most 1
  */
 public record FitRange(double minimum, double maximum, double spread) {}

@@ -1,6 +1,6 @@
 package org.phrenic.parameter;
 
-/** Headings under which settings are shown. */
+/** Headings under which settings are displayed. */
 public enum Group {
     MODEL("Model"),
     MUSCLE("Muscle"),
@@ -15,7 +15,7 @@ public enum Group {
         this.label = label;
     }
 
-    /** Name for people. */
+    /** Display name. */
     public String label() {
         return label;
     }

@@ -5,14 +5,14 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import org.phrenic.document.YamlMap;
 
-/** A setting that is a real number, such as a time above 0. NaN where a scenario leaves it open. */
+/** A real-valued setting, such as a time above 0. NaN if a scenario states no value and there is no default. */
 public class NumberSetting extends Setting<Double> {
     /**
-     * Which numbers are offered.
+     * Unit and range of the values offered.
      *
-     * @param unit {@code 1} for a plain number
-     * @param minimum least value that is offered; of what is no {@link Parameter} any number above 0 may be stated
-     * @param maximum greatest value
+     * @param unit {@code 1} for a dimensionless number
+     * @param minimum smallest value offered; except for a {@link Parameter}, a scenario may state any number above 0
+     * @param maximum largest value offered
      */
     public record Range(String unit, double minimum, double maximum) {}
 
@@ -36,12 +36,12 @@ public class NumberSetting extends Setting<Double> {
         return range.unit();
     }
 
-    /** Least value that is offered. */
+    /** Smallest value offered. */
     public final double minimum() {
         return range.minimum();
     }
 
-    /** Greatest value. */
+    /** Largest value offered. */
     public final double maximum() {
         return range.maximum();
     }
@@ -72,7 +72,7 @@ public class NumberSetting extends Setting<Double> {
         return number(value);
     }
 
-    /** A number for people: without a fraction where it has none. */
+    /** Formats a number for display; a whole number has no fraction digits. */
     public static String number(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e9
                 ? String.format(Locale.ROOT, "%.0f", value)

@@ -6,11 +6,11 @@ import java.util.function.ToDoubleFunction;
 import org.phrenic.document.YamlMap;
 
 /**
- * A number of the model that can be tuned. It is declared once, by the part that uses it, and holds no value: a
- * scenario states values and a run has a {@link RampedValue}. After Orekit's {@code ParameterDriver}.
+ * A tunable number of the model. The part that uses it declares it once. It holds no value: a scenario states values,
+ * and a run has a {@link RampedValue}. Modelled on Orekit's {@code ParameterDriver}.
  */
 public final class Parameter extends NumberSetting {
-    /** First spread of a search for what only bends what the main drives do. */
+    /** Initial search width of a parameter that only modifies the effect of the main drives. */
     private static final double NARROW_SPREAD = 0.4;
 
     private final Group group;
@@ -28,12 +28,12 @@ public final class Parameter extends NumberSetting {
         fitRange = b.fitRange == null ? new FitRange(b.minimum, b.maximum, NARROW_SPREAD) : b.fitRange;
     }
 
-    /** Begins the declaration of a parameter. */
+    /** Starts the declaration of a parameter. */
     public static Builder named(String key, String label) {
         return new Builder(key, label);
     }
 
-    /** Heading under which it is shown. */
+    /** Heading under which it is displayed. */
     public Group group() {
         return group;
     }
@@ -43,17 +43,17 @@ public final class Parameter extends NumberSetting {
         return fromPreset;
     }
 
-    /** The switch that makes it act as 0 while it is off. */
+    /** The switch that sets its effective value to 0 while it is off. */
     public Optional<SwitchSetting> switchedBy() {
         return Optional.ofNullable(switchedBy);
     }
 
-    /** Whether it has a part in how large a step may be. */
+    /** Whether it affects the stability limit of the time step. */
     public boolean limitsStep() {
         return limitsStep;
     }
 
-    /** How a search looks for it. */
+    /** Search range in a fit. */
     public FitRange fitRange() {
         return fitRange;
     }
@@ -67,7 +67,7 @@ public final class Parameter extends NumberSetting {
         return value;
     }
 
-    /** What is wrong with {@code value}, as "found 9, expected 0 to 2"; empty if it is within the range. */
+    /** Range error as "found 9, expected 0 to 2"; empty if {@code value} is within the range. */
     public Optional<String> rangeViolation(double value) {
         return value >= minimum() && value <= maximum()
                 ? Optional.empty()
@@ -76,7 +76,7 @@ public final class Parameter extends NumberSetting {
     }
 
     /**
-     * Refuses a value that is not a number or out of range.
+     * Requires a number within the range.
      *
      * @return the value
      * @throws IllegalArgumentException with one sentence
@@ -88,10 +88,7 @@ public final class Parameter extends NumberSetting {
         return value;
     }
 
-    /**
-     * Declares a parameter step by step. Without more it is a plain number that is read at every evaluation of the
-     * forces.
-     */
+    /** Builder of a parameter. By default it is dimensionless and read at every force evaluation. */
     public static final class Builder {
         private final String key;
         private final String label;
@@ -117,20 +114,20 @@ public final class Parameter extends NumberSetting {
             return this;
         }
 
-        /** Least and greatest value. */
+        /** Sets the smallest and largest value. */
         public Builder range(double least, double greatest) {
             minimum = least;
             maximum = greatest;
             return this;
         }
 
-        /** Value where a scenario states none and the material has no other. */
+        /** Sets the default value, which a material can override. */
         public Builder initial(double value) {
             initial = values -> value;
             return this;
         }
 
-        /** Value where a scenario states none, which the breathing preset gives. */
+        /** Sets a default value that depends on the breathing preset. */
         public Builder initialOfPreset(ToDoubleFunction<SettingValues> value) {
             initial = value;
             fromPreset = true;
@@ -147,30 +144,30 @@ public final class Parameter extends NumberSetting {
             return this;
         }
 
-        /** The switch that makes it act as 0 while it is off. */
+        /** Sets the switch that makes the effective value 0 while it is off. */
         public Builder switchedBy(SwitchSetting setting) {
             switchedBy = setting;
             return this;
         }
 
-        /** Springs and masses depend on it, and so does the longest stable step. */
+        /** Declares that springs and masses depend on it, and with them the stability limit. */
         public Builder limitsStep() {
             limitsStep = true;
             return effect(Effect.TISSUE);
         }
 
-        /** Bounds of a search that says no other. */
+        /** Sets the default bounds of a search. */
         public Builder fitted(double least, double greatest) {
             return fitted(least, greatest, NARROW_SPREAD);
         }
 
-        /** As {@link #fitted(double, double)}, with another first spread. */
+        /** As {@link #fitted(double, double)}, with another initial search width. */
         public Builder fitted(double least, double greatest, double spread) {
             fitRange = new FitRange(least, greatest, spread);
             return this;
         }
 
-        /** Ends the declaration. */
+        /** Completes the declaration. */
         public Parameter describedAs(String sentence) {
             description = sentence;
             return new Parameter(this);

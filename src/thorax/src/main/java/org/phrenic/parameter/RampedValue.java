@@ -4,8 +4,8 @@ import java.util.function.ToDoubleFunction;
 import org.phrenic.breathing.Ramp;
 
 /**
- * The value of a parameter or switch in a run: it stands still or goes smoothly to another over {@link Ramp#DEFAULT_S}.
- * A function of the time and of the changes made, not of the steps between.
+ * Value of a parameter or switch during a run: constant, or changing smoothly to a target over {@link Ramp#DEFAULT_S}.
+ * It is a function of the time and of the changes made, not of the steps in between.
  */
 public final class RampedValue {
     private final ToDoubleFunction<SettingValues> valueIn;
@@ -16,7 +16,7 @@ public final class RampedValue {
     private long changedAtStep = -1;
 
     /**
-     * @param valueIn its value in a scenario
+     * @param valueIn extracts the value from settings
      * @param values of the scenario at the start
      */
     RampedValue(ToDoubleFunction<SettingValues> valueIn, SettingValues values) {
@@ -24,17 +24,17 @@ public final class RampedValue {
         target = valueIn.applyAsDouble(values);
     }
 
-    /** Its value in a scenario. */
+    /** Its value in given settings. */
     public double in(SettingValues values) {
         return valueIn.applyAsDouble(values);
     }
 
-    /** Goes to its value in a scenario from now on; of two changes at one step the first is as if it had not been. */
+    /** Starts a ramp to its value in given settings. Of two changes at one step only the second applies. */
     public void rampTo(SettingValues values, long step, double nowS) {
         rampTo(in(values), step, nowS);
     }
 
-    /** Goes to another value from now on. */
+    /** Starts a ramp to another value. */
     void rampTo(double to, long step, double nowS) {
         if (step == changedAtStep) {
             ramp = previousRamp;
@@ -49,7 +49,7 @@ public final class RampedValue {
         }
     }
 
-    /** Stands at its value in a scenario, as at the start of a run. */
+    /** Sets the value to that in given settings without a ramp, as at the start of a run. */
     void restart(SettingValues values) {
         ramp = null;
         target = in(values);
@@ -61,17 +61,17 @@ public final class RampedValue {
         return hasArrived(timeS) ? target : ramp.at(timeS);
     }
 
-    /** Derivative, 1/s. */
+    /** Time derivative, 1/s. */
     public double rate(double timeS) {
         return hasArrived(timeS) ? 0 : ramp.rate(timeS);
     }
 
-    /** Where it stands or goes to. */
+    /** Target of the ramp, or the constant value. */
     public double target() {
         return target;
     }
 
-    /** Whether it has arrived. */
+    /** Whether the ramp has ended. */
     public boolean hasArrived(double timeS) {
         return ramp == null || ramp.isDone(timeS);
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The values of all parameters of a run, and of the switches that act smoothly. Made as the parts of a scene ask for
+ * Values of all parameters and smoothly acting switches of a run. Entries are created when the parts of a scene request
  * them.
  */
 public final class RampedValues {
@@ -20,7 +20,7 @@ public final class RampedValues {
         this.start = start;
     }
 
-    /** The value of a parameter as it acts ({@link SettingValues#effective}). */
+    /** The effective value of a parameter ({@link SettingValues#effective}). */
     public RampedValue of(Parameter parameter) {
         return values.computeIfAbsent(parameter, p -> track(p, new RampedValue(v -> v.effective(parameter), start)));
     }
@@ -39,7 +39,7 @@ public final class RampedValues {
         return value;
     }
 
-    /** Whether springs, masses or damping are others in these settings than where they stand or go to. */
+    /** Whether springs, masses or damping in given settings differ from the current targets. */
     public boolean differsInTissue(SettingValues settings) {
         for (RampedValue value : tissue) {
             if (Double.compare(value.in(settings), value.target()) != 0) {
@@ -49,23 +49,23 @@ public final class RampedValues {
         return false;
     }
 
-    /** All go to their values in these settings. */
+    /** Starts ramps of all values to those in given settings. */
     public void rampTo(SettingValues settings, long step, double nowS) {
         values.values().forEach(value -> value.rampTo(settings, step, nowS));
     }
 
-    /** All stand at their values in these settings, as at the start of a run. */
+    /** Sets all values to those in given settings without ramps, as at the start of a run. */
     public void restart(SettingValues settings) {
         start = settings;
         values.values().forEach(value -> value.restart(settings));
     }
 
-    /** Whether all that changes springs, masses and damping has arrived. */
+    /** Whether all ramps of springs, masses and damping have ended. */
     public boolean hasTissueArrived(double timeS) {
         return haveArrived(tissue, timeS);
     }
 
-    /** Whether all else that is set step by step has arrived. */
+    /** Whether all ramps of other values that are updated at every step have ended. */
     public boolean hasSceneArrived(double timeS) {
         return haveArrived(scene, timeS);
     }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.phrenic.document.YamlMap;
 
 /**
- * The declaration of one key of a scenario. Two settings are the same only if they are one object.
+ * Declaration of one key of a scenario. Settings are compared by identity.
  *
  * @param <T> type of its values, which are immutable
  */
@@ -17,8 +17,8 @@ public abstract class Setting<T> {
 
     /**
      * @param key name in scenario files and on the command line, with its unit
-     * @param label name for people
-     * @param description what it is and where its default comes from, in one or two sentences
+     * @param label display name
+     * @param description meaning and origin of the default, in one or two sentences
      */
     protected Setting(String key, String label, Effect effect, String description) {
         this.key = key;
@@ -32,56 +32,53 @@ public abstract class Setting<T> {
         return key;
     }
 
-    /** Name for people. */
+    /** Display name. */
     public final String label() {
         return label;
     }
 
-    /** What a change of it takes while a simulation runs. */
+    /** What a running simulation must do when it changes. */
     public final Effect effect() {
         return effect;
     }
 
-    /** Whether it can be changed while a simulation runs. */
+    /** Whether it can change during a run. */
     public final boolean isLive() {
         return effect.isLive();
     }
 
-    /** What it is and where its default comes from. */
+    /** Its meaning and the origin of its default. */
     public final String description() {
         return description;
     }
 
-    /** Unit of a number; {@code 1} for a plain one and for what is no number. */
+    /** Unit of a number; {@code 1} for a dimensionless number or a value of another type. */
     public String unit() {
         return "1";
     }
 
-    /** Values to choose from, as a scenario file has them; empty if there is no such list. */
+    /** Permitted values as in a scenario file; empty if there is no fixed list. */
     public List<String> options() {
         return List.of();
     }
 
-    /** Value of a scenario that states none. */
+    /** Default value, given the other settings of a scenario. */
     public abstract T defaultValue(SettingValues values);
 
     /**
-     * Reads the value of this key, which is there.
+     * Reads the value of this key, which must be present.
      *
-     * @param folder from which paths are taken
+     * @param folder against which relative paths are resolved
      * @throws org.phrenic.file.BadInputException with one sentence that names file, line and key
      */
     public abstract T read(YamlMap yaml, Path folder);
 
-    /**
-     * The value as a scenario file has it: a number, a truth value, a text or a list; null where the file leaves the
-     * key out.
-     */
+    /** The value as in a scenario file: a number, boolean, text or list; null if the file omits the key. */
     public Object toPlain(T value) {
         return value;
     }
 
-    /** The value as text, as {@code --set} takes it. */
+    /** The value as text, as in {@code --set}. */
     public String format(T value) {
         return String.valueOf(toPlain(value));
     }

@@ -1,14 +1,14 @@
 package org.phrenic.parameter;
 
-/** A value for every setting: those that a scenario states, and defaults. */
+/** Values of all settings: those that a scenario states, and defaults for the others. */
 public interface SettingValues {
-    /** The stated value, else the default. A parameter that the material does not use is NaN. */
+    /** The stated value, otherwise the default. NaN for a parameter that the material does not use. */
     <T> T get(Setting<T> setting);
 
     /** Whether the scenario states a value. */
     boolean states(Setting<?> setting);
 
-    /** Value of a parameter as it acts: 0 while the switch that it depends on is off. */
+    /** Effective value of a parameter: 0 while its switch is off. */
     default double effective(Parameter parameter) {
         return parameter.switchedBy().map(this::get).orElse(true) ? get(parameter) : 0;
     }

@@ -6,7 +6,7 @@ import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 import org.phrenic.document.YamlMap;
 
-/** A setting that is a whole number from 1 on. */
+/** A setting that is a whole number of at least 1. */
 public final class WholeSetting extends Setting<Integer> {
     private static final int MAX_OPTIONS = 16;
 
@@ -25,7 +25,7 @@ public final class WholeSetting extends Setting<Integer> {
         this.defaultValue = defaultValue;
     }
 
-    /** Greatest value. */
+    /** Largest value. */
     public int maximum() {
         return maximum;
     }

@@ -8,8 +8,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.parameter.Setting;
 
 /**
- * A value for a setting, from elsewhere than a scenario's file. Texts become values here, once; from here on the value
- * is typed.
+ * A typed value for a setting that comes from outside a scenario file. Text is parsed here, once.
  *
  * @param origin where it was given, for messages: {@code --threads 0}
  * @param setting whose value it is
@@ -18,39 +17,39 @@ import org.phrenic.parameter.Setting;
 public record Assignment(String origin, Setting<?> setting, Object value) {
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./+-]+");
 
-    /** A value of a setting. */
+    /** Creates an assignment from a typed value. */
     public static <T> Assignment of(String origin, Setting<T> setting, T value) {
         return new Assignment(origin, setting, value);
     }
 
     /**
-     * Reads a value from text; paths are taken from the working folder.
+     * Parses a value; relative paths are resolved against the working directory.
      *
-     * @throws BadInputException with one sentence, if the key is unknown or the value cannot be
+     * @throws BadInputException with one sentence, if the key is unknown or the value is invalid
      */
     public static Assignment read(String origin, String key, String text) {
         return read(origin, key, text, Path.of(""));
     }
 
-    /** As {@link #read(String, String, String)}, with paths taken from another folder. */
+    /** As {@link #read(String, String, String)}, with relative paths resolved against another folder. */
     static Assignment read(String origin, String key, String text, Path folder) {
         try {
-            // What is no plain word or number is quoted, so that nothing in it means anything to YAML.
+            // Text that is not a plain word or number is quoted, so that YAML does not interpret it.
             String escaped = text.isEmpty() || PLAIN.matcher(text).matches() ? text : quote(text);
             YamlMap yaml = YamlDocument.parse(origin, quote(key) + ": " + escaped);
             yaml.requireOnly(Settings.keys());
             Setting<?> setting = Settings.find(key);
             return new Assignment(origin, setting, setting.read(yaml, folder));
         } catch (BadInputException e) {
-            // A value that comes from no file stands in no line.
+            // The value comes from no file, so the message omits the line number.
             throw new BadInputException(e.getMessage().replace(origin + ": line 1, key", origin + ": key"), e);
         }
     }
 
     /**
-     * Reads {@code key=value}, as {@code --set} takes it.
+     * Parses {@code key=value}, as in {@code --set}.
      *
-     * @throws BadInputException if there is no key or no {@code =}, or the value cannot be
+     * @throws BadInputException if the key or {@code =} is missing, or the value is invalid
      */
     public static Assignment parse(String text) {
         int equals = text.indexOf('=');
@@ -72,7 +71,7 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
         return setting.key();
     }
 
-    /** The value as text, as {@code --set} takes it. */
+    /** The value as text, as in {@code --set}. */
     public String text() {
         return format(setting, value);
     }
@@ -83,7 +82,7 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
     }
 
     /**
-     * Refuses a setting that cannot be changed while a simulation runs.
+     * Requires a setting that can change during a run.
      *
      * @throws BadInputException with one sentence
      */

@@ -6,11 +6,11 @@ import org.phrenic.model.material.Materials;
 import org.phrenic.parameter.NumberSetting;
 import org.phrenic.parameter.Parameter;
 
-/** The parameters of all materials as a table. */
+/** Documentation table of the parameters of all materials. */
 public final class ParameterTable {
     private ParameterTable() {}
 
-    /** The table as Markdown: what {@code docs/parameters.md} holds. */
+    /** The table in Markdown, the content of {@code docs/parameters.md}. */
     public static String markdown() {
         return Materials.parameters().stream()
                 .map(p -> String.join(

@@ -13,12 +13,9 @@ import org.phrenic.parameter.NumberSetting;
 import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SettingValues;
 
-/**
- * What a scenario states besides the model: its name, the body, how long it is run, what is written and what changes
- * while it runs.
- */
+/** Settings of a run apart from the model: name, body, duration, output and scheduled changes. */
 public final class RunSettings {
-    /** Bodies that come with the program. */
+    /** Built-in virtual bodies. */
     public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
 
     private static final double MAX_DURATION_S = 86_400;
@@ -60,7 +57,7 @@ public final class RunSettings {
         }
     }
 
-    /** What to call it: the preset, where no name is given. */
+    /** Name of the scenario; the preset's name by default. */
     private static final class Name extends Setting<String> {
         Name() {
             super("name", "Name", Effect.ASSEMBLY, "What to call it.");
@@ -117,7 +114,7 @@ public final class RunSettings {
         }
     }
 
-    /** 0 for no meshes. */
+    /** Interval of mesh output; 0 for no meshes. */
     private static final class MeshesEvery extends Setting<Double> {
         private static final NumberSetting ABOVE_ZERO = time("meshes_every_s", "", 0, "");
 
@@ -145,7 +142,7 @@ public final class RunSettings {
         }
     }
 
-    /** Steps to run instead of the duration; -1 where none are given. */
+    /** Number of steps, which replaces the duration; -1 if not given. */
     private static final class Steps extends Setting<Long> {
         Steps() {
             super("steps", "Steps", Effect.ASSEMBLY, "Steps to run, whatever the duration.");
@@ -171,7 +168,7 @@ public final class RunSettings {
         }
     }
 
-    /** Changes while it runs, in order. */
+    /** Scheduled changes in the order of their steps. */
     private static final class Changes extends Setting<List<ScheduledChange>> {
         Changes() {
             super("changes", "Changes", Effect.ASSEMBLY, "Changes while it runs, as a list of STEP:key=value.");

@@ -25,7 +25,7 @@ import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * What is to be simulated: values for some of the {@link Settings}; all others have defaults, so that an empty scenario
+ * Description of a simulation: values for some of the {@link Settings}. All others have defaults, so an empty scenario
  * is a quiet breath of the virtual adult male. Immutable. Two scenarios are equal if they resolve to the same
  * {@link #toMap}.
  */
@@ -38,13 +38,13 @@ public final class Scenario implements SettingValues {
         this.stated = Collections.unmodifiableMap(stated);
     }
 
-    /** A quiet breath of the virtual adult male. */
+    /** The default scenario: a quiet breath of the virtual adult male. */
     public static Scenario defaults() {
         return DEFAULTS;
     }
 
     /**
-     * Reads a scenario. Paths in it are taken from its folder.
+     * Reads a scenario file. Relative paths in it are resolved against its folder.
      *
      * @throws BadInputException with one sentence that names file, line and key
      */
@@ -68,9 +68,9 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * This scenario with other values; of two values for a setting the later counts.
+     * Copy of this scenario with other values. If a setting is assigned twice, the last value applies.
      *
-     * @throws BadInputException with one sentence that names where the value was given and the key
+     * @throws BadInputException with one sentence that names the origin of the value and the key
      */
     public Scenario with(List<Assignment> assignments) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
@@ -88,30 +88,33 @@ public final class Scenario implements SettingValues {
         });
     }
 
-    /** Whether a value is what the material gives anyway: it then goes along when another material is chosen. */
+    /** Whether a value equals the default of the material. Such a value changes with the material. */
     private static boolean isMaterialDefault(Map<Setting<?>, Object> values, Setting<?> setting) {
         boolean ofPreset = setting instanceof Parameter p && p.isGivenByPreset();
         return setting.isLive() && !ofPreset && values.get(setting).equals(new Scenario(values).defaultOf(setting));
     }
 
-    /** This scenario with other values, each as {@code key=value}. */
+    /** Copy of this scenario with other values, each as {@code key=value}. */
     public Scenario with(String... assignments) {
         return with(Arrays.stream(assignments).map(Assignment::parse).toList());
     }
 
-    /** This scenario with another value of a setting. */
+    /** Copy of this scenario with another value of a setting. */
     public <T> Scenario with(Setting<T> setting, T value) {
         return with(List.of(Assignment.of("", setting, value)));
     }
 
-    /** This scenario without a stated value of a setting: it is as by default. */
+    /** Copy of this scenario with a setting reset to its default. */
     public Scenario without(Setting<?> setting) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         values.remove(setting);
         return new Scenario(values);
     }
 
-    /** The same of another material: stated values stay, except parameters that the other does not use. */
+    /**
+     * Copy of this scenario with another material. Stated values are kept, except parameters that the material does not
+     * use.
+     */
     public Scenario withMaterial(TissueMaterial material) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         values.keySet().removeIf(setting -> setting instanceof Parameter p && !material.uses(p));
@@ -120,9 +123,9 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * This scenario with other changes while it runs.
+     * Copy of this scenario with other scheduled changes.
      *
-     * @throws BadInputException with one sentence, if one cannot be made or they are not in order
+     * @throws BadInputException with one sentence, if a change is invalid or they are not in order
      */
     public Scenario withChanges(List<ScheduledChange> others) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
@@ -130,14 +133,14 @@ public final class Scenario implements SettingValues {
         return ScenarioChecks.requireValidChanges(new Scenario(values));
     }
 
-    /** This scenario for so many steps. */
+    /** Copy of this scenario with a number of steps. */
     public Scenario withSteps(long steps) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         values.put(RunSettings.STEPS, steps);
         return new Scenario(values);
     }
 
-    /** The settings after all changes, without them. */
+    /** The settings after all scheduled changes, without a schedule. */
     public Scenario afterChanges() {
         return without(RunSettings.CHANGES)
                 .with(changes().stream().map(ScheduledChange::assignment).toList());
@@ -153,7 +156,7 @@ public final class Scenario implements SettingValues {
         return defaultOf(setting);
     }
 
-    /** The value of a setting where this scenario states none: that of the material or the breathing preset. */
+    /** Default value of a setting: that of the material or the breathing preset. */
     @SuppressWarnings("unchecked") // a parameter is a setting of Double
     public <T> T defaultOf(Setting<T> setting) {
         return setting instanceof Parameter parameter
@@ -167,8 +170,8 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * What leads from this scenario to another while it runs; empty if that takes another scene. Name, steps and
-     * changes do not count.
+     * Live changes that turn this scenario into another during a run; empty if the scene must be assembled again. Name,
+     * steps and scheduled changes are ignored.
      *
      * @param origin of the assignments
      */
@@ -187,12 +190,12 @@ public final class Scenario implements SettingValues {
         return Optional.of(list);
     }
 
-    /** What to call it. */
+    /** Name of the scenario. */
     public String name() {
         return get(RunSettings.NAME);
     }
 
-    /** The breathing preset as it comes with the program, before this scenario's rate, depth and the rest. */
+    /** The built-in breathing preset, without this scenario's rate, depth and other values. */
     public BreathingPreset breathing() {
         return get(Breathing.PRESET);
     }
@@ -202,37 +205,37 @@ public final class Scenario implements SettingValues {
         return breathing().name();
     }
 
-    /** Recorded breathing whose curve replaces that of the preset. */
+    /** Recording whose curve replaces the preset's. */
     public Optional<Path> trace() {
         return get(Breathing.TRACE);
     }
 
-    /** Whether the breath is held where it is. */
+    /** Whether the breath is held. */
     public boolean hold() {
         return get(Breathing.HOLD);
     }
 
-    /** What the springs stand for. */
+    /** Material model. */
     public TissueMaterial material() {
         return get(Materials.MATERIAL);
     }
 
-    /** A virtual body, or the path of a thorax folder. */
+    /** Name of a virtual body, or path of a thorax folder. */
     public String anatomy() {
         return get(RunSettings.ANATOMY);
     }
 
-    /** Whether the body comes with the program; else {@link #anatomy} is a folder. */
+    /** Whether the body is a built-in virtual one; otherwise {@link #anatomy} is a folder. */
     public boolean isVirtual() {
         return RunSettings.VIRTUAL_BODIES.contains(anatomy());
     }
 
-    /** How finely to mesh. */
+    /** Mesh resolution. */
     public Resolution resolution() {
         return get(OrganSettings.RESOLUTION);
     }
 
-    /** Threads to compute on; results do not depend on it. */
+    /** Number of threads; it does not affect the results. */
     public int threads() {
         return get(Numerics.THREADS);
     }
@@ -242,35 +245,35 @@ public final class Scenario implements SettingValues {
         return get(Numerics.TIME_STEP);
     }
 
-    /** Scheme. */
+    /** Integrator. */
     public IntegratorKind integrator() {
         return get(Numerics.INTEGRATOR);
     }
 
-    /** Simulated time, s; NaN where none is given. */
+    /** Stated simulated time, s; NaN if not given. */
     public double durationS() {
         return get(RunSettings.DURATION);
     }
 
     /**
-     * Simulated time, s: the one given, or as long as it takes to see all of the breathing
+     * Simulated time, s: the stated one, or the time that covers the complete breathing pattern
      * ({@link BreathingPattern#fullDurationS}).
      */
     public double durationS(BreathingPattern pattern) {
         return Double.isNaN(durationS()) ? pattern.fullDurationS() : durationS();
     }
 
-    /** Steps to run instead of the duration; -1 where none are given. */
+    /** Number of steps, which replaces the duration; -1 if not given. */
     public long steps() {
         return get(RunSettings.STEPS);
     }
 
-    /** Changes made while it runs, in order. */
+    /** Scheduled changes in the order of their steps. */
     public List<ScheduledChange> changes() {
         return get(RunSettings.CHANGES);
     }
 
-    /** Value of a setting as a scenario file has it; null where the file leaves it out. */
+    /** Value of a setting as in a scenario file; null if the file omits it. */
     public <T> Object plain(Setting<T> setting) {
         return setting.toPlain(get(setting));
     }
@@ -281,8 +284,8 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * Every key with its value, in the order of the documentation: reading it back gives an equal scenario. Keys whose
-     * value the preset gives are left out.
+     * All keys and values in the order of the documentation. A scenario read from the map equals this one. Keys whose
+     * value comes from the preset are omitted.
      */
     public Map<String, Object> toMap() {
         Map<String, Object> map = new LinkedHashMap<>();

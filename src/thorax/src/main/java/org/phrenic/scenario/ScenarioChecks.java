@@ -9,15 +9,15 @@ import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.Setting;
 
-/** What the values of a scenario must be together. */
+/** Checks that involve several settings of a scenario. */
 final class ScenarioChecks {
     private ScenarioChecks() {}
 
     /**
-     * Refuses parameters that the material does not use, a duration below a step, and changes that cannot be made.
+     * Refuses parameters that the material does not use, a duration shorter than a step, and invalid scheduled changes.
      *
      * @param given settings whose values are new
-     * @param bad makes the exception of a setting and what is wrong with it
+     * @param bad creates the exception for a setting and a message
      * @return the scenario
      */
     static Scenario require(
@@ -50,7 +50,7 @@ final class ScenarioChecks {
         return requireValidChanges(scenario);
     }
 
-    /** Makes sure that every change can be made after those before it. */
+    /** Checks that every scheduled change is valid after those before it. */
     static Scenario requireValidChanges(Scenario scenario) {
         Scenario now = scenario.without(RunSettings.CHANGES);
         long before = 0;

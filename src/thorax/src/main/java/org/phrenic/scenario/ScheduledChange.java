@@ -5,29 +5,28 @@ import java.util.function.Function;
 import org.phrenic.file.BadInputException;
 
 /**
- * A live change of a running simulation: from which step on a setting has another value. As text
- * {@code 1234:depth=1.5}.
+ * A live change scheduled for a step of a run. As text: {@code 1234:depth=1.5}.
  *
- * @param step steps done when it is made; it ramps in from there on
+ * @param step number of completed steps at which the change is made; a number ramps in from there
  * @param assignment setting and new value
  */
 public record ScheduledChange(long step, Assignment assignment) {
 
     /**
-     * Reads {@code STEP:key=value}, as {@code --change} takes it.
+     * Parses {@code STEP:key=value}, as in {@code --change}.
      *
-     * @throws BadInputException with one sentence, if it is none or the value cannot be
+     * @throws BadInputException with one sentence, if the format or the value is invalid
      */
     public static ScheduledChange parse(String text) {
         return parse(text, "--change " + text, problem -> new BadInputException("--change: " + problem), Path.of(""));
     }
 
     /**
-     * Reads {@code STEP:key=value}.
+     * Parses {@code STEP:key=value}.
      *
      * @param origin where it was given
-     * @param bad what to throw of a text that is none
-     * @param folder from which paths are taken
+     * @param bad creates the exception for an invalid format
+     * @param folder against which relative paths are resolved
      */
     static ScheduledChange parse(String text, String origin, Function<String, BadInputException> bad, Path folder) {
         int colon = text.indexOf(':');
@@ -47,7 +46,7 @@ public record ScheduledChange(long step, Assignment assignment) {
                 step, Assignment.read(origin, key, text.substring(equals + 1).strip(), folder));
     }
 
-    /** As it is written in a scenario and on the command line. */
+    /** The change as text, as in scenario files and on the command line. */
     public String text() {
         return step + ":" + assignment.key() + "=" + assignment.text();
     }

@@ -19,8 +19,8 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.Setting;
 
 /**
- * All settings of a scenario, as the parts of a simulation declare them, and those that say how long it is run and what
- * is written.
+ * Registry of all settings of a scenario: those that the parts of a simulation declare, and those of the run and its
+ * output.
  */
 public final class Settings {
     private static final List<Setting<?>> ALL = Stream.concat(
@@ -77,22 +77,22 @@ public final class Settings {
         return List.copyOf(BY_KEY.keySet());
     }
 
-    /** Keys of the settings that can be changed while a simulation runs. */
+    /** Keys of the settings that can change during a run. */
     public static List<String> liveKeys() {
         List<String> keys = new ArrayList<>();
         ALL.stream().filter(Setting::isLive).forEach(setting -> keys.add(setting.key()));
         return keys;
     }
 
-    /** The setting of a key; null if there is none. */
+    /** The setting with a key; null if there is none. */
     static Setting<?> find(String key) {
         return BY_KEY.get(key);
     }
 
     /**
-     * The parameter of a key.
+     * The parameter with a key.
      *
-     * @throws IllegalArgumentException if there is none; the sentence has the nearest key
+     * @throws IllegalArgumentException if there is none; the message suggests the nearest key
      */
     public static Parameter parameter(String key) {
         if (BY_KEY.get(key) instanceof Parameter parameter) {
@@ -102,7 +102,7 @@ public final class Settings {
         throw new IllegalArgumentException("found an unknown parameter '" + key + "', " + expected(key, keys));
     }
 
-    /** What was expected in the place of an unknown key. */
+    /** Message part that lists what was expected instead of an unknown key. */
     static String expected(String key, List<String> known) {
         return KeySuggestion.nearest(key, known)
                 .map(near -> "did you mean '" + near + "'?")

@@ -1,5 +1,5 @@
 /**
- * What is to be simulated: the registry of all settings, the scenario, its file and the changes made while it runs. The
- * only place where text becomes values of settings.
+ * Scenarios: the registry of all settings, the scenario and its file, and scheduled changes. Text is parsed into
+ * setting values only here.
  */
 package org.phrenic.scenario;

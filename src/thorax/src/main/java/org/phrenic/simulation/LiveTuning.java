@@ -21,12 +21,12 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
 /**
- * Changes a scene while it runs, and keeps the log of it. What a change does is a function of the state, the step and
- * the changes before it alone, so that the same changes at the same steps give the same bits; of several changes of a
- * setting at one step the last counts.
+ * Applies live changes to a scene and logs them. The effect of a change depends only on the state, the step and the
+ * changes before it, so that equal changes at equal steps give equal bits. If a setting changes several times at one
+ * step, the last value applies.
  *
- * <p>Numbers ramp over 0.2 s. While springs, masses or damping are on their way the substeps are those that the worse
- * of both ends asks for; when they have arrived the limit is measured anew.
+ * <p>Numbers ramp over 0.2 s. While springs, masses or damping ramp, the number of substeps is that of the stricter end
+ * of the ramp. After the ramp the stability limit is measured again.
  */
 final class LiveTuning {
     private static final String UNDO = "undo";
@@ -63,7 +63,7 @@ final class LiveTuning {
         return List.copyOf(log);
     }
 
-    /** Makes changes between two steps; see {@link Simulation#change(List)}. */
+    /** Applies changes between two steps; see {@link Simulation#change(List)}. */
     void apply(List<Assignment> assignments) {
         assignments.forEach(Assignment::requireLive);
         long step = stepper.steps();
@@ -74,7 +74,7 @@ final class LiveTuning {
         assignments.forEach(a -> putLast(changes, a));
         Scenario after = before.with(List.copyOf(changes.values()));
 
-        // What the settings cannot breathe is refused before anything is changed.
+        // Invalid breathing settings are refused before anything changes.
         boolean newPattern = hasEffect(changes, Effect.NEW_PATTERN);
         BreathingPattern pattern = newPattern || hasEffect(changes, Effect.PATTERN) ? Breathing.patternOf(after) : null;
         scene.drive().invalidate();
@@ -111,7 +111,7 @@ final class LiveTuning {
         return log.isEmpty() ? -1 : log.get(log.size() - 1).step();
     }
 
-    /** Takes the scheme and the substeps for the tissue as it is and as it will be. */
+    /** Sets integrator and substeps for the tissue before and after the change. */
     private void setUpSteps(Scenario after, Map<Setting<?>, Assignment> changes, double now) {
         Integrator integrator = stepper.integrator();
         boolean other = after.integrator() != integrator.kind();
@@ -134,7 +134,7 @@ final class LiveTuning {
         }
     }
 
-    /** Told before every step: sets what is on its way. Allocates nothing but where something has arrived. */
+    /** Called before every step: updates all ramping values. Allocates only when a ramp ends. */
     void beforeStep() {
         if (!tissueRamps && !sceneRamps) {
             return;
@@ -155,9 +155,9 @@ final class LiveTuning {
     }
 
     /**
-     * What takes back the changes made at the last step that has any; if those were themselves taking something back,
-     * which has not helped, the changes of the step before as well, and so on to the start. Empty if nothing is left to
-     * take back.
+     * Assignments that undo the changes of the last step that has any. If those were themselves an undo, which did not
+     * help, the changes of the step before are undone as well, and so on to the start. Empty if there is nothing to
+     * undo.
      */
     List<Assignment> undoAssignments() {
         if (log.isEmpty()) {
@@ -187,15 +187,14 @@ final class LiveTuning {
     }
 
     /**
-     * Whether what was changed since the start leaves the scene as it was assembled, so that it can begin anew as it
-     * is.
+     * Whether the changes since the start leave the assembly valid, so that the scene can restart without a new one.
      */
     boolean isAsAssembled() {
         return log.stream().noneMatch(c -> c.assignment().setting().effect().isAssembled());
     }
 
     /**
-     * Refuses changes of anything but parameters and the hold of the breath.
+     * Refuses changes of anything except parameters and the breath hold.
      *
      * @throws IllegalArgumentException with one sentence
      */

@@ -24,13 +24,13 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Writes what a run leaves behind: {@code summary.json}, {@code observables.csv}, {@code scenario.yaml} and, if asked
- * for, a series of meshes {@code scene.pvd} with one {@code .vtp} a structure and time. Each file is written beside its
- * target and moved over it; summary last, so that a folder with a summary is complete.
+ * Writes the output of a run: {@code summary.json}, {@code observables.csv}, {@code scenario.yaml} and, on request, a
+ * mesh series {@code scene.pvd} with one {@code .vtp} per structure and time. Each file is written beside its target
+ * and then moved over it. The summary is written last, so a folder with a summary is complete.
  */
 final class RunRecorder {
     private static final String SUMMARY = "summary.json";
-    /** A time that rounding alone keeps from being due is due. */
+    /** Tolerance for rounding when comparing output times. */
     private static final double ROUNDING = 1e-9;
 
     private final Scenario scenario;
@@ -51,7 +51,7 @@ final class RunRecorder {
         }
     }
 
-    /** A summary of an earlier run must not stand beside what this one writes, should this one fail. */
+    /** Deletes the summary of an earlier run, which would not match the new files if this run fails. */
     private static void deleteStaleSummary(Path summary) {
         try {
             Files.deleteIfExists(summary);
@@ -60,7 +60,7 @@ final class RunRecorder {
         }
     }
 
-    /** Told after steps; writes meshes if it is time. */
+    /** Called after a step; writes meshes if due. */
     void recordMeshes(double time) {
         if (series == null || time < frame * scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING)) {
             return;
@@ -96,7 +96,7 @@ final class RunRecorder {
         return data;
     }
 
-    /** Writes everything that is left. */
+    /** Writes the remaining files. */
     void writeResults(Map<String, Object> summary, List<Observation> samples) {
         if (out == null) {
             return;
@@ -118,7 +118,7 @@ final class RunRecorder {
         JsonWriter.write(out.resolve(SUMMARY), all);
     }
 
-    /** Version, seed and hashes of what went in. */
+    /** Version, seed and hashes of the inputs. */
     private Map<String, Object> provenance() {
         Map<String, Object> map = new LinkedHashMap<>();
         String version = RunRecorder.class.getPackage().getImplementationVersion();

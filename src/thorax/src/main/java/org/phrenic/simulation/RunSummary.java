@@ -7,9 +7,9 @@ import java.util.Map;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * What a run amounts to: for every whole breath the change from its beginning (end-expiration) to the sample at which
- * the domes stand lowest (end-inspiration), averaged over the breaths; a run without a whole breath (a hold, a cough)
- * counts as one.
+ * Summary of a run. For every whole breath it takes the change from the start (end-expiration) to the sample with the
+ * lowest domes (end-inspiration), and averages over the breaths. A run without a whole breath, such as a hold or a
+ * cough, counts as one breath.
  */
 final class RunSummary {
     private final List<Observation> samples;
@@ -33,7 +33,7 @@ final class RunSummary {
         return breaths.size();
     }
 
-    /** Sample of a breath at which both domes together stand lowest. */
+    /** Sample of a breath with the lowest mean height of the two domes. */
     private int endInspiration(int[] breath) {
         int best = breath[0];
         for (int i = breath[0]; i <= breath[1]; i++) {
@@ -46,7 +46,7 @@ final class RunSummary {
         return best;
     }
 
-    /** Mean change of a column over the breaths, end-expiration to end-inspiration. */
+    /** Mean change of a column from end-expiration to end-inspiration over all breaths. */
     private double meanChange(String column) {
         double sum = 0;
         for (int[] breath : breaths) {
@@ -60,7 +60,7 @@ final class RunSummary {
         return samples.stream().mapToDouble(o -> o.get(column)).max().orElse(0);
     }
 
-    /** Farthest that the shape at a breath's beginning, or at the end of the last, was from rest; rms mm. */
+    /** Largest deviation from the rest shape at the start of a breath or the end of the last, rms mm. */
     private double returnToRest() {
         double worst = 0;
         for (int[] breath : breaths) {
@@ -69,7 +69,7 @@ final class RunSummary {
         return Math.max(worst, samples.get(breaths.get(breaths.size() - 1)[1]).get("from_rest_rms_mm"));
     }
 
-    /** Excursions and the rest, in the order of the design. */
+    /** All values of the summary, in the order of the output. */
     Map<String, Object> toMap() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("breaths", breaths.size());

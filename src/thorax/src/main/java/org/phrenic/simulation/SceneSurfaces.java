@@ -20,9 +20,9 @@ import org.phrenic.simulation.observe.SceneOverlays;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
 
-/** Every surface of a simulation, and where it is now. Used by the simulation's thread alone. */
+/** All surfaces of a simulation and their current positions. Used by the simulation's thread alone. */
 public final class SceneSurfaces {
-    /** Writes where a surface's vertices are. */
+    /** Writes the current vertex positions of a surface. */
     private interface VertexSource {
         double[] positionsAt(double time, double[] now);
     }
@@ -112,7 +112,7 @@ public final class SceneSurfaces {
         add(s, s.mesh(), still ? Surface.Motion.STILL : Surface.Motion.RIGID, new boolean[0], null, body);
     }
 
-    /** What is neither bone nor node bends between the bones around it. */
+    /** Adds a structure without nodes or rigid motion, which deforms with the bones around it. */
     private void addBlended(Structure s) {
         double[] rest = s.mesh().positions();
         LinearBlendSkinning motion = new LinearBlendSkinning(
@@ -139,17 +139,17 @@ public final class SceneSurfaces {
         bodies.add(body);
     }
 
-    /** The surfaces, in an order that never changes. */
+    /** The surfaces, in a fixed order. */
     public List<Surface> surfaces() {
         return List.copyOf(surfaces);
     }
 
-    /** What can be drawn over the surfaces. */
+    /** The overlays that can be drawn over the surfaces. */
     public List<Overlay> overlays() {
         return SceneOverlays.of(scene);
     }
 
-    /** A frame that fits this scene, holding it as it stands. */
+    /** Creates a frame of this scene with the current state. */
     public Frame newFrame() {
         int n = surfaces.size();
         int[] lengths = new int[n];
@@ -164,7 +164,7 @@ public final class SceneSurfaces {
         return frame;
     }
 
-    /** Writes the scene as it stands between two steps. */
+    /** Writes the current state into a frame, between two steps. */
     public void capture(Frame frame) {
         double time = readState();
         for (int i = 0; i < surfaces.size(); i++) {
@@ -172,7 +172,7 @@ public final class SceneSurfaces {
                 case DEFORMING -> toFloat(places.get(i).positionsAt(time, positions), frame.positions(i));
                 case RIGID -> toFloat(scene.pose().pose(bodies.get(i)), frame.pose(i));
                 case STILL -> {
-                    // Its rest shape says all.
+                    // The rest mesh is sufficient.
                 }
             }
         }
@@ -184,7 +184,7 @@ public final class SceneSurfaces {
                 observer.observe(time).values());
     }
 
-    /** Takes over where the nodes and bones are; returns the time. */
+    /** Reads the current node positions and bone poses; returns the time, s. */
     private double readState() {
         double time = simulation.time();
         scene.system().layout().toCaller(scene.system().positions(), positions);
@@ -192,7 +192,7 @@ public final class SceneSurfaces {
         return time;
     }
 
-    /** All surfaces as the scene stands, in double precision; for files. */
+    /** All surfaces in the current state, in double precision; for files. */
     public List<TriangleMesh> meshes() {
         double time = readState();
         List<TriangleMesh> meshes = new ArrayList<>();
@@ -202,7 +202,7 @@ public final class SceneSurfaces {
         return meshes;
     }
 
-    /** One of the surfaces as the scene stands, in double precision. */
+    /** One surface in the current state, in double precision. */
     public TriangleMesh mesh(int surface) {
         return mesh(surface, readState());
     }
@@ -223,7 +223,7 @@ public final class SceneSurfaces {
         };
     }
 
-    /** Observables as the scene stands, in the order of {@link Observation#COLUMNS}. */
+    /** Observables of the current state, in the order of {@link Observation#COLUMNS}. */
     public double[] observe() {
         return observer.observe(simulation.time()).values();
     }

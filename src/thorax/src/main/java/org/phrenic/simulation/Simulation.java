@@ -29,22 +29,25 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
 /**
- * A thorax that breathes: a scenario and a body put together, settled at end-expiration, and stepped. Positions are
- * those of all nodes that springs move, in the order diaphragm, sternum and cartilages, lungs.
+ * A simulation of a breathing thorax: assembled from a scenario and a body, settled at end-expiration, then stepped.
+ * Positions include all nodes with springs, in the order diaphragm, sternum and cartilages, lungs.
  */
 public final class Simulation implements AutoCloseable {
-    /** What the prestress leaves open settles in this time under strong damping; then the shape is the rest shape. */
+    /**
+     * Settling time under strong damping. It removes the residual of the prestress; the settled shape is the rest
+     * shape.
+     */
     private static final double SETTLE_S = 0.5;
 
     /**
-     * The paper's scene is at rest as it stands; these few steps show it, and that the machine has made the code fast
-     * before the clock of a run starts.
+     * Settling steps of the paper's scene, which is in equilibrium from the start. They verify this and warm up the JIT
+     * compiler before the run is timed.
      */
     private static final long FEWEST_STEPS = 300;
 
     /**
-     * Of 2.5 to 20 1/s the one that leaves least to creep in later breaths: the softest folds are then about critically
-     * damped.
+     * Settling damping rate, 1/s. Of 2.5 to 20 1/s it leaves the least creep in later breaths, because the softest
+     * folds are then about critically damped.
      */
     private static final double SETTLE_DAMPING = 6;
 
@@ -77,10 +80,10 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Puts a simulation together.
+     * Assembles a simulation.
      *
      * @param scenario what to simulate
-     * @param thorax the body, already at hand
+     * @param thorax the loaded body
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
         BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
@@ -108,9 +111,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /**
-     * Lets the scene come to rest at end-expiration and takes that as its rest shape; returns how far it went, rms mm.
-     */
+    /** Settles the scene at end-expiration and makes the result its rest shape; returns the displacement, rms mm. */
     private static double settle(Scenario scenario, Scene scene, StabilityLimit limit) {
         ParticleSystem system = scene.system();
         double[] viscosity = system.viscosities().clone();
@@ -134,7 +135,7 @@ public final class Simulation implements AutoCloseable {
         return Math.sqrt(3 * sum / before.length);
     }
 
-    /** Carries the thorax over one time step, after the changes that the scenario has for this step. */
+    /** Applies the changes that the scenario schedules for this step, then advances by one time step. */
     public void step() {
         if (nextScheduled < scheduled.size()) {
             makeScheduled();
@@ -154,33 +155,33 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Makes a live change now, with a ramp of 0.2 s where it is a number, and logs it.
+     * Applies and logs a live change. A number ramps over 0.2 s.
      *
-     * @throws org.phrenic.file.BadInputException with one sentence, if the key is none or not live, or the value cannot
-     *     be; nothing has changed then
-     * @throws IllegalArgumentException with one sentence, if no time step is stable after it, or the one set is
-     *     refused; nothing has changed then
+     * @throws org.phrenic.file.BadInputException with one sentence, if the key is unknown or not live, or the value is
+     *     invalid; then nothing has changed
+     * @throws IllegalArgumentException with one sentence, if no time step is stable after it, or the given one is
+     *     refused; then nothing has changed
      */
     public void change(Assignment assignment) {
         change(List.of(assignment));
     }
 
-    /** Makes several live changes at once; parameters and exceptions as for one. */
+    /** Applies several live changes at once; exceptions as for {@link #change(Assignment)}. */
     public void change(List<Assignment> assignments) {
         tuning.apply(assignments);
     }
 
-    /** What was changed since the start, in order. */
+    /** Changes made since the start, in order. */
     public List<ScheduledChange> changes() {
         return tuning.log();
     }
 
-    /** What is set now. */
+    /** Current settings. */
     public Scenario settings() {
         return tuning.settings();
     }
 
-    /** Hash over the bits of positions, then velocities, in the caller's order: {@code state_sha256} of a run. */
+    /** Hash of the bits of positions, then velocities, in the caller's order: {@code state_sha256} of a run. */
     public String stateHash() {
         double[] x = new double[scene.restPositions().length];
         double[] v = new double[scene.restPositions().length];
@@ -189,20 +190,21 @@ public final class Simulation implements AutoCloseable {
         return Hashes.sha256(x, v);
     }
 
-    /** Simulated time that all of the scenario takes, s. */
+    /** Total simulated time of the scenario, s. */
     public double durationS() {
         return settings().steps() >= 0
                 ? settings().steps() * stepper.dt()
                 : settings().durationS(scene.drive().pattern());
     }
 
-    /** Seconds after which the breathing repeats itself; infinite if it does not. */
+    /** Period of the breathing pattern, s; infinite if it is not periodic. */
     public double breathPeriodS() {
         return scene.drive().pattern().periodS();
     }
 
     /**
-     * How long it takes to see all of the breathing, s: a period, or what is simulated of a breathing that has none.
+     * Time that covers the complete breathing pattern, s: one period, or the duration of a pattern that is not
+     * periodic.
      */
     public double breathDurationS() {
         return Double.isInfinite(breathPeriodS()) ? durationS() : breathPeriodS();
@@ -221,20 +223,20 @@ public final class Simulation implements AutoCloseable {
         return scene.system();
     }
 
-    /** How far the given shape moved until it was in equilibrium, rms mm. */
+    /** Displacement of the input shape during settling, rms mm. */
     public double settlingDisplacementMm() {
         return settlingDisplacementMm;
     }
 
-    /** Steps since the start. */
+    /** Number of steps since the start. */
     public long steps() {
         return stepper.steps();
     }
 
     /**
-     * Back to the start with what is set now, at once; the bits that follow are those of a scene that was put together
-     * with it. False, and nothing done, if what was changed since asks for another assembly or the scenario has changes
-     * of its own.
+     * Restarts at time 0 with the current settings, without assembly. The results equal bit for bit those of a new
+     * simulation with these settings. Returns false and does nothing if the changes since the start require another
+     * assembly or the scenario schedules changes.
      */
     public boolean restart() {
         if (!scheduled.isEmpty() || !tuning.isAsAssembled()) {
@@ -246,12 +248,13 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Back to the start as it was put together, to breathe with other changes; the bits that follow are those of a new
-     * simulation of its scenario with them. Costs no assembly, and so serves who asks for many breaths of one scene.
+     * Restarts at time 0 with the initial settings and other scheduled changes, without assembly. The results equal bit
+     * for bit those of a new simulation of the scenario with these changes. Use it to simulate many breaths of one
+     * scene.
      *
-     * @param changes in the order of their steps, instead of those of the scenario and those made since
-     * @throws IllegalArgumentException if one of them, or one made since, changes anything but {@link Parameter}s and
-     *     {@code hold}
+     * @param changes in the order of their steps; they replace those of the scenario and those made since the start
+     * @throws IllegalArgumentException if one of them, or one made since the start, changes anything except
+     *     {@link Parameter}s and {@code hold}
      */
     public void rerun(List<ScheduledChange> changes) {
         LiveTuning.requireParameters(tuning.log());
@@ -262,7 +265,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void restartFrom() {
-        // The cage keeps the pose of the last time it was asked for: none that comes again.
+        // The rib cage caches the pose of the last time; a time that never occurs invalidates it.
         scene.pose().update(-1);
         scene.tuning().restart(start, system());
         scene.drive().restart(new LiveBreathing(start));
@@ -279,11 +282,11 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Takes back the changes made at the last step that has any, by changes that are made now: after a divergence, from
-     * the state that was restored. Where that was done already and the scene diverged again, those of the step before
-     * too.
+     * Undoes the changes of the last step that has any, by new changes at the current step; used after a divergence,
+     * when the last valid state has been restored. If the scene diverges again after an undo, the changes of the step
+     * before are undone too.
      *
-     * @return whether there was anything to take back
+     * @return whether there was anything to undo
      */
     public boolean undoLastChange() {
         List<Assignment> back = tuning.undoAssignments();
@@ -294,32 +297,32 @@ public final class Simulation implements AutoCloseable {
         return true;
     }
 
-    /** The scenario of the start, without changes. */
+    /** The initial scenario, without changes. */
     public Scenario start() {
         return start;
     }
 
-    /** How many springs there are. */
+    /** Number of springs. */
     public int springCount() {
         return scene.springCount();
     }
 
-    /** Largest relative length error of the rigid links that are switched on; 0 where there are none. */
+    /** Largest relative length error of the active rigid links; 0 if there are none. */
     public double linkError() {
         return scene.activeLinks().map(links -> links.error(system())).orElse(0.0);
     }
 
-    /** What the breath is doing. */
+    /** Current respiratory phase. */
     public RespiratoryPhase breathLabel() {
         return scene.drive().breathAt(time()).respiratoryPhase;
     }
 
-    /** The step as the stability limit has it: empty if it is within, else a sentence. */
+    /** Sentence on a step beyond the stability limit; empty if the step is within it. */
     public String stabilityMessage() {
         return substepReason().map(SubstepReason::message).orElse("");
     }
 
-    /** Why steps are split into substeps; empty if they are not. */
+    /** Why steps are split into substeps; empty without substeps. */
     public Optional<SubstepReason> substepReason() {
         return stepper.substeps() == 1 ? Optional.empty() : Optional.of(SubstepReason.of(stepper));
     }

@@ -16,13 +16,13 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
 
-/** A scenario from beginning to end without a screen: body, simulation, observables, files. */
+/** Headless run of a scenario from start to end: body, simulation, observables, files. */
 public final class SimulationRun {
-    /** Told how far a run is. */
+    /** Receives the progress of a run. */
     public interface Progress {
         void advanced(double simulatedS, double totalS, double stepsPerS);
 
-        /** Something worth saying once: what was repaired, that steps are split. */
+        /** A remark to show once, such as a mesh repair or the use of substeps. */
         default void note(String sentence) {}
     }
 
@@ -30,7 +30,7 @@ public final class SimulationRun {
 
     private SimulationRun() {}
 
-    /** The body a scenario names. */
+    /** Loads the body that a scenario names. */
     public static Thorax loadThorax(Scenario scenario) {
         if (scenario.isVirtual()) {
             String preset = scenario.anatomy().substring("virtual/".length());
@@ -43,7 +43,7 @@ public final class SimulationRun {
      * Runs a scenario.
      *
      * @param out folder for summary.json, observables.csv, scenario.yaml and meshes; null to write nothing
-     * @return the summary, in the order in which it is written
+     * @return the summary, in output order
      */
     public static Map<String, Object> run(Scenario scenario, Path out, Progress progress) {
         return run(scenario, out, progress, Map.of());
@@ -52,8 +52,8 @@ public final class SimulationRun {
     /**
      * Runs a scenario.
      *
-     * @param out as for the other
-     * @param remarks what else the summary is to say, such as why a setting was chosen
+     * @param out folder for the output files; null to write nothing
+     * @param remarks additional entries of the summary, such as why a setting was chosen
      */
     public static Map<String, Object> run(Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
         long begun = System.nanoTime();
@@ -77,7 +77,7 @@ public final class SimulationRun {
         }
     }
 
-    /** Steps to the end, looking at the scene every so many steps; returns the seconds that stepping took. */
+    /** Steps to the end and observes the scene at a fixed interval of steps; returns the wall time of stepping, s. */
     private static double stepToEnd(
             Scenario scenario,
             Simulation simulation,
@@ -107,7 +107,7 @@ public final class SimulationRun {
                 progress.note(simulation.stabilityMessage());
             }
             if (simulation.stepper().dt() != dt) {
-                // Changed on the way: other steps make up the time that is left.
+                // The time step changed during the run; the remaining time takes another number of steps.
                 dt = simulation.stepper().dt();
                 end = scenario.steps() >= 0
                         ? end

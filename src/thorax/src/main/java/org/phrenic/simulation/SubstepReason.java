@@ -7,11 +7,11 @@ import org.phrenic.engine.integrator.Stepper;
  * Why each step is split into substeps.
  *
  * @param dtS time step, s
- * @param substeps parts into which it is split
+ * @param substeps number of substeps per step
  * @param limitS largest stable step, s
  * @param integrator label of the integrator
  * @param limitMessage sentence on step and limit
- * @param cause what made a step within the limit too long; empty if the limit is the reason
+ * @param cause why a step within the limit was too long; empty if the limit is the reason
  */
 public record SubstepReason(
         double dtS, int substeps, double limitS, String integrator, String limitMessage, String cause) {
@@ -25,7 +25,7 @@ public record SubstepReason(
                 stepper.substepRefinementReason());
     }
 
-    /** One sentence with all numbers. */
+    /** One sentence with all values. */
     public String message() {
         String reason = cause.isEmpty()
                 ? limitMessage

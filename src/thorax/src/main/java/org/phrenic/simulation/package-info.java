@@ -1,2 +1,2 @@
-/** A running simulation: steps, records and sums up a scene. */
+/** Running simulations: stepping, live changes, recording and summary. */
 package org.phrenic.simulation;

@@ -6,14 +6,14 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.OrderedValues;
 
 /**
- * An event of an attempt.
+ * An event during an attempt.
  *
- * @param structure that it happened to; empty for none
+ * @param structure structure involved; empty if none
  * @param timeS simulated time, s
- * @param breath number of the breath, from 1
- * @param phase position in the breath, 0 to below 1
- * @param label what the breath was doing
- * @param depthMm of the tip below the skin, along the needle
+ * @param breath number of the breath, starting at 1
+ * @param phase position in the breath, in [0, 1)
+ * @param label phase of the breath
+ * @param depthMm depth of the tip below the skin, along the needle
  */
 public record AttemptEvent(
         Kind kind, String structure, double timeS, int breath, double phase, RespiratoryPhase label, double depthMm) {

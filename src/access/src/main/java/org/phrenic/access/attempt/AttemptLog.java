@@ -20,7 +20,7 @@ import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
-/** Accumulates the events and measures of an attempt, frame by frame. */
+/** Accumulates the events and measures of an attempt frame by frame. */
 final class AttemptLog {
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
     private static final int PHASE = Observation.COLUMNS.indexOf("phase");
@@ -56,7 +56,7 @@ final class AttemptLog {
         this.avoided = avoided;
     }
 
-    /** Advances to a frame; the time since the last frame, s, 0 for the first. */
+    /** Advances to a frame. Returns the time since the previous frame, s, or 0 for the first frame. */
     double update(Frame frame, RespiratoryPhase phaseLabel) {
         frameS = Double.isNaN(timeS) ? 0 : frame.timeS() - timeS;
         if (frameS < 0) {
@@ -77,19 +77,21 @@ final class AttemptLog {
         return timeS;
     }
 
-    /** Adds an event at the last frame. */
+    /** Adds an event at the time of the last frame. */
     void event(AttemptEvent.Kind kind, String structure, double depthMm) {
         event(kind, structure, depthMm, timeS);
     }
 
-    /** Adds an event between the last two frames; the phase is interpolated, in a new breath from its beginning. */
+    /**
+     * Adds an event between the last two frames. The phase is interpolated, or starts at 0 if a new breath has begun.
+     */
     void event(AttemptEvent.Kind kind, String structure, double depthMm, double when) {
         double before = frameS > 0 ? (timeS - when) / frameS : 0;
         double at = phase - before * (phase - phaseBefore);
         events.add(new AttemptEvent(kind, structure, when, breath, at, label, depthMm));
     }
 
-    /** Structures count as entered anew. */
+    /** Starts a new attempt: structures are recorded again when the needle enters them. */
     void newAttempt() {
         entered.clear();
     }
@@ -111,7 +113,7 @@ final class AttemptLog {
         endS = timeS;
     }
 
-    /** Tracks the target from the puncture of the skin to the first sample. */
+    /** Tracks the target from skin puncture to the first sample. */
     void trackTarget(double[] position) {
         if (Double.isNaN(insideSinceS) || !samples.isEmpty()) {
             return;
@@ -138,7 +140,7 @@ final class AttemptLog {
         tipTravelMm += mm;
     }
 
-    /** The tissue has moved the tip along the needle. */
+    /** Records that the tissue moved the tip along the needle. */
     void tipDrifted(double mm) {
         driftMm += Math.abs(mm);
     }
@@ -148,7 +150,7 @@ final class AttemptLog {
         rotationDeg = Math.max(rotationDeg, degrees);
     }
 
-    /** Adds a time for which the needle lay along a path. */
+    /** Adds time during which the needle lay along a path. */
     void addExposure(PathAnalysis needle, double seconds) {
         needle.noGo().forEach(zone -> secondsIn.merge(zone, seconds, Double::sum));
         inNoGoS += needle.noGo().stream().anyMatch(avoided::contains) ? seconds : 0;

@@ -13,24 +13,24 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 
 /**
- * The record of an attempt: the measures that distinguish levels of experience in biopsy simulators (Johnson et al.
- * 2012, BJR 85:555) and those that a moving target adds. None of their thresholds is validated.
+ * Measures of an attempt. They include the measures that distinguish levels of experience in biopsy simulators (Johnson
+ * et al. 2012, BJR 85:555) and additional measures for a moving target. The thresholds are not validated.
  *
  * @param samples targeting error of each sample
- * @param timeS from the first contact with the skin to the last sample or withdrawal
- * @param insideS with the tip below the skin
- * @param tipTravelMm by which the tip was moved by hand, forth and back
- * @param inNoGoS with any part of the needle in an avoided zone
- * @param secondsIn by zone
- * @param closest approach of the needle to each structure, by name
+ * @param timeS time from first skin contact to the last sample or withdrawal, s
+ * @param insideS time with the tip below the skin, s
+ * @param tipTravelMm total distance that the user moved the tip, forward and backward, mm
+ * @param inNoGoS time with any part of the needle in an avoided zone, s
+ * @param secondsIn time in each zone, s
+ * @param closest closest approach of the needle to each structure, by name
  * @param borderMm closest approach to a costal groove, at most
  *     {@link org.phrenic.access.path.PathAnalyzer#MAX_DISTANCE_MM}
- * @param targetExcursionMm largest distance of the target from its position at the puncture of the skin, up to the
- *     first sample
- * @param targetRangeMm range of the target meanwhile in x, y, z
- * @param capsulePullMm largest distance of the needle from its puncture of the capsule
- * @param rotationByLiverDeg largest rotation of the needle by the liver
- * @param driftByLiverMm sum of the movements of the tip along the needle by the liver
+ * @param targetExcursionMm largest distance of the target from its position at skin puncture, up to the first sample,
+ *     mm
+ * @param targetRangeMm range of the target along x, y and z during the same time, mm
+ * @param capsulePullMm largest distance of the needle from its puncture point in the liver capsule, mm
+ * @param rotationByLiverDeg largest rotation of the needle caused by liver motion, degrees
+ * @param driftByLiverMm total movement of the tip along the needle caused by liver motion, mm
  */
 public record AttemptRecord(
         TargetLesion target,
@@ -50,14 +50,14 @@ public record AttemptRecord(
         double capsulePullMm,
         double rotationByLiverDeg,
         double driftByLiverMm) {
-    /** Pull on the capsule above which a warning is given, mm: chosen, not validated. */
+    /** A warning is given if the capsule is pulled further than this, mm. The value is chosen, not validated. */
     public static final double PULL_WARNING_MM = 5;
 
-    /** Shown with every record. */
+    /** Disclaimer shown with every record. */
     public static final String NOT_VALIDATED =
             "Thresholds (hit, no-go zones, pull on the capsule) are choices of this program and not validated.";
 
-    /** Whether a sample was taken within the target. */
+    /** Whether a sample was taken inside the target. */
     public boolean hit() {
         return samples.stream().anyMatch(TargetingError::hit);
     }
@@ -72,7 +72,7 @@ public record AttemptRecord(
         return events.stream().filter(e -> e.kind() == kind).findFirst();
     }
 
-    /** The main measures, by keys with units. */
+    /** The main measures. Keys include the unit. */
     public OrderedValues headlines() {
         OrderedValues map = new OrderedValues().with("hit", hit());
         if (!samples.isEmpty()) {

@@ -20,14 +20,14 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Insertion of a needle into a breathing body: it is placed on the skin, advanced, redirected, withdrawn, and takes
- * samples, while frames move the body. The result is a function of the frames and of the commands between them alone,
- * so an attempt by hand and a planned one with the same commands give the same record.
+ * Simulates the insertion of a needle into a breathing body. The needle is placed on the skin, advanced, redirected and
+ * withdrawn, and takes samples. The body moves from frame to frame. The result depends only on the frames and on the
+ * commands between them. A manual attempt and a planned attempt with the same commands therefore give the same record.
  *
- * <p>The needle is straight and rigid and has no friction. It passes the skin at a point that moves with the skin and
- * keeps its direction in space. Inside the liver its tip moves with the tissue between advances, and the needle turns
- * about the point of the skin; how far the capsule is pulled and the needle turned is recorded, no force is computed.
- * Bone stops the tip.
+ * <p>The needle is straight, rigid and frictionless. It passes through a fixed point of the moving skin and keeps its
+ * direction in space. Inside the liver, the tip moves with the tissue between advances and the needle rotates about the
+ * skin point. The displacement at the capsule and the rotation are recorded; forces are not computed. Bone stops the
+ * tip.
  *
  * <p>Not thread-safe.
  */
@@ -46,8 +46,8 @@ public final class NeedleInsertion {
     private double goal;
 
     /**
-     * @param anatomy that has been updated to a frame; all further frames are given to the insertion
-     * @param avoided zones; the time that the needle spends in them is recorded
+     * @param anatomy already updated to a frame; later frames must be passed to {@link #update}
+     * @param avoided zones for which the time of contact is recorded
      */
     public NeedleInsertion(MovingAnatomy anatomy, TargetLesion target, Needle needle, Set<NoGoZone> avoided) {
         this.anatomy = anatomy;
@@ -60,7 +60,7 @@ public final class NeedleInsertion {
         log = new AttemptLog(avoided);
     }
 
-    /** Advances to a frame: the body moves, the tip with its tissue, then the needle as commanded. */
+    /** Advances to a frame. The body moves first, then the tip with its tissue, then the needle as commanded. */
     public void update(Frame frame, RespiratoryPhase phase) {
         double elapsed = log.update(frame, phase);
         anatomy.update(frame);
@@ -98,7 +98,7 @@ public final class NeedleInsertion {
         shaft.moveTo(next);
     }
 
-    /** The bone between the tip and a depth. */
+    /** The first bone between the tip and a depth, if any. */
     private Optional<Crossing> boneBefore(double depth) {
         double[] from = shaft.tip();
         double[] to = shaft.at(depth);
@@ -109,7 +109,7 @@ public final class NeedleInsertion {
                 .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 
-    /** Records punctures and entered structures; anchors or releases the tip. */
+    /** Records punctures and newly entered structures, and anchors or releases the tip. */
     private void registerContacts(double before, double elapsed) {
         double depth = shaft.depth();
         double frameBefore = log.timeS() - elapsed;
@@ -148,17 +148,16 @@ public final class NeedleInsertion {
     }
 
     /**
-     * Sets the tip on the skin, pointing at a place within. A needle in the body is withdrawn first.
+     * Places the tip on the skin and points the needle at a position. A needle in the body is withdrawn first.
      *
-     * @param entry near the skin in the current frame
-     * @throws BadInputException with one sentence, if the entry is not on the skin or the needle is too short; nothing
-     *     has changed then
+     * @param entry position near the skin in the current frame
+     * @throws BadInputException if the entry is not on the skin or the needle is too short; the state is then unchanged
      */
     public void place(double[] entry, double[] aim) {
         place(SkinPoint.current(anatomy.skin(), entry), aim);
     }
 
-    /** As {@link #place}, with the entry as it is at end-expiration. */
+    /** Like {@link #place}, with the entry given at end-expiration. */
     public void placeAtRest(double[] entry, double[] aim) {
         place(SkinPoint.atRest(anatomy.skin(), entry), aim);
     }
@@ -178,9 +177,9 @@ public final class NeedleInsertion {
     }
 
     /**
-     * Points the needle elsewhere; it turns about its point of the skin.
+     * Points the needle at another position by rotating it about its skin point.
      *
-     * @throws BadInputException with one sentence, if it is not placed, its tip is in the liver, or it is too short
+     * @throws BadInputException if the needle is not placed, its tip is in the liver, or it is too short
      */
     public void redirect(double[] aim) {
         requirePlaced();
@@ -193,11 +192,11 @@ public final class NeedleInsertion {
     }
 
     /**
-     * Starts to move the tip to a depth below the skin, forth or back.
+     * Starts to move the tip to a depth below the skin, forward or backward.
      *
-     * @param toDepthMm 0 withdraws the needle
-     * @param speedMmPerS above 0
-     * @throws BadInputException with one sentence, if it is not placed, too short, or a number is out of range
+     * @param toDepthMm target depth, mm; 0 withdraws the needle
+     * @param speedMmPerS positive speed, mm/s
+     * @throws BadInputException if the needle is not placed, is too short, or a value is out of range
      */
     public void advance(double toDepthMm, double speedMmPerS) {
         requirePlaced();
@@ -218,7 +217,7 @@ public final class NeedleInsertion {
     /**
      * Takes a sample at the tip.
      *
-     * @throws BadInputException with one sentence, if the needle is not in the body
+     * @throws BadInputException if the needle is not in the body
      */
     public TargetingError sample() {
         requirePlaced();
@@ -247,7 +246,7 @@ public final class NeedleInsertion {
         return shaft.at(shaft.depth() - needle.lengthMm());
     }
 
-    /** Whether the needle is being advanced or withdrawn. */
+    /** Whether the needle is advancing or being withdrawn. */
     public boolean isMoving() {
         return speed != 0;
     }
@@ -262,7 +261,7 @@ public final class NeedleInsertion {
         return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target);
     }
 
-    /** Current warnings, a few words each: touched zones, capsule pulled aside. */
+    /** Current warnings, as short phrases: touched zones and displaced capsule. */
     public List<String> warnings() {
         return log.warnings(
                 shaft.depth() > 0 ? Optional.of(analyzer.analyze(shaft.entry(), shaft.tip())) : Optional.empty(),
@@ -279,7 +278,7 @@ public final class NeedleInsertion {
         return target;
     }
 
-    /** The record so far. */
+    /** The record up to the current frame. */
     public AttemptRecord record() {
         return log.record(target, needle);
     }

@@ -6,9 +6,9 @@ import org.phrenic.access.SkinPoint;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Pose of a straight, rigid needle in the body. It passes a point of the skin that moves with the skin, and keeps its
- * direction in space. While its tip is anchored in the liver, the tip moves with its tissue and the needle turns about
- * the point of the skin.
+ * Pose of a straight, rigid needle in the body. The needle passes through a fixed point of the moving skin and keeps
+ * its direction in space. While the tip is anchored in the liver, it moves with the tissue and the needle rotates about
+ * the skin point.
  */
 public final class NeedleShaft {
     private final LiverTissue tissue;
@@ -24,7 +24,7 @@ public final class NeedleShaft {
         this.tissue = tissue;
     }
 
-    /** Sets the tip on the skin, pointing at a place. */
+    /** Places the tip on the skin and points the needle at {@code aim}. */
     void place(SkinPoint point, double[] from, double[] aim) {
         skin = Optional.of(point);
         entry = from;
@@ -42,7 +42,7 @@ public final class NeedleShaft {
         direction = Vectors.normalize(Vectors.subtract(aim, entry));
     }
 
-    /** Follows skin and tissue to the current frame; the change of depth, mm. */
+    /** Follows skin and tissue to the current frame. Returns the change of depth, mm. */
     double followTissue() {
         entry = skin.orElseThrow().current();
         if (tip.isEmpty()) {
@@ -56,13 +56,13 @@ public final class NeedleShaft {
         return change;
     }
 
-    /** Moves the tip to a depth; an anchored tip is anchored there anew. */
+    /** Moves the tip to a depth. An anchored tip is anchored again at the new depth. */
     void moveTo(double toDepthMm) {
         depth = toDepthMm;
         tip = tip.map(anchor -> tissue.pointNowAt(tip()));
     }
 
-    /** Anchors the tip in the tissue; the needle crosses the capsule at a depth. */
+    /** Anchors the tip in the tissue. {@code capsuleDepthMm} is the depth at which the needle crosses the capsule. */
     void anchorTip(double capsuleDepthMm) {
         tip = Optional.of(tissue.pointNowAt(tip()));
         capsule = tissue.pointNowAt(at(capsuleDepthMm));
@@ -88,7 +88,7 @@ public final class NeedleShaft {
         return depth;
     }
 
-    /** Where the needle passes the skin, LPS, mm; read-only. */
+    /** Point where the needle passes through the skin, LPS, mm; read-only. */
     public double[] entry() {
         return entry;
     }
@@ -108,12 +108,12 @@ public final class NeedleShaft {
         return Vectors.addScaled(entry, direction, depthMm);
     }
 
-    /** Distance of the needle from where it punctured the capsule, mm; 0 while the tip is not in the liver. */
+    /** Distance of the needle from its puncture point in the capsule, mm; 0 while the tip is not in the liver. */
     public double capsulePullMm() {
         return tip.isEmpty() ? 0 : Vectors.distanceToLine(tissue.position(capsule), entry, direction);
     }
 
-    /** Rotation of the needle by the liver since it punctured the capsule, degrees; 0 while the tip is not in it. */
+    /** Rotation caused by the liver since capsule puncture, degrees; 0 while the tip is not in the liver. */
     public double rotationByLiverDeg() {
         return tip.isEmpty() ? 0 : Vectors.angleDeg(direction, directionAtCapsule);
     }

@@ -4,12 +4,12 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * A moment of an attempt, for a picture. Positions LPS, mm.
+ * State of an attempt at one moment, for rendering a picture. Positions are LPS, mm.
  *
- * @param name such as "sample"
- * @param frame of the body; a copy
- * @param hub of the needle
- * @param entry on the skin
+ * @param name name such as "sample"
+ * @param frame private copy of the frame of the body
+ * @param hub hub of the needle
+ * @param entry entry point on the skin
  * @param target centre of the target
  */
 public record NeedleSnapshot(

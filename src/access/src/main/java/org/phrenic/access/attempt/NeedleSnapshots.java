@@ -5,13 +5,13 @@ import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
-/** Takes the snapshots of an attempt that a report shows: each placement on the skin, and each sample. */
+/** Takes the snapshots shown in a report: one at each placement on the skin and one at each sample. */
 public final class NeedleSnapshots {
     private final List<NeedleSnapshot> snapshots = new ArrayList<>();
     private boolean wasPlaced;
     private int samples;
 
-    /** Observes the needle after all commands at a frame. */
+    /** Observes the needle after all commands of a frame have been executed. */
     public void observe(NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
         boolean placed = needle.shaft().isPlaced();
         if (placed && !wasPlaced) {
@@ -38,7 +38,7 @@ public final class NeedleSnapshots {
                 needle.target().radiusMm()));
     }
 
-    /** The snapshots so far, in order. */
+    /** All snapshots in chronological order. */
     public List<NeedleSnapshot> all() {
         return List.copyOf(snapshots);
     }

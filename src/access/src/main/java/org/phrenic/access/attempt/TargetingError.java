@@ -6,11 +6,11 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Position of a needle's tip relative to the centre of its target.
+ * Position of the needle tip relative to the centre of the target.
  *
- * @param axialMm depth of the centre beyond the tip, along the needle; negative where the tip is past it
- * @param lateralMm distance of the centre from the line of the needle
- * @param hit whether the tip is within the target
+ * @param axialMm distance from the tip to the centre along the needle, mm; negative if the tip is past the centre
+ * @param lateralMm distance of the centre from the axis of the needle, mm
+ * @param hit whether the tip is inside the target
  */
 public record TargetingError(double axialMm, double lateralMm, boolean hit) {
     static TargetingError of(double[] tip, double[] direction, double[] centre, TargetLesion target) {
@@ -20,7 +20,7 @@ public record TargetingError(double axialMm, double lateralMm, boolean hit) {
         return new TargetingError(axial, lateral, Vectors.length(d) <= target.radiusMm());
     }
 
-    /** Distance between tip and centre, mm. */
+    /** Distance between tip and target centre, mm. */
     public double distanceMm() {
         return Math.sqrt(axialMm * axialMm + lateralMm * lateralMm);
     }

@@ -1,2 +1,2 @@
-/** One needle attempt: the insertion frame by frame, its events, targeting errors and record. */
+/** A single needle attempt: frame by frame insertion, events, targeting errors and the resulting record. */
 package org.phrenic.access.attempt;

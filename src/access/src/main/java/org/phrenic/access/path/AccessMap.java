@@ -23,31 +23,31 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * From which points of the skin a target can be reached by a straight path, and at which moments of the breath. At each
- * moment a path runs from the current position of a vertex of the skin to the current centre of the target; it is free
- * if it touches no avoided zone, enters the skin from outside and is no longer than the needle.
+ * Accessibility map of a target: from which skin points, and at which moments of the breath, a straight path reaches
+ * it. A path runs from the current position of a skin vertex to the current centre of the target. It is free if it
+ * touches no avoided zone, enters the skin from outside and is not longer than the needle.
  *
- * <p>The vertices are evaluated in blocks in parallel; the result does not depend on the number of threads.
+ * <p>Blocks of vertices are evaluated in parallel. The result does not depend on the number of threads.
  */
 public final class AccessMap {
-    /** Margin above which the shorter of two paths is preferred, mm. */
+    /** Sufficient margin, mm: of two paths with at least this margin, the shorter is preferred. */
     public static final double SUFFICIENT_MARGIN_MM = 3;
 
     private static final int BLOCK = 64;
-    /** Bit of a path that is too long for the needle, or comes from within. */
+    /** Bit of a path that is longer than the needle or enters the skin from inside. */
     private static final int OUT_OF_REACH = 1 << 30;
 
-    /** Whether a point of the skin gives access. */
+    /** Accessibility of the target from a skin point. */
     public enum Access {
-        /** At every moment of the breath. */
+        /** Free at every moment of the breath. */
         FREE,
-        /** At some moments. */
+        /** Free at some moments. */
         PART,
-        /** At no moment. */
+        /** Free at no moment. */
         NEVER
     }
 
-    /** Numbers of points of the skin: all, those in reach of the needle at the first moment, and those by access. */
+    /** Numbers of skin points: all, in reach of the needle at the first moment, and by accessibility. */
     public record Counts(int points, int inReach, int free, int part, int never) {
         /** Values for a report. */
         public OrderedValues toMap() {
@@ -63,11 +63,11 @@ public final class AccessMap {
     private final List<BreathMoment> cycle;
     private final Set<NoGoZone> avoided;
     private final int avoidedBits;
-    /** Zones that the path touches, and margin of a free path, mm, by moment and vertex. */
+    /** Zones that a path touches, and margin of a free path, mm. Both are indexed by moment and vertex. */
     private final int[][] touched;
 
     private final float[][] margins;
-    /** Smallest margin over the free moments, mm; infinite where there is none. */
+    /** Smallest margin over the free moments, mm; infinite if the path is never free. */
     private final float[] margin;
 
     private final float[] lengthMm;
@@ -94,7 +94,7 @@ public final class AccessMap {
         Arrays.fill(nearest, "");
     }
 
-    /** Computes the map; afterwards the anatomy shows the last moment of the cycle. */
+    /** Computes the map. Afterwards the anatomy is at the last moment of the cycle. */
     public static AccessMap of(
             MovingAnatomy anatomy,
             List<BreathMoment> cycle,
@@ -152,27 +152,27 @@ public final class AccessMap {
         }
     }
 
-    /** Number of points of the skin, the vertices of its mesh. */
+    /** Number of skin points, which are the vertices of the skin mesh. */
     public int size() {
         return margin.length;
     }
 
-    /** A vertex of the skin at end-expiration, LPS, mm. */
+    /** Position of a skin vertex at end-expiration, LPS, mm. */
     public double[] pointAtRest(int vertex) {
         return Arrays.copyOfRange(skin.positions(), 3 * vertex, 3 * vertex + 3);
     }
 
-    /** The moments of the breath. */
+    /** The moments of the breath for which the map was computed. */
     public List<BreathMoment> cycle() {
         return cycle;
     }
 
-    /** The avoided zones. */
+    /** The zones to avoid. */
     public Set<NoGoZone> avoided() {
         return avoided;
     }
 
-    /** Centre of the target at a moment; a copy. */
+    /** Centre of the target at a moment, LPS, mm; a copy. */
     public double[] target(int moment) {
         return targets[moment].clone();
     }
@@ -187,12 +187,12 @@ public final class AccessMap {
         return (touched[moment][vertex] & avoidedBits) == 0;
     }
 
-    /** Whether the needle reaches the target from a vertex at a moment, whatever is in between. */
+    /** Whether the needle is long enough to reach the target from a vertex at a moment. Obstacles are ignored. */
     public boolean isInReach(int moment, int vertex) {
         return (touched[moment][vertex] & OUT_OF_REACH) == 0;
     }
 
-    /** The zones that the path touches at a moment. */
+    /** Zones that the path touches at a moment. */
     public Set<NoGoZone> touched(int moment, int vertex) {
         return NoGoZone.of(touched[moment][vertex]);
     }
@@ -206,41 +206,44 @@ public final class AccessMap {
         return count;
     }
 
-    /** Access from a vertex. */
+    /** Accessibility of the target from a vertex. */
     public Access access(int vertex) {
         int free = freeMoments(vertex);
         return free == 0 ? Access.NEVER : free == touched.length ? Access.FREE : Access.PART;
     }
 
     /**
-     * Smallest distance from the avoided zones over the moments at which the path is free, mm, at most
-     * {@link PathAnalyzer#MAX_DISTANCE_MM}; 0 where it never is.
+     * Smallest margin over the moments at which the path is free, mm, at most {@link PathAnalyzer#MAX_DISTANCE_MM}. The
+     * value is 0 if the path is never free.
      */
     public double marginMm(int vertex) {
         return Float.isInfinite(margin[vertex]) ? 0 : margin[vertex];
     }
 
-    /** Distance from the avoided zones at a moment, mm; 0 where the path is not free. */
+    /** Margin to the avoided zones at a moment, mm; 0 if the path is not free. */
     public double marginMm(int moment, int vertex) {
         return margins[moment][vertex];
     }
 
-    /** The structure from which the margin is taken; empty for none. */
+    /** Name of the structure that limits the margin; empty if there is none. */
     public String nearest(int vertex) {
         return nearest[vertex];
     }
 
-    /** Length of the longest path from a vertex over the breath, mm. */
+    /** Largest path length from a vertex over the breath, mm. */
     public double lengthMm(int vertex) {
         return lengthMm[vertex];
     }
 
-    /** Angle to the liver's surface where the margin is smallest, degrees, 90 for perpendicular; NaN for none. */
+    /**
+     * Angle between path and liver surface at the moment of smallest margin, degrees; 90 is perpendicular, NaN is
+     * undefined.
+     */
     public double angleDeg(int vertex) {
         return angleDeg[vertex];
     }
 
-    /** Share of the breath in which each vertex gives access, per cent. */
+    /** Percentage of the breath during which the path from each vertex is free. */
     public float[] freePercent() {
         float[] share = new float[size()];
         for (int v = 0; v < share.length; v++) {
@@ -250,10 +253,11 @@ public final class AccessMap {
     }
 
     /**
-     * The best entry: of the vertices with the most free moments, and of these those with a sufficient margin or the
-     * largest there is, the one with the shortest path.
+     * Selects the best entry point. Candidates are the vertices with the most free moments. Among them, vertices with a
+     * sufficient margin are preferred, or those with the largest margin if none is sufficient. The shortest path
+     * decides.
      *
-     * @return empty if no vertex is ever free
+     * @return empty if no path is ever free
      */
     public Optional<Integer> best(double sufficientMm) {
         int longest = Math.max(
@@ -261,7 +265,7 @@ public final class AccessMap {
         return shortest(v -> freeMoments(v) == longest, this::marginMm, sufficientMm);
     }
 
-    /** As {@link #best}, of the vertices that are free at a moment. */
+    /** Like {@link #best}, restricted to vertices whose path is free at a moment. */
     public Optional<Integer> bestAt(int moment, double sufficientMm) {
         return shortest(v -> isFree(moment, v), v -> marginMm(moment, v), sufficientMm);
     }
@@ -278,7 +282,7 @@ public final class AccessMap {
                 .min(Comparator.comparingDouble(this::lengthMm));
     }
 
-    /** The numbers of points. */
+    /** Numbers of skin points by accessibility. */
     public Counts counts() {
         int[] count = new int[Access.values().length];
         int reached = 0;

@@ -5,15 +5,15 @@ import java.util.Map;
 import org.phrenic.document.OrderedValues;
 
 /**
- * The closest approach of a path to a structure.
+ * Closest approach of a path to a structure.
  *
- * @param name of the structure
+ * @param name name of the structure
  * @param label display name
- * @param distanceMm between path and surface; 0 where the path crosses it
- * @param depthMm depth along the path of the nearest point
+ * @param distanceMm distance between path and surface, mm; 0 if the path crosses the surface
+ * @param depthMm depth of the nearest point along the path, mm
  */
 public record Approach(String name, String label, double distanceMm, double depthMm) {
-    /** Keeps the closest approach to each structure, by name. */
+    /** Merges approaches into a map that keeps the smallest distance for each structure. */
     public static void merge(Map<String, Approach> closest, Collection<Approach> approaches) {
         approaches.forEach(a -> closest.merge(a.name, a, (x, y) -> y.distanceMm < x.distanceMm ? y : x));
     }

@@ -5,19 +5,19 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.OrderedValues;
 
 /**
- * A stretch of a path within a structure.
+ * A segment of a path that lies inside a structure.
  *
- * @param name of the structure, or {@link #RECESS}
+ * @param name name of the structure, or {@link #RECESS}
  * @param label display name
- * @param kind OTHER for the recess
- * @param fromMm depth of the entry along the path
- * @param toMm depth of the exit, or the end of the path
+ * @param kind kind of the structure; OTHER for the recess
+ * @param fromMm depth of the entry along the path, mm
+ * @param toMm depth of the exit, or of the end of the path, mm
  */
 public record Crossing(String name, String label, StructureKind kind, double fromMm, double toMm) {
-    /** Name of the pleural recess, which has no surface. */
+    /** Name used for the pleural recess, which has no surface of its own. */
     public static final String RECESS = "pleural_recess";
 
-    /** Length within, mm. */
+    /** Length of the segment, mm. */
     public double lengthMm() {
         return toMm - fromMm;
     }

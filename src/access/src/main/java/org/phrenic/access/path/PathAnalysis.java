@@ -9,16 +9,17 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.document.OrderedValues;
 
 /**
- * What a straight path from the skin meets at one moment.
+ * The structures that a straight path from the skin crosses or approaches at one moment.
  *
- * @param timeS of the frame
- * @param crossings in the order of entry; a structure that is entered twice is listed twice
- * @param space the intercostal space it passes, if any
- * @param approaches to each lung, bone and other organ within {@link PathAnalyzer#MAX_DISTANCE_MM}, nearest first
- * @param costalGrooveMm distance from the nearest costal groove, at most {@link PathAnalyzer#MAX_DISTANCE_MM}
- * @param costalGrooveRib the rib of that groove; empty if none is near
- * @param capsuleAngleDeg between the path and the liver's surface at the entry, 90 for perpendicular; NaN without one
- * @param noGo the zones that it touches
+ * @param timeS simulated time of the frame, s
+ * @param crossings crossed structures in order of entry; a structure entered twice is listed twice
+ * @param space intercostal space that the path passes through, if any
+ * @param approaches lungs, bones and other organs within {@link PathAnalyzer#MAX_DISTANCE_MM}, nearest first
+ * @param costalGrooveMm distance to the nearest costal groove, mm, at most {@link PathAnalyzer#MAX_DISTANCE_MM}
+ * @param costalGrooveRib rib of that groove; empty if none is in range
+ * @param capsuleAngleDeg angle between path and liver surface at the entry, degrees; 90 is perpendicular, NaN if the
+ *     path does not enter the liver
+ * @param noGo no-go zones that the path touches
  */
 public record PathAnalysis(
         double timeS,
@@ -30,12 +31,14 @@ public record PathAnalysis(
         String costalGrooveRib,
         double capsuleAngleDeg,
         Set<NoGoZone> noGo) {
-    /** The first stretch within a structure. */
+    /** The first crossing of a structure. */
     public Optional<Crossing> crossing(String name) {
         return crossings.stream().filter(c -> c.name().equals(name)).findFirst();
     }
 
-    /** Reasons against the path, such as "crosses right rib 8"; empty if it touches no zone of {@code avoided}. */
+    /**
+     * Reasons why the path is not free, such as "crosses right rib 8". Empty if it touches no zone of {@code avoided}.
+     */
     public List<String> reasons(Set<NoGoZone> avoided) {
         List<String> reasons = new ArrayList<>();
         if (touches(NoGoZone.LUNG, avoided)) {

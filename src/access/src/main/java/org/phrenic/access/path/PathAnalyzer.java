@@ -19,13 +19,14 @@ import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Finds what a straight path through the anatomy meets in the current frame. Not thread-safe.
+ * Finds the structures that a straight path crosses or approaches in the current frame. Not thread-safe.
  *
- * <p>A path begins on the skin, so the skin is not queried. Within a closed surface a path is from an entry to the
- * matching exit; an entry without an exit extends to the end of the path, an exit without an entry to its start.
+ * <p>A path starts on the skin, so the skin itself is not tested. A path is inside a closed surface between an entry
+ * and the matching exit. An entry without an exit extends to the end of the path. An exit without an entry extends back
+ * to its start.
  */
 public final class PathAnalyzer {
-    /** Structures farther than this from a path are not listed, mm. */
+    /** Maximum distance at which structures are reported, mm. */
     public static final double MAX_DISTANCE_MM = 40;
 
     private static final double NONE = Double.POSITIVE_INFINITY;
@@ -36,22 +37,22 @@ public final class PathAnalyzer {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     /**
-     * Margin of a path.
+     * Safety margin of a path.
      *
-     * @param mm distance from the nearest zone, less the needle's radius or the width of the zone of the vessels; at
-     *     most {@link #MAX_DISTANCE_MM}; 0 where one is touched
-     * @param nearest the structure it is taken from, for a costal groove with {@link MovingAnatomy#VESSELS_PREFIX};
-     *     empty if none is near
+     * @param mm distance to the nearest avoided zone minus the needle radius or the width of the vessel zone, mm; at
+     *     most {@link #MAX_DISTANCE_MM}; 0 if a zone is touched
+     * @param nearest structure that the margin is measured from, with {@link MovingAnatomy#VESSELS_PREFIX} for a costal
+     *     groove; empty if none is in range
      */
     public record Margin(double mm, String nearest) {}
 
-    /** @param needle whose radius counts: a structure nearer than it is touched */
+    /** @param needle the needle; structures closer than its radius count as touched */
     public PathAnalyzer(MovingAnatomy anatomy, Needle needle) {
         this.anatomy = anatomy;
         radius = needle.radiusMm();
     }
 
-    /** Analyses the path from a point of the skin to a point within. */
+    /** Analyses the path from a point on the skin to a point inside the body. */
     public PathAnalysis analyze(double[] entry, double[] end) {
         List<Crossing> crossings = new ArrayList<>();
         List<Approach> approaches = new ArrayList<>();
@@ -91,7 +92,7 @@ public final class PathAnalyzer {
                 NoGoZone.of(touched(entry, end)));
     }
 
-    /** The stretches of a path within one structure. */
+    /** The segments of a path inside a structure. */
     public List<Crossing> crossingsOf(MovingStructure s, double[] entry, double[] end) {
         int count = intersect(s, entry, end);
         List<Crossing> crossings = new ArrayList<>();
@@ -125,7 +126,8 @@ public final class PathAnalyzer {
     }
 
     /**
-     * Distance of a path from a structure, at most {@code limit}; the probe then holds the depth of the nearest point.
+     * Distance between a path and a structure, at most {@code limit}. Afterwards the probe holds the depth of the
+     * nearest point.
      */
     private double distance(MovingStructure s, double[] entry, double[] end, double limit) {
         if (s.boxDistance(entry, end) >= limit) {
@@ -135,7 +137,7 @@ public final class PathAnalyzer {
         return probe.distance(s.tree(), limit);
     }
 
-    /** The zones that a path touches, as bits of {@link NoGoZone}. */
+    /** Zones that a path touches, as bits of {@link NoGoZone}. */
     int touched(double[] entry, double[] end) {
         int bits = 0;
         for (MovingStructure s : anatomy.hazards()) {
@@ -151,7 +153,7 @@ public final class PathAnalyzer {
         return pleuralDepth(entry, end) < NONE ? bits | NoGoZone.PLEURA.bit() : bits;
     }
 
-    /** Margin of a path from the avoided zones; the pleural recess has no distance, it is crossed or not. */
+    /** Margin of a path to the avoided zones. The pleural recess has no distance: it is crossed or not. */
     public Margin margin(double[] entry, double[] end, Set<NoGoZone> avoided) {
         double margin = MAX_DISTANCE_MM;
         String nearest = "";
@@ -177,7 +179,7 @@ public final class PathAnalyzer {
         return new Margin(Math.max(0, margin), nearest);
     }
 
-    /** Depth at which a path enters the diaphragm from the recess; infinite where it does not. */
+    /** Depth at which a path enters the diaphragm from the pleural recess; infinite if it does not. */
     private double pleuralDepth(double[] entry, double[] end) {
         if (anatomy.diaphragm().isEmpty()) {
             return NONE;
@@ -203,7 +205,7 @@ public final class PathAnalyzer {
         return anatomy.pleura().orElseThrow().isAbove(mean[0], mean[1], mean[2]);
     }
 
-    /** The stretch between chest wall and diaphragm where there is no lung. */
+    /** The segment of a path between chest wall and diaphragm that contains no lung. */
     private static Optional<Crossing> recess(double pleuralDepth, double wallDepth, List<Crossing> crossings) {
         if (pleuralDepth == NONE) {
             return Optional.empty();
@@ -217,7 +219,7 @@ public final class PathAnalyzer {
         return Optional.of(new Crossing(Crossing.RECESS, "pleural recess", StructureKind.OTHER, from, pleuralDepth));
     }
 
-    /** Depth at which the path is nearest to a rib or cartilage; NaN if none is within reach. */
+    /** Depth of the path's nearest point to a rib or costal cartilage; NaN if none is in range. */
     private double chestWallDepth(double[] entry, double[] end) {
         double best = MAX_DISTANCE_MM;
         double depth = Double.NaN;
@@ -236,7 +238,7 @@ public final class PathAnalyzer {
         return kind == StructureKind.RIB || kind == StructureKind.COSTAL_CARTILAGE;
     }
 
-    /** The neighbouring ribs, with their cartilages, between which a path passes the chest wall. */
+    /** The intercostal space between the neighbouring ribs, or their cartilages, that a path passes through. */
     private Optional<IntercostalSpace> space(double[] entry, double[] end, double wallDepth) {
         if (Double.isNaN(wallDepth)) {
             return Optional.empty();
@@ -265,7 +267,9 @@ public final class PathAnalyzer {
         return above > 0 && below == above + 1 ? Optional.of(new IntercostalSpace(above, side)) : Optional.empty();
     }
 
-    /** Angle between a path and the liver's surface where it first enters, degrees; NaN where it does not. */
+    /**
+     * Angle between a path and the liver surface at the first entry, degrees; NaN if the path does not enter the liver.
+     */
     double capsuleAngle(double[] entry, double[] end) {
         MovingStructure liver = anatomy.liver();
         int count = intersect(liver, entry, end);

@@ -17,11 +17,12 @@ import org.phrenic.access.TargetMotion;
 import org.phrenic.document.OrderedValues;
 
 /**
- * A path over a whole breath: at each moment from the same point of the skin to the current position of the target.
+ * Analysis of a path over one breath. At each moment the path runs from the same skin point to the current position of
+ * the target.
  *
- * @param analyses of the path, one per moment
- * @param marginsMm distance from the avoided zones, one per moment; 0 where one is touched
- * @param motion of the target
+ * @param analyses analysis of the path at each moment
+ * @param marginsMm margin to the avoided zones at each moment, mm; 0 if a zone is touched
+ * @param motion motion of the target
  */
 public record PathOverBreath(
         List<BreathMoment> cycle,
@@ -30,10 +31,10 @@ public record PathOverBreath(
         TargetMotion motion,
         Set<NoGoZone> avoided) {
     /**
-     * Analyses the path at each moment; afterwards the anatomy shows the last.
+     * Analyses the path at each moment. Afterwards the anatomy is at the last moment.
      *
-     * @param entryRest on the skin at end-expiration
-     * @throws org.phrenic.file.BadInputException with one sentence, if it is not on the skin
+     * @param entryRest entry point on the skin at end-expiration
+     * @throws org.phrenic.file.BadInputException if the entry point is not on the skin
      */
     public static PathOverBreath of(
             MovingAnatomy anatomy,
@@ -64,7 +65,7 @@ public record PathOverBreath(
         return analyses.get(moment).reasons(avoided).isEmpty();
     }
 
-    /** Number of moments at which it is free. */
+    /** Number of moments at which the path is free. */
     public int freeMoments() {
         return (int) IntStream.range(0, analyses.size()).filter(this::isFree).count();
     }

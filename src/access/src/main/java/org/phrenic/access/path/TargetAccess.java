@@ -16,21 +16,20 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Access to a target, found before a needle is placed.
+ * Access to a target, computed before a needle is placed.
  *
- * @param bySpace the points of the map in reach of the needle, by the intercostal space of their path at the first
- *     moment
+ * @param bySpace skin points in reach of the needle, grouped by the intercostal space of their path at the first moment
  */
 public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> bySpace) {
     private static final String OTHER = "over bone or below the costal margin";
 
     /**
-     * Points of the skin whose path passes an intercostal space.
+     * Number of skin points whose path passes through an intercostal space.
      *
-     * @param space such as "7th intercostal space, right"
-     * @param free over the whole breath
-     * @param part in part of it
-     * @param never at no moment
+     * @param space name such as "7th intercostal space, right"
+     * @param free points whose path is free during the whole breath
+     * @param part points whose path is free during part of the breath
+     * @param never points whose path is never free
      */
     public record SpaceCount(String space, int free, int part, int never) {
         /** Values for a report. */
@@ -43,7 +42,7 @@ public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> 
         }
     }
 
-    /** Computes the access map; afterwards the anatomy shows the first moment of the breath. */
+    /** Computes the access map. Afterwards the anatomy is at the first moment of the breath. */
     public static TargetAccess of(
             MovingAnatomy anatomy,
             List<BreathMoment> cycle,

@@ -1,2 +1,5 @@
-/** Straight paths from the skin to a target: what they cross at one moment, over a breath, and from anywhere. */
+/**
+ * Straight paths from the skin to a target: crossed structures, margins over a breath, and the map of accessible
+ * points.
+ */
 package org.phrenic.access.path;

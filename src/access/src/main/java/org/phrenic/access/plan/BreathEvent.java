@@ -9,9 +9,9 @@ import java.util.stream.Collectors;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * An event of the breathing that a step waits for: "end-expiration of breath 3".
+ * A breathing event that a step waits for, such as "end-expiration of breath 3".
  *
- * @param breath number of the breath, from 1; empty for the next occurrence
+ * @param breath number of the breath, starting at 1; empty for the next occurrence
  */
 public record BreathEvent(Kind kind, OptionalInt breath) {
     private static final Pattern TEXT = Pattern.compile("([a-z-]+)(?: of breath ([0-9]{1,6}))?");
@@ -20,7 +20,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
     public enum Kind {
         INSPIRATION,
         END_INSPIRATION,
-        /** The pause begins or lasts, or the next breath begins. */
+        /** The end-expiratory pause begins or is in progress, or the next breath begins. */
         END_EXPIRATION,
         /** The breath is held. */
         HOLD;
@@ -33,7 +33,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
     /**
      * Parses an event.
      *
-     * @throws IllegalArgumentException with what was found and expected
+     * @throws IllegalArgumentException if the text is not an event; the message states what was found and expected
      */
     public static BreathEvent parse(String text) {
         Matcher m = TEXT.matcher(text.strip());
@@ -51,7 +51,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
                 + ", such as 'end-expiration of breath 3'");
     }
 
-    /** Whether the event occurs between two frames, of which each gives the phase and the number of the breath. */
+    /** Whether the event occurs between two frames, given the phase and breath number of both. */
     boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
         boolean occurs =
                 switch (kind) {
@@ -68,7 +68,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
         return occurs && (breath.isEmpty() || breath.getAsInt() == number);
     }
 
-    /** "end-expiration of breath 3". */
+    /** Text form, such as "end-expiration of breath 3". */
     public String text() {
         return kind.label() + (breath.isPresent() ? " of breath " + breath.getAsInt() : "");
     }

@@ -14,10 +14,10 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 
 /**
- * Goals of an exercise: whether the target must be hit, and upper limits of measures. Chosen for teaching, not
- * validated.
+ * Goals of an exercise: whether the target must be hit, and upper limits of measures. The limits are chosen for
+ * teaching and are not validated.
  *
- * @param limits of measures by key
+ * @param limits upper limit of each measure, by key
  */
 public record Goals(boolean hit, Map<String, Double> limits) {
     private static final String HIT = "hit";
@@ -44,9 +44,9 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         MEASURES.put(key, new Measure(label, of));
     }
 
-    /** One goal, its limit, the value in a record, and whether it is reached. */
+    /** A goal with its limit, the value in a record, and whether it is reached. */
     public record GoalResult(String goal, double limit, double value, boolean reached) {
-        /** Display name: "seconds in lung, at most". */
+        /** Display name, such as "seconds in lung, at most". */
         public String label() {
             return goal.equals(HIT) ? "target hit (1) or not (0)" : MEASURES.get(goal).label + ", at most";
         }
@@ -61,7 +61,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         }
     }
 
-    /** No goals. */
+    /** Returns an empty set of goals. */
     public static Goals none() {
         return new Goals(false, Map.of());
     }
@@ -69,7 +69,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
     /**
      * Reads goals.
      *
-     * @throws org.phrenic.file.BadInputException with one sentence, for an unknown key
+     * @throws org.phrenic.file.BadInputException for an unknown key
      */
     static Goals read(YamlMap yaml) {
         yaml.requireOnly(
@@ -79,7 +79,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return new Goals(yaml.flag(HIT, false), limits);
     }
 
-    /** Values that {@link #read} accepts. */
+    /** Values in the format that {@link #read} accepts. */
     Map<String, Object> toMap() {
         OrderedValues map = new OrderedValues();
         if (hit) {
@@ -89,7 +89,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return map;
     }
 
-    /** The goals in words: "attempts: at most 1", "seconds in lung: none". */
+    /** Text for each goal, such as "attempts: at most 1" or "seconds in lung: none". */
     public List<String> describe() {
         List<String> words = new ArrayList<>();
         if (hit) {
@@ -102,7 +102,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return words;
     }
 
-    /** Evaluates each goal on a record. */
+    /** Evaluates each goal against a record. */
     public List<GoalResult> evaluate(AttemptRecord record) {
         List<GoalResult> all = new ArrayList<>();
         if (hit) {
@@ -115,7 +115,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return all;
     }
 
-    /** Whether all goals are reached; true without goals. */
+    /** Whether all goals are reached; true if there are none. */
     public boolean reached(AttemptRecord record) {
         return evaluate(record).stream().allMatch(GoalResult::reached);
     }

@@ -8,10 +8,10 @@ import org.phrenic.access.attempt.NeedleSnapshot;
 /**
  * A finished attempt in a live run.
  *
- * @param steps as those of a plan: what was done by hand, or the played plan's
- * @param snapshots for pictures
- * @param endS simulated time at its end, s
- * @param stateHash of the body at its end
+ * @param steps steps of the attempt: recorded manual actions, or the steps of the played plan
+ * @param snapshots snapshots for pictures
+ * @param endS simulated time at the end, s
+ * @param stateHash hash of the body state at the end
  */
 public record LiveAttempt(
         List<PlanStep> steps,
@@ -20,7 +20,7 @@ public record LiveAttempt(
         List<NeedleSnapshot> snapshots,
         double endS,
         String stateHash) {
-    /** The plan that repeats it. */
+    /** Returns a plan that repeats the attempt. */
     public RehearsalPlan toPlan(RehearsalPlan original) {
         return original.withSteps(target, steps, endS);
     }

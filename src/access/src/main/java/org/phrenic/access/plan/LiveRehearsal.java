@@ -25,23 +25,24 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * A needle in a live run. It observes the run every {@link Rehearsal#FRAME_INTERVAL_S}, as a planned attempt does;
- * requests are executed at the next frame, in order, and recorded as steps of a plan. An attempt by hand and the plan
- * recorded from it, played live or headless, give the same record, bit for bit. The attempt restarts with the run.
+ * A needle in a live run. It observes the run every {@link Rehearsal#FRAME_INTERVAL_S}, like a planned attempt.
+ * Requests are executed in order at the next frame and recorded as steps of a plan. A manual attempt and the plan
+ * recorded from it give bit-identical records, whether the plan is played live or headless. The attempt restarts with
+ * the run.
  *
- * <p>Requests may come from any thread and return at once.
+ * <p>Requests may be made from any thread and return immediately.
  */
 public final class LiveRehearsal implements StepListener {
     /** Receives events, on the thread of the run. */
     public interface Listener {
-        /** A request cannot be executed, and why. */
+        /** A request could not be executed. */
         void refused(String sentence);
 
-        /** An attempt has ended: the needle is out after a sample, or the plan was played. */
+        /** An attempt has ended: the needle was withdrawn after a sample, or the plan is complete. */
         void finished(LiveAttempt attempt);
     }
 
-    /** Wall time between two published states, ns. */
+    /** Wall-clock time between two published states, ns. */
     private static final long SHOW_NS = 40_000_000;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
@@ -74,10 +75,10 @@ public final class LiveRehearsal implements StepListener {
     private volatile NeedleState state;
 
     /**
-     * @param run to which the rehearsal is added as a listener every {@link Rehearsal#FRAME_INTERVAL_S}
-     * @param anatomy of the run's surfaces, used by the rehearsal alone
-     * @param ofScene a frame of the run's scene; frames of other scenes are ignored
-     * @param map access map of the target, to play the plan; empty for an attempt by hand
+     * @param run the run that the rehearsal is added to as a listener, every {@link Rehearsal#FRAME_INTERVAL_S}
+     * @param anatomy anatomy of the surfaces of the run; used exclusively by the rehearsal
+     * @param ofScene a frame of the scene of the run; frames of other scenes are ignored
+     * @param map access map of the target for playing a plan; empty for a manual attempt
      */
     public LiveRehearsal(
             LiveRun run,
@@ -156,7 +157,7 @@ public final class LiveRehearsal implements StepListener {
         }
     }
 
-    /** Executes the requests; whether the attempt has ended. */
+    /** Executes the pending requests. Returns whether the attempt has ended. */
     private boolean runRequests(int breath) {
         if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, phase, breath)) {
             holdAt = Optional.empty();
@@ -181,7 +182,10 @@ public final class LiveRehearsal implements StepListener {
         steps.add(timeS, new PlanStep.HoldBreath("by hand, hold_breath", on));
     }
 
-    /** Requests a hold at the next event of a kind; without one, or before a new hold, releases a held breath. */
+    /**
+     * Requests a breath hold at the next event of a kind. A held breath is released first. An empty argument only
+     * releases.
+     */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         requests.add(() -> {
             holdAt = end.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
@@ -191,7 +195,9 @@ public final class LiveRehearsal implements StepListener {
         });
     }
 
-    /** Chooses the entry on the skin, given at end-expiration; refused while the needle is in the body. */
+    /**
+     * Chooses the entry point on the skin, given at end-expiration. The request fails while the needle is in the body.
+     */
     public void enterAt(double[] onSkinAtRest) {
         requests.add(() -> {
             if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
@@ -204,10 +210,10 @@ public final class LiveRehearsal implements StepListener {
     }
 
     /**
-     * Moves the tip to a depth below the skin. A needle that is not placed is first set on the skin, pointing at the
-     * current position of the target.
+     * Moves the tip to a depth below the skin. If the needle is not placed, it is first placed on the skin and pointed
+     * at the current position of the target.
      *
-     * @param speedMmPerS above 0
+     * @param speedMmPerS positive speed, mm/s
      */
     public void moveTo(double depthMm, double speedMmPerS) {
         requests.add(() -> {
@@ -224,7 +230,7 @@ public final class LiveRehearsal implements StepListener {
             throw new BadInputException("needle: found no entry, expected a place on the skin chosen first");
         }
         if (over) {
-            // Another attempt in the same run.
+            // A new attempt starts in the same run.
             over = false;
             steps.keepBreathHolds();
             needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
@@ -237,7 +243,7 @@ public final class LiveRehearsal implements StepListener {
         aimedMm = Vectors.distance(needle.shaft().entry(), aim);
     }
 
-    /** Points the needle at the current position of the target; it turns about its point of the skin. */
+    /** Points the needle at the current position of the target by rotating it about its skin point. */
     public void aim() {
         requests.add(() -> {
             double[] aim = needle.targetNow();

@@ -3,7 +3,7 @@ package org.phrenic.access.plan;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Records what is done by hand as the steps of a plan that repeats it from the start of the run, frame by frame. */
+/** Records manual actions as steps of a plan that reproduces them frame by frame from the start of the run. */
 final class ManualStepRecorder {
     private record Timed(double timeS, PlanStep step) {}
 
@@ -13,17 +13,20 @@ final class ManualStepRecorder {
         done.add(new Timed(timeS, step));
     }
 
-    /** Keeps the breath holds for another attempt: a withdrawn needle leaves no trace in the body, but they do. */
+    /**
+     * Discards all steps except breath holds before another attempt. A withdrawn needle does not affect the body; holds
+     * do.
+     */
     void keepBreathHolds() {
         done.removeIf(timed -> !(timed.step() instanceof PlanStep.HoldBreath));
     }
 
-    /** The run is at its start again. */
+    /** Clears the recording after the run has restarted. */
     void clear() {
         done.clear();
     }
 
-    /** All steps from the start of the run to a time, with the waits between them. */
+    /** All steps from the start of the run until a time, including the waits between them. */
     List<PlanStep> stepsUntil(double timeS) {
         List<PlanStep> steps = new ArrayList<>();
         double now = 0;

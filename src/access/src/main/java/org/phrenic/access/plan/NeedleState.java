@@ -7,24 +7,24 @@ import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * State of a live rehearsal at one frame, for display. Positions LPS, mm; arrays are read-only.
+ * State of a live rehearsal at one frame, for display. Positions are LPS, mm. Arrays are read-only.
  *
- * @param breath number of the breath, from 1
+ * @param breath number of the breath, starting at 1
  * @param target centre of the target
- * @param entry of the needle, or the chosen one; empty while none is chosen
+ * @param entry entry point of the needle, or the chosen entry point; empty if none is chosen
  * @param placed whether the needle is on or in the body
- * @param hub of the needle; of the planned one while it is not placed
- * @param tip of the needle; of the planned one while it is not placed
- * @param depthMm of the tip below the skin
- * @param aimedDepthMm depth of the target along the needle, or from the entry while it is not placed
- * @param targetingError empty while the needle is not placed
- * @param path from the skin to the target, or to the aimed depth of a placed needle; empty without an entry
- * @param reasons against that path, in words; empty if it is free
- * @param marginMm of the path to the avoided zones; 0 where it is not free
- * @param nearest label of the structure from which the margin is taken; empty for none
- * @param warnings on the needle in the body, in words
- * @param samples taken so far
- * @param pendingHold the event for which a requested hold waits, in words; empty for none
+ * @param hub hub of the needle; before placement, of the planned needle
+ * @param tip tip of the needle; before placement, of the planned needle
+ * @param depthMm depth of the tip below the skin, mm
+ * @param aimedDepthMm depth of the target along the needle, mm; before placement, measured from the entry point
+ * @param targetingError targeting error; empty before placement
+ * @param path path from the skin to the target, or to the aimed depth of a placed needle; empty without an entry point
+ * @param reasons reasons why the path is not free, as text; empty if it is free
+ * @param marginMm margin of the path to the avoided zones, mm; 0 if it is not free
+ * @param nearest label of the structure that limits the margin; empty if there is none
+ * @param warnings warnings about the needle in the body, as text
+ * @param samples samples taken so far
+ * @param pendingHold event at which a requested breath hold will start, as text; empty if there is none
  * @param playback whether a plan is being played
  */
 public record NeedleState(
@@ -50,7 +50,7 @@ public record NeedleState(
         int samples,
         String pendingHold,
         boolean playback) {
-    /** Whether there is a needle to draw. */
+    /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();
     }

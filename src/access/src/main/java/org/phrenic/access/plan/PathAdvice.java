@@ -17,21 +17,21 @@ import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * Advice on a path over a breath, in a clinician's words.
+ * Advice about a path over one breath, in clinical terms.
  *
- * @param reasons against the path and when they hold, one line each; empty if there are none
- * @param margin to the avoided zones while the path is free; empty if it never is
+ * @param reasons reasons against the path and when they apply, one line each; may be empty
+ * @param margin margin to the avoided zones while the path is free; empty if it is never free
  * @param way length, intercostal space and angle of the path
  */
 public record PathAdvice(Level level, String headline, List<String> reasons, String margin, String way) {
-    /** Levels of advice, shown green, amber and red. */
+    /** Advice levels, displayed in green, amber and red. */
     public enum Level {
         FREE,
         CAREFUL,
         BARRED
     }
 
-    /** Advice on a path. */
+    /** Derives the advice for a path. */
     public static PathAdvice of(PathOverBreath path) {
         int moments = path.analyses().size();
         int free = path.freeMoments();
@@ -66,7 +66,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
                 way(path.analyses().get(0)));
     }
 
-    /** "8.3 mm from right lung". */
+    /** Text such as "8.3 mm from right lung". */
     private static String margin(double marginMm, PathAnalysis path) {
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
             return "nothing to be avoided within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";

@@ -8,9 +8,9 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
 
-/** Executes the steps of a plan with a needle: after each frame, all steps that are then possible. */
+/** Executes the steps of a plan. After each frame, it executes all steps whose conditions are met. */
 public final class PlanPlayer {
-    /** Holds or releases the breath. */
+    /** Controls breath holds. */
     public interface Breathing {
         void hold(boolean held, String origin);
     }
@@ -26,7 +26,7 @@ public final class PlanPlayer {
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
 
-    /** @param map of the target, for steps that ask for its best points */
+    /** @param map access map of the target, for steps that use its best entry points */
     public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, AccessMap map, Breathing breathing) {
         this.plan = plan;
         this.needle = needle;
@@ -35,11 +35,11 @@ public final class PlanPlayer {
     }
 
     /**
-     * Executes what is possible at this frame.
+     * Executes all steps that are possible at this frame.
      *
-     * @param breath number of the breath, from 1
+     * @param breath number of the breath, starting at 1
      * @return whether all steps are done
-     * @throws BadInputException with one sentence that names the step, if it cannot be done or its event does not occur
+     * @throws BadInputException if a step cannot be executed or its event does not occur; the message names the step
      */
     public boolean update(RespiratoryPhase phase, int breath) {
         List<PlanStep> steps = plan.steps();
@@ -115,9 +115,9 @@ public final class PlanPlayer {
     }
 
     /**
-     * The entry of a step, on the skin at end-expiration.
+     * The entry point of a step, on the skin at end-expiration.
      *
-     * @throws BadInputException with one sentence, if the needle is too short or no path is free
+     * @throws BadInputException if the needle is too short or no path is free
      */
     static double[] entry(PlanStep.Place place, AccessMap map) {
         double margin = AccessMap.SUFFICIENT_MARGIN_MM;

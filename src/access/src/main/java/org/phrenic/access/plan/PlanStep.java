@@ -4,34 +4,34 @@ import java.util.Optional;
 
 /** One step of a planned attempt. */
 public sealed interface PlanStep {
-    /** Where the step is given, for messages: file, step and key. */
+    /** Location of the step for error messages: file, step and key. */
     String place();
 
-    /** Waits for an event of the breathing. */
+    /** Waits for a breathing event. */
     record WaitFor(String place, BreathEvent event) implements PlanStep {}
 
-    /** Waits for a time. */
+    /** Waits for a duration, s. */
     record WaitSeconds(String place, double seconds) implements PlanStep {}
 
     /** Holds or releases the breath. */
     record HoldBreath(String place, boolean held) implements PlanStep {}
 
     /**
-     * Sets the needle on the skin.
+     * Places the needle on the skin.
      *
-     * @param entryRest on the skin at end-expiration, LPS, mm; empty for the best point of the access map
-     * @param atEndExpiration whether the best point is that at end-expiration, not over the whole breath
+     * @param entryRest entry point on the skin at end-expiration, LPS, mm; empty for the best point of the access map
+     * @param atEndExpiration whether the best point is chosen for end-expiration instead of the whole breath
      */
     record Place(String place, Optional<double[]> entryRest, boolean atEndExpiration, Aim aim) implements PlanStep {}
 
-    /** Points the needle elsewhere. */
+    /** Points the needle at another position. */
     record Redirect(String place, Aim aim) implements PlanStep {}
 
     /**
      * Moves the tip to a depth.
      *
-     * @param depthMm below the skin; empty for the depth of the aim
-     * @param awaited whether the next step waits until the tip is there
+     * @param depthMm depth below the skin, mm; empty for the depth of the aim
+     * @param awaited whether the next step waits until the tip has arrived
      */
     record Advance(String place, Optional<Double> depthMm, double speedMmPerS, boolean awaited) implements PlanStep {}
 
@@ -39,10 +39,10 @@ public sealed interface PlanStep {
     record Sample(String place) implements PlanStep {}
 
     /**
-     * Where a needle is pointed.
+     * The position that a needle is pointed at.
      *
-     * @param point in space, LPS, mm; empty for the target
-     * @param atRest whether the target is meant at its position at end-expiration, not its current one
+     * @param point fixed position, LPS, mm; empty for the target
+     * @param atRest whether to use the position of the target at end-expiration instead of its current position
      */
     record Aim(Optional<double[]> point, boolean atRest) {
         /** The current position of the target. */

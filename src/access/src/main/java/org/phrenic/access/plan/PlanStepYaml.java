@@ -8,7 +8,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 
-/** The steps of a plan in YAML: a list of mappings, each with one key, the kind of the step. */
+/** YAML format of plan steps: a list of mappings, each with a single key that gives the kind of the step. */
 final class PlanStepYaml {
     private static final List<String> KINDS =
             List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw");
@@ -125,7 +125,7 @@ final class PlanStepYaml {
         return map.toMap().get(key) instanceof String;
     }
 
-    /** Three numbers. */
+    /** Reads three numbers. */
     static double[] point(YamlMap map, String key) {
         double[] p = map.numbers(key);
         if (p.length != 3) {
@@ -134,7 +134,7 @@ final class PlanStepYaml {
         return p;
     }
 
-    /** Values of a step that {@link #read} accepts. */
+    /** Converts a step to the format that {@link #read} accepts. */
     static Map<String, Object> toPlain(PlanStep step) {
         if (step instanceof PlanStep.WaitSeconds wait) {
             return Map.of("wait", wait.seconds());

@@ -29,11 +29,12 @@ import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * A played plan: a breath is recorded, the access map computed, the simulation restarted and the plan played.
+ * The result of playing a plan. A breath is recorded, the access map is computed, the simulation is restarted, and the
+ * plan is played.
  *
- * @param path the planned path over the breath; empty if the plan places no needle
- * @param snapshots for pictures, in order
- * @param stateHash of the body at the end
+ * @param path planned path over the breath; empty if the plan places no needle
+ * @param snapshots snapshots for pictures, in chronological order
+ * @param stateHash hash of the body state at the end
  */
 public record Rehearsal(
         RehearsalPlan plan,
@@ -43,7 +44,7 @@ public record Rehearsal(
         AttemptRecord record,
         List<NeedleSnapshot> snapshots,
         String stateHash) {
-    /** Simulated time between two frames of the needle, s; live runs use the same times. */
+    /** Simulated time between two frames of the needle, s. Live runs use the same frame times. */
     public static final double FRAME_INTERVAL_S = 0.02;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
@@ -51,7 +52,7 @@ public record Rehearsal(
     /**
      * Plays a plan without a window.
      *
-     * @throws BadInputException with one sentence, if it cannot be played
+     * @throws BadInputException if the plan cannot be played
      */
     public static Rehearsal play(RehearsalPlan plan, SimulationRun.Progress progress) {
         Thorax thorax = SimulationRun.loadThorax(plan.scenario());
@@ -59,7 +60,7 @@ public record Rehearsal(
         return play(plan, thorax, progress);
     }
 
-    /** As {@link #play(RehearsalPlan, SimulationRun.Progress)}, with the body of the plan already loaded. */
+    /** Like {@link #play(RehearsalPlan, SimulationRun.Progress)}, with the body of the plan already loaded. */
     public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
         try (Simulation simulation = Simulation.of(plan.scenario(), thorax);
                 Workers workers = Workers.of(plan.scenario().threads())) {
@@ -124,7 +125,7 @@ public record Rehearsal(
         return needle.record();
     }
 
-    /** Refuses an entry off the skin or out of reach before a breath is simulated. */
+    /** Checks that entry points lie on the skin and within reach, before a breath is simulated. */
     private static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
@@ -139,7 +140,7 @@ public record Rehearsal(
         }
     }
 
-    /** The first planned path over the breath; empty without one. Afterwards the anatomy shows the last moment. */
+    /** The first planned path over the breath, or empty. Afterwards the anatomy is at the last moment of the breath. */
     public static Optional<PathOverBreath> plannedPath(RehearsalPlan plan, TargetAccess access, MovingAnatomy anatomy) {
         return plan.steps().stream()
                 .filter(PlanStep.Place.class::isInstance)

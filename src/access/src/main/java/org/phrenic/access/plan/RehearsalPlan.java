@@ -26,15 +26,15 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
 /**
- * A planned attempt: body and breathing, target, needle and steps. Read from YAML; unknown keys are errors.
+ * A planned attempt: body, breathing, target, needle and steps. Plans are read from YAML; unknown keys are errors.
  *
- * @param description for whom and why, in a sentence or two; may be empty
+ * @param description audience and purpose in one or two sentences; may be empty
  * @param difficulty easy, medium or hard; may be empty
- * @param targetSpec the target, by its position or at random
- * @param avoided zones
- * @param moments of the breath for access map and path
- * @param timeoutS simulated time after which a step fails
- * @param file that it was read from, for messages
+ * @param targetSpec target, given by position or chosen at random
+ * @param avoided zones to avoid
+ * @param moments number of moments of the breath for the access map and the path
+ * @param timeoutS simulated time after which a step fails, s
+ * @param file file that the plan was read from, for messages
  */
 public record RehearsalPlan(
         String title,
@@ -69,11 +69,11 @@ public record RehearsalPlan(
     private static final double TIMEOUT_S = 60;
 
     /**
-     * A target by its position, or at random.
+     * Specification of a target, by position or at random.
      *
-     * @param restMm centre at end-expiration; empty for a random one
-     * @param seed of a random one
-     * @param diameterMm NaN, with a seed, for a random one
+     * @param restMm centre at end-expiration, LPS, mm; empty for a random position
+     * @param seed seed of a random position
+     * @param diameterMm diameter, mm; NaN with a seed for a random diameter
      */
     public record TargetSpec(Optional<double[]> restMm, OptionalLong seed, double diameterMm) {
         private static TargetSpec of(TargetLesion target) {
@@ -92,15 +92,15 @@ public record RehearsalPlan(
     }
 
     /**
-     * Reads a plan. Paths in it are relative to its folder.
+     * Reads a plan. Relative paths are resolved against the folder of the plan.
      *
-     * @throws BadInputException with one sentence that names file, line and key
+     * @throws BadInputException if the plan is invalid; the message names file, line and key
      */
     public static RehearsalPlan read(Path file) {
         return of(YamlDocument.read(file), file);
     }
 
-    /** The exercises of the program, from easy to hard. */
+    /** The built-in exercises, ordered from easy to hard. */
     public static List<RehearsalPlan> exercises() {
         return EXERCISES.stream().map(RehearsalPlan::exercise).toList();
     }
@@ -116,7 +116,7 @@ public record RehearsalPlan(
         }
     }
 
-    /** A plan without steps, for practice on a body. */
+    /** Returns a plan without steps, for free practice. */
     public static RehearsalPlan practice(Scenario scenario, TargetLesion target, Needle needle) {
         return new RehearsalPlan(
                 "Practice",
@@ -226,12 +226,12 @@ public record RehearsalPlan(
         return avoided;
     }
 
-    /** The plan with keys of its scenario, {@code key=value}, set to other values. */
+    /** Returns a copy with scenario values replaced, each given as {@code key=value}. */
     public RehearsalPlan with(List<String> set) {
         return copy(scenario.with(set.toArray(String[]::new)), targetSpec, timeoutS, steps);
     }
 
-    /** The plan with a target at a position and other steps, which last until {@code lastS}. */
+    /** Returns a copy with a target at a fixed position and other steps, which last until {@code lastS}. */
     RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
         double timeout = Math.max(timeoutS, Math.ceil(lastS + 1));
         return copy(scenario, TargetSpec.of(target), timeout, List.copyOf(other));
@@ -254,9 +254,9 @@ public record RehearsalPlan(
     }
 
     /**
-     * Values of the plan that {@link #read} accepts.
+     * Values of the plan in the format that {@link #read} accepts.
      *
-     * @param scenarioFile of the scenario, relative to the folder of the plan
+     * @param scenarioFile scenario file, relative to the folder of the plan
      */
     public Map<String, Object> toMap(String scenarioFile) {
         OrderedValues map = new OrderedValues().with("title", title).with("description", description);
@@ -275,7 +275,7 @@ public record RehearsalPlan(
                 .with("steps", steps.stream().map(PlanStepYaml::toPlain).toList());
     }
 
-    /** The target in a body. */
+    /** Resolves the target in a body. */
     public TargetLesion target(MovingAnatomy anatomy) {
         try {
             return targetSpec.restMm.isPresent()

@@ -26,7 +26,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
 
-/** The report of a rehearsal: values for JSON, and a document to read. */
+/** The report of a rehearsal, as values for JSON and as a document. */
 public final class RehearsalReport {
     private static final int MAX_APPROACHES = 8;
 
@@ -38,7 +38,7 @@ public final class RehearsalReport {
         record = rehearsal.record();
     }
 
-    /** All values in order; the same plan gives the same values. */
+    /** All values in a fixed order. The same plan gives the same values. */
     public Map<String, Object> values() {
         RehearsalPlan plan = rehearsal.plan();
         OrderedValues map = new OrderedValues()
@@ -83,7 +83,7 @@ public final class RehearsalReport {
                         .toList());
     }
 
-    /** Definitions of the words of the report, and what this body cannot show. */
+    /** Definitions of the terms in the report, and the limitations of this body. */
     private List<String> definitions() {
         List<String> words = new ArrayList<>(List.of(
                 "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where"

@@ -1,2 +1,2 @@
-/** Rehearsal plans: their steps and goals, how they are played headless or live, and their reports. */
+/** Rehearsal plans: steps and goals, live and headless playback, and reports. */
 package org.phrenic.access.plan;

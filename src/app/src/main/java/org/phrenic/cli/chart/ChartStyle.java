@@ -18,10 +18,10 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scene.export.PngFile;
 
-/** What the charts share: fonts, colours, the disclaimer, and how they are written. */
+/** Common fonts, colours, disclaimer and file output of the charts. */
 final class ChartStyle {
     private static final int WIDTH = 1200;
-    /** Colours of Okabe and Ito 2008, told apart with any colour vision. */
+    /** Colours of Okabe and Ito 2008, distinguishable with colour vision deficiency. */
     private static final int[] COLOURS = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0x8a6d00, 0x56b4e9};
 
     private ChartStyle() {}

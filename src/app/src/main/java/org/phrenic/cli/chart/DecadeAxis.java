@@ -11,10 +11,7 @@ import org.jfree.chart.axis.TickType;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 
-/**
- * A logarithmic axis whose numbers are written out at 1, 2 and 5 of each power of ten, or at the powers alone where
- * they are many.
- */
+/** A logarithmic axis with labels at 1, 2 and 5 times each power of ten, or only at the powers over a wide range. */
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1;
     private static final double MANY_DECADES = 3.5;

@@ -28,17 +28,17 @@ import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.study.error.ErrorTable;
 
 /**
- * Speed against error as a picture: a panel for each material, processor time of a breath and error on logarithmic
- * axes, the Pareto-optimal settings joined by a line.
+ * A chart of CPU time per breath against error, with one panel per material and logarithmic axes. A line joins the
+ * Pareto-optimal settings.
  */
 public final class ErrorChart {
     private static final int PANEL_HEIGHT = 560;
     private static final int MARGIN_HEIGHT = 150;
-    /** The time axis begins at the least time divided by this: room for labels left of the front. */
+    /** The time axis begins at the minimum time divided by this factor, which leaves room for labels. */
     private static final double LABEL_ROOM = 4;
-    /** Labels of points whose errors differ by a smaller factor would overlap. */
+    /** Minimum ratio of the errors of labelled points; closer labels would overlap. */
     private static final double MIN_LABEL_RATIO = 1.12;
-    /** Error aimed for in a setting fit for use, per cent of the excursion. */
+    /** Target error of a usable setting, percent of the excursion. */
     private static final double PHYSICAL_TARGET_PERCENT = 0.1;
 
     private static final double PAPER_TARGET_PERCENT = 0.01;
@@ -47,7 +47,7 @@ public final class ErrorChart {
 
     private ErrorChart() {}
 
-    /** Draws a table of settings; of each material the scene with the most nodes. */
+    /** Draws a table of settings; for each material, only the scene with the most nodes. */
     public static void write(ErrorTable table, String title, Path picture) {
         System.setProperty("java.awt.headless", "true");
         List<ErrorTable.Row> rows = table.rows();
@@ -93,7 +93,7 @@ public final class ErrorChart {
         return plot;
     }
 
-    /** The line that joins the Pareto-optimal settings, with labels. */
+    /** Draws the Pareto front as a line with labels. */
     private static void drawParetoFront(XYPlot plot, List<ErrorTable.Row> rows) {
         List<ErrorTable.Row> front = rows.stream()
                 .filter(r -> r.point().paretoOptimal())

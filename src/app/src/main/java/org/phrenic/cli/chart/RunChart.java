@@ -13,7 +13,7 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.document.CsvTable;
 
-/** The curves of a run as one picture: domes, lung volume, diameters of the chest, sternum, liver. */
+/** A chart of the curves of a run: domes, lung volume, chest diameters, sternum, liver. */
 public final class RunChart {
     private static final int HEIGHT = 1100;
 
@@ -22,7 +22,7 @@ public final class RunChart {
     /**
      * Draws the columns of an {@code observables.csv}.
      *
-     * @param title above the curves
+     * @param title title of the chart
      * @throws org.phrenic.file.BadInputException if a column is missing
      */
     public static void write(Path observables, String title, Path picture) {
@@ -50,7 +50,7 @@ public final class RunChart {
         ChartStyle.write(picture, ChartStyle.chart(title, all), HEIGHT);
     }
 
-    /** @param panel label, then columns and their names */
+    /** @param panel axis label, followed by pairs of column name and curve name */
     private static XYPlot panel(CsvTable table, String... panel) {
         double[] time = table.numbers("time_s");
         XYSeriesCollection curves = new XYSeriesCollection();
@@ -68,7 +68,7 @@ public final class RunChart {
         LegendTitle names = new LegendTitle(plot);
         names.setItemFont(ChartStyle.font(13));
         names.setBackgroundPaint(new Color(255, 255, 255, 220));
-        // Clear of the curves, which end at rest: above those that go up, below those that go down.
+        // Places the legend clear of the curves: on top if they rise, at the bottom if they fall.
         boolean upward = curves.getRangeUpperBound(false) > -curves.getRangeLowerBound(false);
         plot.addAnnotation(new XYTitleAnnotation(
                 0.995, upward ? 0.97 : 0.03, names, upward ? RectangleAnchor.TOP_RIGHT : RectangleAnchor.BOTTOM_RIGHT));

@@ -1,2 +1,2 @@
-/** Charts of results as picture files, with JFreeChart. */
+/** Result charts as picture files, drawn with JFreeChart. */
 package org.phrenic.cli.chart;

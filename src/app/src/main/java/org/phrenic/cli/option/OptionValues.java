@@ -11,15 +11,15 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.style.ColourScale;
 
-/** Converts the text of options to values, with one sentence for what is wrong. */
+/** Converts option text to values. Invalid text causes a {@code BadInputException} with a one-sentence message. */
 public final class OptionValues {
     private OptionValues() {}
 
     /**
-     * A finite number.
+     * Parses a finite number.
      *
-     * @param where the option, for the sentence
-     * @throws BadInputException with one sentence
+     * @param where option name for the error message
+     * @throws BadInputException if the text is not a finite number
      */
     static double number(String where, String text) {
         try {
@@ -28,12 +28,12 @@ public final class OptionValues {
                 return value;
             }
         } catch (NumberFormatException none) {
-            // The message below says it.
+            // Reported below.
         }
         throw new BadInputException(where + ": found '" + text + "', expected a number");
     }
 
-    /** As {@link #number}, and within these bounds. */
+    /** Parses a finite number within bounds, both inclusive. */
     public static double number(String where, String text, double least, double most) {
         double value = number(where, text);
         if (value < least || value > most) {
@@ -43,7 +43,7 @@ public final class OptionValues {
         return value;
     }
 
-    /** A whole number within these bounds. */
+    /** Parses a whole number within bounds, both inclusive. */
     public static int integer(String where, String text, int least, int most) {
         double value = number(where, text);
         if (value != Math.rint(value)) {
@@ -55,7 +55,7 @@ public final class OptionValues {
         return (int) value;
     }
 
-    /** Colours over a range given as MIN:MAX. */
+    /** A colour scale with the colours and unit of {@code usual} and a range given as MIN:MAX. */
     public static ColourScale range(String where, String range, ColourScale usual) {
         int colon = range.indexOf(':');
         if (colon < 1) {
@@ -70,10 +70,10 @@ public final class OptionValues {
     }
 
     /**
-     * The assignments of {@code --set}.
+     * Parses the assignments of {@code --set}.
      *
-     * @param reserved keys that are refused
-     * @param setter what sets these itself, such as "a validation"
+     * @param reserved keys that are rejected
+     * @param setter what sets the reserved keys, for the error message, such as "a validation"
      */
     public static List<Assignment> assignments(List<String> settings, Set<String> reserved, String setter) {
         List<Assignment> assignments = settings.stream().map(Assignment::parse).toList();
@@ -85,9 +85,9 @@ public final class OptionValues {
     }
 
     /**
-     * One of several values, by its name in lower case with hyphens.
+     * Selects an enum value by its name in lower case with hyphens.
      *
-     * @throws BadInputException with the nearest name, or all of them
+     * @throws BadInputException if no name matches; the message suggests the most similar name or lists all
      */
     public static <E extends Enum<E>> E choice(String option, String found, List<E> values) {
         Map<String, E> byLabel = new LinkedHashMap<>();
@@ -103,7 +103,7 @@ public final class OptionValues {
         return value;
     }
 
-    /** The parts of a list with commas; empty parts are kept and refused later. */
+    /** Splits a comma-separated list. Empty parts are kept and rejected later. */
     public static List<String> split(String list) {
         return Arrays.stream(list.split(",", -1)).map(String::strip).toList();
     }

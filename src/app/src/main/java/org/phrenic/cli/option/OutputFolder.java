@@ -4,14 +4,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.phrenic.file.BadInputException;
 
-/** The folder into which a command writes. */
+/** Checks the output folder of a command. */
 public final class OutputFolder {
     private OutputFolder() {}
 
     /**
-     * Refuses a folder that cannot be created or written to, before anything is computed; creates nothing.
+     * Checks, before any computation, that a folder can be created or written to. Creates nothing.
      *
-     * @throws BadInputException with one sentence
+     * @throws BadInputException if the folder is not writable; the message is one sentence
      */
     public static Path requireWritable(Path folder) {
         Path nearest = folder.toAbsolutePath();

@@ -9,7 +9,7 @@ import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PictureSettings;
 import picocli.CommandLine.Option;
 
-/** Options of view and size of pictures. */
+/** Options for view and size of pictures. */
 public final class PictureOptions {
     private static final double LEAST_ZOOM = 0.1;
     private static final double MOST_ZOOM = 50;
@@ -32,7 +32,7 @@ public final class PictureOptions {
     @Option(names = "--no-annotations", description = "No letters, figure, scale, time or notice.")
     private boolean noAnnotations;
 
-    /** The settings of each view. */
+    /** Picture settings, one per view. */
     public List<PictureSettings> settings(String title) {
         String[] sides = size.toLowerCase(java.util.Locale.ROOT).split("x", -1);
         if (sides.length != 2) {

@@ -10,7 +10,7 @@ import org.phrenic.scenario.ScheduledChange;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The scenario and the options that change it, shared by the commands that simulate. */
+/** The scenario argument and the options that change it, shared by all commands that simulate. */
 public final class ScenarioOptions {
     @Parameters(
             arity = "0..1",
@@ -58,9 +58,9 @@ public final class ScenarioOptions {
     private List<String> settings = new ArrayList<>();
 
     /**
-     * The scenario with the options applied, {@code --set} last.
+     * The scenario with all options applied; {@code --set} is applied last.
      *
-     * @param more assignments by other options of the command
+     * @param more assignments from other options of the command
      */
     public Scenario resolved(Assignment... more) {
         Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);

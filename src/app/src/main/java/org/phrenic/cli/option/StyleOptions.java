@@ -21,14 +21,14 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 import picocli.CommandLine.Option;
 
-/** Options of what a scene shows and how. */
+/** Options for the style of a scene. */
 public final class StyleOptions {
     private static final int SAMPLES = 4;
     private static final double DISPLACEMENT_MM = 20;
     private static final double STRAIN_PERCENT = 20;
     private static final double FARTHEST_CLIP_MM = 1e5;
     private static final String CLIP_SIDES = "LRAPSI";
-    /** Normals of these sides in LPS. */
+    /** Plane normals of these sides, LPS. */
     private static final double[][] CLIP_NORMALS = {{1, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}
     };
 
@@ -77,7 +77,7 @@ public final class StyleOptions {
             description = "springs, rigid-links, attachments, fibres, action-lines, helical-axes; may be repeated.")
     private List<String> overlays = new ArrayList<>();
 
-    /** Refuses, before anything is computed, what is invalid for every body. */
+    /** Checks, before any computation, all values that do not depend on the body. */
     public void validate() {
         colourField();
         if ((colourField() == ColourField.DISTANCE) != (reference != null)) {
@@ -92,12 +92,12 @@ public final class StyleOptions {
         overlayKinds();
     }
 
-    /** The surface that distances are measured from, if one is given. */
+    /** Reference surface of the distance field; empty if none is given. */
     public Optional<TriangleMesh> reference() {
         return Optional.ofNullable(reference).map(MeshFiles::read);
     }
 
-    /** The style for these surfaces. */
+    /** Creates the style for the given surfaces. */
     public SceneStyle style(List<Surface> surfaces) {
         StructureSelection selection = new StructureSelection(surfaces);
         SceneStyle style = SceneStyle.atlas(surfaces)

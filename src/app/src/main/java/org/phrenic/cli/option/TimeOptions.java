@@ -8,7 +8,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scene.export.GifMovieWriter;
 import picocli.CommandLine.Option;
 
-/** Options of the times of pictures, and of a movie. */
+/** Options for picture times and movies. */
 public final class TimeOptions {
     private static final int MAX_FRAMES = 100_000;
     private static final double DEFAULT_FPS = 20;
@@ -34,7 +34,7 @@ public final class TimeOptions {
             description = "Frames a second of the movie. Default: as fast as the thorax breathes.")
     private String fps;
 
-    /** Refuses what is invalid for every duration. */
+    /** Checks all values that do not depend on the duration. */
     public void validate() {
         if (at != null && (frames != null || movie != null || fps != null)) {
             throw new BadInputException(
@@ -66,7 +66,7 @@ public final class TimeOptions {
                         .toArray();
     }
 
-    /** The movie; null for none. */
+    /** Movie file; null for none. */
     public Path movie() {
         return movie;
     }
@@ -83,15 +83,15 @@ public final class TimeOptions {
         return movie != null && movie.toString().toLowerCase(Locale.ROOT).endsWith(ending);
     }
 
-    /** Whether the pictures are a sequence, to be numbered. */
+    /** Whether the pictures form a numbered sequence. */
     public boolean isSequence() {
         return frames != null || movie != null;
     }
 
     /**
-     * Times of the pictures in order, s.
+     * Picture times in ascending order, s.
      *
-     * @throws BadInputException for a time that the scenario does not reach
+     * @throws BadInputException if a time is negative or after the end of the scenario
      */
     public double[] times(double totalS) {
         if (!isSequence()) {
@@ -115,7 +115,7 @@ public final class TimeOptions {
         return fps == null ? DEFAULT_FPS : OptionValues.number("--fps", fps);
     }
 
-    /** Frames a second of the movie; by default it breathes in real time. */
+    /** Frame rate of the movie, 1/s; by default the movie plays in real time. */
     public double framesPerS(int count, double totalS) {
         return fps != null ? frameRate() : Math.max(1, Math.min(GifMovieWriter.MAX_FRAMES_PER_S, count / totalS));
     }

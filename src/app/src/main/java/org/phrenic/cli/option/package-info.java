@@ -1,2 +1,2 @@
-/** Options that commands share, and the conversion of their text to values. */
+/** Options shared by commands, and the conversion of option text to values. */
 package org.phrenic.cli.option;

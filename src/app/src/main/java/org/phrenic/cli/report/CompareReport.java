@@ -15,7 +15,7 @@ import org.phrenic.mesh.query.SurfaceComparison;
 /** The results of {@code phrenic compare}. */
 public final class CompareReport {
     private static final int BINS = 20;
-    /** Figures of a distance by their keys, in the order of the table. */
+    /** Distance statistics by key, in the order of the table. */
     private static final Map<String, ToDoubleFunction<DistanceSummary>> FIGURES = new LinkedHashMap<>();
 
     static {
@@ -37,7 +37,7 @@ public final class CompareReport {
         this.comparison = comparison;
     }
 
-    /** Keys and values of the JSON. */
+    /** Values of the JSON output by key. */
     public Map<String, Object> values(List<String> pictures) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("a", a.toString());
@@ -78,7 +78,7 @@ public final class CompareReport {
         return values;
     }
 
-    /** The table. */
+    /** The results as a text table. */
     public String table() {
         TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true);
         table.row("mm", "weight", "vertices", "mean", "sd", "rms", "median", "95 %", "maximum", "signed mean");

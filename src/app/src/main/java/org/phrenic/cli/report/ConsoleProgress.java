@@ -9,8 +9,8 @@ import org.phrenic.patient.ImportProgress;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * Progress on stderr. What advances continuously is a line drawn over itself on a terminal, else a plain line every few
- * seconds; what is counted is a line each. No colours.
+ * Prints progress to stderr, without colours. Continuous progress is one line that is redrawn on a terminal, and a
+ * plain line every few seconds otherwise. Counted items are printed one per line.
  */
 public final class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress {
     private static final int BAR_WIDTH = 30;
@@ -23,19 +23,19 @@ public final class ConsoleProgress implements SimulationRun.Progress, ProgressLi
     private long last = System.nanoTime();
     private boolean drawn;
 
-    /** Counts runs. */
+    /** Progress with the counter label "runs done". */
     public ConsoleProgress(PrintWriter err) {
         this(err, "runs done");
     }
 
-    /** @param counted what {@link #done} counts, such as "cells done" */
+    /** @param counted label of the counter of {@link #done}, such as "cells done" */
     public ConsoleProgress(PrintWriter err, String counted) {
         this.err = err;
         this.counted = counted;
     }
 
     /** Whether stderr is a terminal that can redraw a line. */
-    @SuppressWarnings("SystemConsoleNull") // null before Java 22, asked from there on
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22, isTerminal() since then
     private static boolean isTerminal() {
         Console console = System.console();
         String kind = System.getenv("TERM");
@@ -103,7 +103,7 @@ public final class ConsoleProgress implements SimulationRun.Progress, ProgressLi
         err.flush();
     }
 
-    /** Ends the line that is drawn over itself. */
+    /** Ends the redrawn line with a line break. */
     public synchronized void end() {
         if (drawn) {
             err.println();

@@ -31,7 +31,7 @@ import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
-/** What {@code phrenic info} says of a mesh, a label volume, a scenario or a thorax folder. */
+/** The output of {@code phrenic info} for a mesh, a label volume, a scenario or a thorax folder. */
 public final class FileInfo {
     private static final int RIBS = 12;
     private static final double MM3_PER_ML = 1000;
@@ -39,9 +39,9 @@ public final class FileInfo {
     private FileInfo() {}
 
     /**
-     * Keys and values.
+     * Properties of a file by key.
      *
-     * @throws BadInputException with one sentence if it is none of these
+     * @throws BadInputException if the file is of no supported kind; the message is one sentence
      */
     public static Map<String, Object> of(Path file) {
         if (!Files.exists(file)) {
@@ -72,7 +72,7 @@ public final class FileInfo {
         return info;
     }
 
-    /** Lengths are in the file's own unit, which a mesh file does not state. */
+    /** Lengths are in the unit of the file, which mesh formats do not state. */
     private static void putMesh(Map<String, Object> info, TriangleMesh mesh) {
         MeshTopology topology = new MeshTopology(mesh);
         MeshMeasure.EdgeLengths edges = MeshMeasure.edgeLengthSummary(mesh, topology);
@@ -122,7 +122,7 @@ public final class FileInfo {
         info.put("notes", volume.notes());
     }
 
-    /** Every key with its value, and whether the file, the preset or the program sets it. */
+    /** Every key with its value and the origin of the value: file, preset or program default. */
     private static void putScenario(Map<String, Object> info, Scenario scenario, Set<String> stated) {
         for (Setting<?> setting : Settings.all()) {
             Object value = setting == RunSettings.DURATION ? duration(scenario) : scenario.plain(setting);
@@ -140,7 +140,7 @@ public final class FileInfo {
         }
     }
 
-    /** Simulated time, s; null if a recording determines it. */
+    /** Simulated time, s; null if a recording determines the duration. */
     private static Object duration(Scenario scenario) {
         if (!Double.isNaN(scenario.durationS()) || scenario.trace().isPresent()) {
             return scenario.plain(RunSettings.DURATION);
@@ -159,7 +159,7 @@ public final class FileInfo {
             }
         }
         info.put("name", thorax.name());
-        // The loader's first note says which axes and unit the folder states or the body suggests.
+        // The loader's first note states the axes and the unit of the folder, as declared or as inferred.
         info.put("frame", thorax.notes().get(0));
         info.put("structures", counts);
         info.put(
@@ -201,7 +201,7 @@ public final class FileInfo {
         return Arrays.stream(numbers).boxed().toList();
     }
 
-    /** What {@link #of} gives, as text: a heading, then a line for each value. */
+    /** The result of {@link #of} as text: a heading, then one line per value. */
     public static String text(Map<String, Object> info) {
         TextTable table = new TextTable(false, false, false);
         info.forEach((key, value) -> {

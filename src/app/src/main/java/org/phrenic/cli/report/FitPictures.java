@@ -16,16 +16,14 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 
-/**
- * Pictures of each target's part of the body in colours of its distance, at end-expiration and fitted, in one scale.
- */
+/** Pictures of each fit target, coloured by distance, at end-expiration and after the fit, with one colour scale. */
 public final class FitPictures {
     private static final int SIZE = 640;
     private static final double MIN_RANGE_MM = 2;
 
     private FitPictures() {}
 
-    /** Draws all into a folder; none, with a line that says why, if nothing here draws. */
+    /** Writes all pictures into a folder. Without graphics, prints the reason and returns an empty list. */
     public static List<Picture> draw(FitResult result, Path folder, PrintWriter err) {
         List<Picture> written = new ArrayList<>();
         try (SurfacePictures pictures = new SurfacePictures()) {
@@ -65,7 +63,7 @@ public final class FitPictures {
         }
     }
 
-    /** Colours from 0 to a round number that 5 % of the distances exceed. */
+    /** Colour scale from 0 to the 95th percentile of the distances, rounded up. */
     static ColourScale scale(DistanceSummary distances) {
         double range = Math.max(MIN_RANGE_MM, ColourScale.roundRange(distances.percentile95()));
         return ColourScale.sequential(range, ColourField.DISTANCE.unit());

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Shortens lists of numbered names, as "rib_01_R to rib_06_R". */
+/** Shortens lists of numbered names to ranges, such as "rib_01_R to rib_06_R". */
 public final class NameRanges {
     private static final Pattern NUMBERED = Pattern.compile("(.*?)(\\d+)(\\D*)");
 
     private NameRanges() {}
 
-    /** The names in their order, with consecutive numbers joined into a range. */
+    /** The names in their order, with consecutive numbers collapsed into ranges. */
     public static List<String> collapse(List<String> names) {
         List<String> ranges = new ArrayList<>();
         for (int from = 0; from < names.size(); ) {

@@ -19,7 +19,7 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.study.paper.PatientCase;
 
-/** Figures 4 and 5 of the paper for a patient. */
+/** Reproduces figures 4 and 5 of Villard, Bourne and Bello 2009 for a patient. */
 public final class PatientPictures {
     private static final int LUNG = 0xd98f86;
     private static final int INSPIRED = 0x2f74b5;
@@ -38,7 +38,7 @@ public final class PatientPictures {
         file = patient.name().toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
     }
 
-    /** Lungs at both breath levels, and the diaphragm's mesh below them. */
+    /** Figure 4: the lungs at both breath levels and the diaphragm mesh below them. */
     public List<FigureImage> segmentationFigures() throws NoGraphicsException {
         TriangleMesh expired = lungs(FitResult.TargetResult::initial);
         TriangleMesh inspired = MeshMerge.merge(
@@ -81,8 +81,8 @@ public final class PatientPictures {
     }
 
     /**
-     * Lungs in colours of their distance from those at the end of inhale: without a model and with it, from the front
-     * and from below.
+     * Figure 5: the lungs coloured by their distance from the lungs at the end of inhale, without and with the model,
+     * from the front and from below.
      */
     public List<FigureImage> distanceFigures() throws NoGraphicsException {
         DistanceSummary worst = patient.lungs().stream()
@@ -134,7 +134,7 @@ public final class PatientPictures {
                 patient.lungs().stream().map(lung -> state.apply(lung).model()).toList());
     }
 
-    /** Wider than high, so that the colour bar stands beside the lungs. */
+    /** The picture is wider than high, which leaves room for the colour bar beside the lungs. */
     private PictureSettings settings(AnatomicalView view) {
         return PictureSettings.of(view, size, size * 4 / 5, "");
     }

@@ -7,13 +7,13 @@ import java.util.Map;
 /**
  * Label and unit of a key such as {@code dome_excursion_right_mm}.
  *
- * @param label {@code dome excursion right}
- * @param unit {@code mm}; empty for a plain number
+ * @param label label, such as {@code dome excursion right}
+ * @param unit unit, such as {@code mm}; empty for a dimensionless number
  */
 public record QuantityKey(String label, String unit) {
     private static final MathContext SHOWN = new MathContext(5);
 
-    /** Units by the suffix of a key. */
+    /** Units by key suffix. */
     private static final Map<String, String> UNITS = Map.ofEntries(
             Map.entry("_mm", "mm"),
             Map.entry("_mm2", "mm^2"),
@@ -23,7 +23,7 @@ public record QuantityKey(String label, String unit) {
             Map.entry("_s", "s"));
 
     public static QuantityKey parse(String key) {
-        // A rate keeps its suffix in the label: "steps per s".
+        // A rate keeps its suffix in the label, as in "steps per s".
         String ending = key.endsWith("_per_s")
                 ? ""
                 : UNITS.keySet().stream().filter(key::endsWith).findFirst().orElse("");
@@ -31,7 +31,7 @@ public record QuantityKey(String label, String unit) {
                 key.substring(0, key.length() - ending.length()).replace('_', ' '), UNITS.getOrDefault(ending, ""));
     }
 
-    /** A value in a table: whole numbers in full, others with five significant digits. */
+    /** Formats a value for a table: whole numbers in full, others with five significant digits. */
     public static String format(Object value) {
         if (!(value instanceof Double || value instanceof Float)) {
             return String.valueOf(value);

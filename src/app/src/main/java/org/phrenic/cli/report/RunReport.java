@@ -9,9 +9,9 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
-/** Runs a scenario and prints what it gave. */
+/** Runs a scenario and formats its summary. */
 public final class RunReport {
-    /** Performance figures: listed after what was breathed. */
+    /** Keys of performance figures, listed after the breathing quantities. */
     private static final Set<String> PERFORMANCE_KEYS = Set.of(
             "steps",
             "substeps",
@@ -28,8 +28,8 @@ public final class RunReport {
     /**
      * Runs a scenario and returns its summary.
      *
-     * @param remarks also in the summary, and printed as the run begins
-     * @param out folder to write into; null for none
+     * @param remarks entries added to the summary and printed when the run begins
+     * @param out output folder; null for none
      */
     public static Map<String, Object> run(
             Scenario scenario, Map<String, String> remarks, Path out, PrintWriter stderr) {
@@ -45,7 +45,7 @@ public final class RunReport {
         }
     }
 
-    /** Quantity, value, unit: what was breathed, then performance, then the disclaimer. */
+    /** Table of quantity, value and unit: breathing quantities, then performance, then the disclaimer. */
     public static String table(Map<String, Object> summary) {
         TextTable table = new TextTable(false, true, false).row("quantity", "value", "unit");
         summary.forEach((key, value) -> {

@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.phrenic.document.report.ReportDocument.Column;
 
-/** Aligned columns of text. */
+/** A text table with aligned columns. */
 public final class TextTable {
     private final List<String[]> rows = new ArrayList<>();
     private final boolean[] rightAligned;
 
-    /** @param rightAligned for each column, whether it is aligned to the right */
+    /** @param rightAligned for each column, whether it is right-aligned */
     public TextTable(boolean... rightAligned) {
         this.rightAligned = rightAligned.clone();
     }
 
-    /** A table with headings; numbers are aligned to the right. */
+    /** A table with headings and right-aligned numbers. */
     public static String of(List<Column> columns, List<List<String>> rows) {
         boolean[] right = new boolean[columns.size()];
         for (int i = 0; i < right.length; i++) {
@@ -28,7 +28,7 @@ public final class TextTable {
                 .text();
     }
 
-    /** A table whose columns but the first are aligned to the right. */
+    /** A table in which all columns except the first are right-aligned. */
     public static String ofNumbers(List<List<String>> rows) {
         boolean[] right = new boolean[rows.get(0).size()];
         Arrays.fill(right, 1, right.length, true);
@@ -45,13 +45,13 @@ public final class TextTable {
         return this;
     }
 
-    /** Adds label, value and unit of a key such as {@code dome_excursion_right_mm}. */
+    /** Adds a row of label, value and unit for a key such as {@code dome_excursion_right_mm}. */
     public TextTable quantity(String key, Object value) {
         QuantityKey quantity = QuantityKey.parse(key);
         return row(quantity.label(), QuantityKey.format(value), quantity.unit());
     }
 
-    /** The lines, each with a line break and without blanks at its end. */
+    /** The formatted lines, each with a line break and without trailing blanks. */
     public String text() {
         int[] width = new int[rightAligned.length];
         for (String[] row : rows) {

@@ -1,2 +1,2 @@
-/** What commands print and write: tables, progress, facts about files, pictures of reports. No options. */
+/** Output of commands: tables, progress, file summaries, report pictures. No options. */
 package org.phrenic.cli.report;

@@ -1,19 +1,20 @@
 package org.phrenic.engine.constraint;
 
-/** A (moving) wall that nodes may slide along but not pass. */
+/** A wall, possibly moving, along which nodes may slide but which they may not penetrate. */
 public interface ContactSurface {
 
-    /** Told once, on one thread, before planes are asked for. */
+    /** Called once, on one thread, before planes are evaluated. */
     default void prepare(double time) {}
 
     /**
-     * The wall near a point, as a plane: n·x ≥ d on the allowed side. Called from several threads; allocates nothing.
+     * The tangent plane of the wall near a point: n·x ≥ d on the allowed side. Called from several threads; allocates
+     * nothing.
      *
-     * @param node which contact node asks, as numbered when the contact was made
+     * @param node index of the contact node in the caller's list
      * @param x point, mm
      * @param y point, mm
      * @param z point, mm
-     * @param plane where to write nx, ny, nz (unit, into the allowed side), d (mm) and the wall's own speed along n
+     * @param plane receives nx, ny, nz (unit normal towards the allowed side), d (mm) and the speed of the wall along n
      *     (mm/s)
      * @param at first index in {@code plane}
      */

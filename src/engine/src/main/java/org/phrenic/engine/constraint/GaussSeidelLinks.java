@@ -8,13 +8,14 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Links swept colour by colour until the worst is below a tolerance, shifted along the lines that they had before the
- * step. Links of one colour share no node: if there is but one, each is exact after one pass.
+ * Rigid links projected by coloured Gauss-Seidel sweeps until the largest error is below a tolerance. Corrections act
+ * along the directions of the links before the step. Links of one colour share no node. With a single colour, one sweep
+ * is exact.
  */
 final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
-    /** Cosine of the turn in one step beyond which the old line no longer serves as direction. */
+    /** Cosine of the rotation in one step beyond which the old direction is not used. */
     private static final double TURN = 0.9;
-    /** Relative length error left after the last sweep that says that links contradict each other. */
+    /** Relative length error after the last sweep above which the links are considered contradictory. */
     private static final double UNMET = 0.05;
 
     private final int[] colourStart;
@@ -54,7 +55,10 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         pieceError = new double[a.length / LINKS_A_PIECE + 1];
     }
 
-    /** A colour for each link, so that no two of one colour share a node: the lowest that is free at both ends. */
+    /**
+     * Greedy colouring in which no two links of one colour share a node: each link gets the lowest colour free at both
+     * ends.
+     */
     private static int[] colours(int[] a, int[] b, int nodes) {
         long[] used = new long[nodes];
         int[] colour = new int[a.length];
@@ -138,7 +142,7 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         }
     }
 
-    /** Takes up a colour and says in how many pieces it is done. */
+    /** Selects a colour and returns the number of pieces of work for it. */
     private int pieces(int colour) {
         colourFrom = colourStart[colour];
         colourTo = colourStart[colour + 1];
@@ -163,7 +167,7 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         pieceError[piece] = worst;
     }
 
-    /** Gives a link its length; returns the relative error that it had. */
+    /** Projects a link to its length; returns its relative error before. */
     private double restore(int i, double[] x, double[] v, double[] w, double h, double perStep) {
         int a = nodeA[i];
         int b = nodeB[i];
@@ -177,11 +181,11 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         double over = l - rest;
         double error = Math.abs(over) / rest;
         if (wa + wb == 0 || l == 0) {
-            // Both ends given, or on one spot, where the line has no direction.
+            // Both ends prescribed, or coincident ends, which define no direction.
             return error;
         }
         double under = l;
-        // Back by h v lies the line before the step; along it the impulse changes no angular momentum.
+        // Subtracting h v gives the direction before the step. An impulse along it conserves angular momentum.
         double ox = dx - h * (v[b] - v[a]);
         double oy = dy - h * (v[b + 1] - v[a + 1]);
         double oz = dz - h * (v[b + 2] - v[a + 2]);
@@ -205,7 +209,7 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         return error;
     }
 
-    /** Takes away the rate at which links lengthen, shared by inverse mass. */
+    /** Removes the rate of change of link lengths, shared by inverse mass. */
     private void velocityPiece(int piece) {
         int from = colourFrom + piece * LINKS_A_PIECE;
         int to = Math.min(colourTo, from + LINKS_A_PIECE);
@@ -231,7 +235,7 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
         }
     }
 
-    /** Links that share nodes and after all sweeps are still off by more than a twentieth ask for what no shape has. */
+    /** Reports coupled links with a relative error above 5 % after all sweeps: their lengths are incompatible. */
     @Override
     public String violation() {
         return lastError <= UNMET

@@ -6,13 +6,13 @@ import org.phrenic.engine.math.Triangles;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * Pairs of nodes on the two faces of a thin sheet that may not change places: along the outer face's normal the outer
- * node stays at least some distance in front of the inner one, (x_o - x_i)·n ≥ d. A strut between them keeps their
- * distance but not their order; with both, a sheet that is folded or pressed cannot turn inside out.
+ * Keeps pairs of nodes on the two faces of a thin sheet in order. Along the normal n of the outer face, the outer node
+ * stays at least a distance d in front of the inner one, (x_o - x_i)·n ≥ d. A strut between the two keeps their
+ * distance but not their order. With both, a folded or compressed sheet cannot invert.
  *
- * <p>No node may be in two pairs. Where the order is broken both nodes are moved, the correction shared by inverse
- * mass, and their speed toward each other is taken away. Normals are those of one triangle of the outer face at the
- * outer node, refreshed every few steps.
+ * <p>No node may be in two pairs. Where a pair violates the constraint, both nodes are moved, the correction shared by
+ * inverse mass, and their approach velocity is removed. The normal is that of one triangle of the outer face at the
+ * outer node, refreshed at an interval.
  */
 public final class NonInversionPairs implements SeparableConstraint {
     private final int[] outer;
@@ -24,9 +24,9 @@ public final class NonInversionPairs implements SeparableConstraint {
     private final RefreshClock refresh;
 
     /**
-     * @param layout of the system it is for
-     * @param outer the node of each pair that stays outside, caller's numbering
-     * @param inner the other node
+     * @param layout layout of the system
+     * @param outer outer node of each pair, caller's numbering
+     * @param inner inner node of each pair
      * @param triangle three nodes a pair, a triangle of the outer face, anticlockwise seen from outside
      * @param least smallest distance along the normal, mm, one a pair
      * @param refreshInterval simulated time after which normals are refreshed, s
@@ -91,7 +91,7 @@ public final class NonInversionPairs implements SeparableConstraint {
 
     private void refreshNormals(double[] x) {
         for (int i = 0; i < normal.length; i += 3) {
-            // A triangle that has no area for the moment keeps the normal it had.
+            // A degenerate triangle keeps its previous normal.
             if (Triangles.normal(x, triangle[i], triangle[i + 1], triangle[i + 2], fresh) > 0) {
                 System.arraycopy(fresh, 0, normal, i, 3);
             }
@@ -150,7 +150,7 @@ public final class NonInversionPairs implements SeparableConstraint {
         }
     }
 
-    /** Largest breach of the least distance, mm, along the normals last taken. */
+    /** Largest violation of the least distance, mm, along the last computed normals. */
     @Override
     public double error(ParticleSystem particles) {
         double[] x = particles.positions();

@@ -1,18 +1,18 @@
 package org.phrenic.engine.constraint;
 
 /**
- * When a constraint takes anew what it keeps of the shape it works on, such as tangent planes: after an interval of
- * simulated time, and when an earlier state was put back.
+ * Decides when a constraint refreshes cached geometry, such as tangent planes: after an interval of simulated time, and
+ * after an earlier state was restored.
  */
 final class RefreshClock {
-    /** Rounding of the time must not shift a refresh by a step. */
+    /** Relative tolerance, so that rounding of the time does not delay a refresh by a step. */
     private static final double SLACK = 1e-9;
 
     private double interval;
     private double taken = Double.NaN;
     private double now = Double.NaN;
 
-    /** @param interval simulated time between two, s */
+    /** @param interval simulated time between refreshes, s */
     RefreshClock(double interval) {
         this.interval = interval;
     }
@@ -21,15 +21,14 @@ final class RefreshClock {
         interval = seconds;
     }
 
-    /** At the next time, whichever it is, all is taken anew. */
+    /** Forces a refresh at the next call of {@link #advanceTo}. */
     void invalidate() {
         now = Double.NaN;
     }
 
-    /** Goes on to a time, s; says whether all is taken anew there. */
+    /** Advances to a time, s; returns whether a refresh is due. */
     boolean advanceTo(double time) {
-        // A time that does not move on means that an earlier state was put back: what is known of the lost one is
-        // worth nothing.
+        // If time does not increase, an earlier state was restored and the cached geometry is invalid.
         boolean due = !(time > now && time - taken < interval * (1 - SLACK));
         now = time;
         if (due) {
@@ -42,7 +41,7 @@ final class RefreshClock {
         return interval;
     }
 
-    /** Time since all was taken anew, s. */
+    /** Time since the last refresh, s. */
     double elapsed() {
         return now - taken;
     }

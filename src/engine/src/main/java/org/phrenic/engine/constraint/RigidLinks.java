@@ -11,35 +11,35 @@ import org.phrenic.engine.parallel.NodeLayout;
  * Links of constant length between two nodes: the compression members of a tensegrity structure (Villard, Bourne and
  * Bello 2009, eq. 5).
  *
- * <p>After a step that ignored the links, the ends A', B' of each are brought back to the link's length, the correction
- * shared by inverse mass (so AA₁/AA' = BB₁/BB' for equal masses), and velocities get the same shift over h, so that
- * nothing heats.
+ * <p>After an unconstrained step, the ends A', B' of each link are moved back to the link's length. The correction is
+ * shared by inverse mass (so AA₁/AA' = BB₁/BB' for equal masses). Velocities are corrected by the same displacement
+ * divided by h, so that the projection adds no energy.
  *
  * <ul>
- *   <li>{@link #gaussSeidel}, the default: coloured Gauss-Seidel until the largest relative length error is below a
- *       tolerance. Ends are shifted along the line AB that the link had before the step (SHAKE: Ryckaert, Ciccotti and
- *       Berendsen 1977, doi 10.1016/0021-9991(77)90098-5), which keeps angular momentum, the order 2 of velocity Verlet
- *       and the energy. Links of one colour share no node: a colour is done in parallel with the same bits for any
- *       number of threads;
- *   <li>{@link #singlePass}: one pass, in the order given, along the line A'B', as the paper states. That direction
- *       belongs to the end of the step and takes energy out of links that turn: a link that turns at ω loses speed at
- *       the rate ω² h, so the scheme is of order 1.
+ *   <li>{@link #gaussSeidel}, the default: coloured Gauss-Seidel sweeps until the largest relative length error is
+ *       below a tolerance. Corrections act along the direction AB of the link before the step (SHAKE: Ryckaert,
+ *       Ciccotti and Berendsen 1977, doi 10.1016/0021-9991(77)90098-5). This conserves angular momentum and energy and
+ *       keeps the order 2 of velocity Verlet. Links of one colour share no node, so a colour is projected in parallel
+ *       with bitwise identical results for any number of threads;
+ *   <li>{@link #singlePass}: one pass in the given order along A'B', as the paper states. This direction belongs to the
+ *       end of the step and dissipates energy of rotating links: a link that rotates at ω loses speed at the rate ω² h,
+ *       so the scheme is of order 1.
  * </ul>
  */
 public abstract sealed class RigidLinks implements CoupledConstraint permits GaussSeidelLinks, SinglePassLinks {
     static final int LINKS_A_PIECE = 256;
 
-    /** First and other node of each link times 3, internal order. */
+    /** First and second node of each link times 3, internal order. */
     final int[] nodeA;
 
     final int[] nodeB;
-    /** The lengths that are kept, mm. */
+    /** Current link lengths, mm. */
     final double[] length;
 
     private final double[] targetLength;
     private final double[] capturedLength;
 
-    /** Ends of links in internal order, as the caller lists them; {@code order} says which link comes where. */
+    /** Ends of links as internal nodes in the caller's order of links; {@code order} is the order of projection. */
     RigidLinks(int[] a, int[] b, double[] l, int[] order) {
         int n = order.length;
         nodeA = new int[n];
@@ -55,15 +55,15 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
     }
 
     /**
-     * Coloured Gauss-Seidel, the default.
+     * Links projected by coloured Gauss-Seidel sweeps, the default.
      *
-     * @param layout of the system they are for
+     * @param layout layout of the system
      * @param nodeA one end of each link, caller's numbering
      * @param nodeB the other end
-     * @param positions where lengths are taken, caller's order, mm
-     * @param tolerance largest relative length error left over
-     * @param maxSweeps at most so many sweeps a step
-     * @throws IllegalArgumentException if a link has no length
+     * @param positions positions that define the lengths, caller's order, mm
+     * @param tolerance largest relative length error after the sweeps
+     * @param maxSweeps maximum number of sweeps a step
+     * @throws IllegalArgumentException if a link has zero length
      */
     public static RigidLinks gaussSeidel(
             NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions, double tolerance, int maxSweeps) {
@@ -76,7 +76,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         return new GaussSeidelLinks(layout, nodeA, nodeB, lengths, tolerance, maxSweeps);
     }
 
-    /** The paper's projection: each link once, in the order given. Parameters as for {@link #gaussSeidel}. */
+    /** The paper's projection: each link once, in the given order. Parameters as for {@link #gaussSeidel}. */
     public static RigidLinks singlePass(NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions) {
         return new SinglePassLinks(layout, nodeA, nodeB, lengths(nodeA, nodeB, positions));
     }
@@ -99,7 +99,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         return Arrays.stream(callerNodes).map(layout::internal).toArray();
     }
 
-    /** @throws IllegalArgumentException if a link has no length */
+    /** @throws IllegalArgumentException if a link has zero length */
     static void checkLengths(int[] callerA, int[] callerB, double[] l) {
         for (int i = 0; i < l.length; i++) {
             if (!(l[i] > 0)) {
@@ -109,7 +109,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         }
     }
 
-    /** The links sorted by a key, which leaves the lowest 28 bits for the link's own number. */
+    /** Link numbers sorted by a key whose lowest 28 bits are free for the link number. */
     static int[] sorted(int n, IntToLongFunction key) {
         return IntStream.range(0, n)
                 .mapToLong(i -> key.applyAsLong(i) | i)
@@ -119,8 +119,8 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
     }
 
     /**
-     * Takes the links as long as they are now, to be brought to their given lengths by {@link #interpolateLengths}: for
-     * links that were off for a while.
+     * Sets the links to their current lengths. {@link #interpolateLengths} then brings them to their target lengths.
+     * For links that were disabled for a while.
      */
     public void captureLengths(ParticleSystem particles) {
         double[] x = particles.positions();
@@ -133,7 +133,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         interpolateLengths(0);
     }
 
-    /** Sets every length between the one last caught (0) and the given one (1). */
+    /** Interpolates every length between the last captured one (0) and the target (1). */
     public void interpolateLengths(double share) {
         for (int i = 0; i < length.length; i++) {
             length[i] =
@@ -141,7 +141,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         }
     }
 
-    /** The nodes of the links in the caller's numbering: two a link. */
+    /** The nodes of the links in the caller's numbering, two a link. */
     public int[] callerPairs(NodeLayout layout) {
         int[] pairs = new int[2 * nodeA.length];
         for (int i = 0; i < nodeA.length; i++) {
@@ -155,7 +155,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         return length.length;
     }
 
-    /** Adds sa d to u of node a and takes sb d from that of node b. */
+    /** Adds sa d to node a of u and subtracts sb d from node b. */
     static void applyImpulse(double[] u, int a, int b, double sa, double sb, double dx, double dy, double dz) {
         u[a] += sa * dx;
         u[a + 1] += sa * dy;
@@ -165,7 +165,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         u[b + 2] -= sb * dz;
     }
 
-    /** Sweeps that the last projection took. */
+    /** Number of sweeps of the last projection. */
     public abstract int lastSweepCount();
 
     @Override
@@ -189,7 +189,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
             double dx = x[nodeB[i]] - x[nodeA[i]];
             double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
             double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
-            // The larger of a number and none is none, so that a lost position shows.
+            // Math.max propagates NaN, so that invalid positions are reported.
             worst = Math.max(worst, Math.abs(Math.sqrt(dx * dx + dy * dy + dz * dz) - length[i]) / length[i]);
         }
         return worst;

@@ -6,11 +6,11 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Each link once, along the line A'B' that its ends have at the end of the step; in the order given where links share
- * nodes, side by side where none does.
+ * Rigid links projected once, along their direction A'B' at the end of the step. Links that share nodes are projected
+ * in the given order, independent links in parallel.
  */
 final class SinglePassLinks extends RigidLinks {
-    /** Whether the order matters: links that share no node give the same bits in any. */
+    /** Whether links share nodes, so that the order affects the result. */
     private final boolean inOrder;
 
     private ParticleSystem system;
@@ -84,7 +84,7 @@ final class SinglePassLinks extends RigidLinks {
             double dz = x[b + 2] - x[a + 2];
             double l = Math.sqrt(dx * dx + dy * dy + dz * dz);
             if (wa + wb == 0 || l == 0) {
-                // Both ends given, or on one spot, where the line has no direction.
+                // Both ends prescribed, or coincident ends, which define no direction.
                 continue;
             }
             double s = (l - length[i]) / (l * (wa + wb));

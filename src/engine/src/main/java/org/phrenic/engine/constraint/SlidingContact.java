@@ -7,31 +7,32 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Contact without friction: a node beyond the wall is put back on it along the wall's normal, and the part of its
- * velocity that goes into the wall is replaced by the wall's own. Sliding along the wall, and leaving it, are free.
+ * Frictionless contact with a wall. A node beyond the wall is moved back along the wall's normal, and the normal
+ * component of its velocity is replaced by that of the wall. Sliding and separation are free.
  *
- * <p>An adhering contact holds from both sides and wholly: the node slides along the wall but cannot leave it, as the
- * lung's surface does on the pleura, however hard it is pulled.
+ * <p>Adhering contact acts in both directions: the node slides along the wall but cannot leave it, however hard it is
+ * pulled. The lung's surface behaves so on the pleura.
  *
- * <p>Each node keeps a tangent plane of the wall, carried along with the wall's speed and refreshed every few steps:
- * between the two the node moves a fraction of a millimetre, so the plane is as good as the wall and costs a tenth.
+ * <p>Each node caches a tangent plane of the wall, which moves with the wall's speed and is refreshed at an interval.
+ * Between refreshes a node moves a fraction of a millimetre, so the plane is as accurate as the wall at a tenth of the
+ * cost.
  */
 public final class SlidingContact implements SeparableConstraint {
     private static final int PLANE = 5;
     private static final int NODES_A_PIECE = 512;
     /**
-     * A node is far from the wall if, at twice its speed and that of the wall, it comes no nearer than this until
-     * planes are refreshed, mm.
+     * A node is far from the wall if its distance stays above this until the next refresh, at twice the speed of node
+     * and wall, mm.
      */
     private static final double FAR_MM = 5;
 
     /**
-     * A node that the wall holds back from one side is put back no faster than this, mm/s: a wall that turns sharply,
-     * or a node thrown through it, then costs a smooth return and no shock.
+     * Largest correction speed of a node in one-sided contact, mm/s. It turns a sharp rotation of the wall or a deep
+     * penetration into a smooth return without a shock.
      */
     public static final double MAX_RETURN_SPEED = 500;
 
-    /** Nodes times 3 in internal order, which is that of memory, and which of the caller's list each is. */
+    /** Nodes times 3 in internal order, and their indices in the caller's list. */
     private final int[] node;
 
     private final int[] listed;
@@ -39,7 +40,7 @@ public final class SlidingContact implements SeparableConstraint {
     private final boolean adhering;
     private final double[] plane;
     private final boolean[] inContact;
-    /** Nodes that cannot come to the wall before planes are refreshed. */
+    /** Nodes that cannot reach the wall before the next refresh. */
     private final boolean[] far;
 
     private double maxReturnSpeed;
@@ -48,8 +49,8 @@ public final class SlidingContact implements SeparableConstraint {
     private final RefreshClock refresh;
 
     /**
-     * @param layout of the system it is for
-     * @param callerNodes the nodes that the wall holds back, caller's numbering
+     * @param layout layout of the system
+     * @param callerNodes the contact nodes, caller's numbering
      * @param surface the wall
      * @param refreshInterval simulated time after which tangent planes are refreshed, s
      */
@@ -57,7 +58,7 @@ public final class SlidingContact implements SeparableConstraint {
         this(layout, callerNodes, surface, refreshInterval, false);
     }
 
-    /** A contact that nodes cannot leave; parameters as for the one-sided one. */
+    /** Contact without separation; parameters as for the one-sided contact. */
     public static SlidingContact adhering(
             NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval) {
         return new SlidingContact(layout, callerNodes, surface, refreshInterval, true);
@@ -79,8 +80,8 @@ public final class SlidingContact implements SeparableConstraint {
     }
 
     /**
-     * How fast a node beyond the wall may be put back, mm/s; less than {@link #MAX_RETURN_SPEED} while a wall that was
-     * not there comes in.
+     * Sets the largest correction speed, mm/s. Use less than {@link #MAX_RETURN_SPEED} while a wall is being
+     * introduced.
      */
     public void setMaxReturnSpeed(double speed) {
         maxReturnSpeed = speed;
@@ -105,7 +106,7 @@ public final class SlidingContact implements SeparableConstraint {
         return node.length;
     }
 
-    /** How many nodes the wall held back in the last step. */
+    /** Number of nodes in contact in the last step. */
     public int contactCount() {
         int sum = 0;
         for (boolean t : inContact) {
@@ -196,7 +197,7 @@ public final class SlidingContact implements SeparableConstraint {
         }
     }
 
-    /** Deepest node beyond its tangent plane, mm. */
+    /** Largest penetration of a tangent plane, mm. */
     @Override
     public double error(ParticleSystem particles) {
         double[] x = particles.positions();

@@ -8,12 +8,12 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.math.DisjointSets;
 
 /**
- * The rows C of a system's constraints that bind, and the projection along them: P = 1 - Cᵀ (C Cᵀ)⁻¹ C. Rows that share
- * a free node are solved together by Cholesky's factors, and there are few in each such group; a row that says what
- * others of its group have said is left out.
+ * The active rows C of a system's constraints and the projection onto their null space, P = 1 - Cᵀ (C Cᵀ)⁻¹ C. Rows
+ * that share a free node form a group, which is solved by Cholesky factorisation. Groups are small. Rows that depend
+ * linearly on others of their group are left out.
  */
 final class ActiveConstraints implements Constraint.RowConsumer {
-    /** What of a row the others leave, as a share of its square, under which it says nothing new. */
+    /** Fraction of a row's squared norm below which its remainder counts as linearly dependent. */
     private static final double NEW = 1e-6;
 
     private final ParticleSystem system;
@@ -25,20 +25,20 @@ final class ActiveConstraints implements Constraint.RowConsumer {
     private double[] gap = new double[64];
     private boolean[] oneSided = new boolean[64];
     private boolean[] active = new boolean[64];
-    /** Groups of rows: where each begins in {@code member}, and its lower factor, row by row. */
+    /** Groups of rows: where each begins in {@code member}, and its lower Cholesky factor, row by row. */
     private int[] start = {0};
 
     private int[] member = {};
     private double[][] factor = {};
     private double[] value = {};
 
-    /** @param isFree for each internal node whether it may move */
+    /** @param isFree for each internal node, whether it may move */
     ActiveConstraints(ParticleSystem system, boolean[] isFree) {
         this.system = system;
         this.isFree = isFree;
     }
 
-    /** Takes all rows at the state at hand, with normals as the constraints have them now; what binds stays. */
+    /** Collects all rows at the current state with the constraints' current normals. The active set is kept. */
     void collect() {
         count = 0;
         for (Constraint constraint : system.constraints()) {
@@ -69,10 +69,11 @@ final class ActiveConstraints implements Constraint.RowConsumer {
     }
 
     /**
-     * Lets rows bind that are nearer than a distance, and others go that would have to pull more than a force.
+     * Updates the active set: rows nearer than a distance become active, rows that would pull more than a force are
+     * released.
      *
-     * @param multiplier of each row: less than 0 where nodes press; null while nothing is known of it
-     * @return how many changed
+     * @param multiplier of each row, negative where nodes press; null if not known
+     * @return how many rows changed
      */
     int updateActiveSet(double nearMm, double[] multiplier, double pullMn) {
         int changed = 0;
@@ -85,7 +86,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         return changed;
     }
 
-    /** How many rows bind. */
+    /** Number of active rows. */
     int activeCount() {
         int sum = 0;
         for (int i = 0; i < count; i++) {
@@ -94,7 +95,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         return sum;
     }
 
-    /** Groups the rows that bind and factors each group. */
+    /** Groups the active rows and factorises each group. */
     void factorise() {
         int[] group = groups();
         List<Integer> order = new ArrayList<>();
@@ -123,7 +124,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         value = new double[count];
     }
 
-    /** A group for each row, by free nodes in common; -1 where both ends are given. */
+    /** The group of each row, by shared free nodes; -1 where both ends are prescribed. */
     private int[] groups() {
         int[] parent = DisjointSets.singletons(isFree.length);
         for (int i = 0; i < count; i++) {
@@ -140,7 +141,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         return group;
     }
 
-    /** Cholesky's lower factor of C Cᵀ of the rows that say something new, which are added to the members. */
+    /** Lower Cholesky factor of C Cᵀ of the linearly independent rows, which are appended to {@code members}. */
     private double[] factor(List<Integer> rows, List<Integer> members) {
         int from = members.size();
         double[][] lower = new double[rows.size()][];
@@ -182,7 +183,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         return shared * cosine;
     }
 
-    /** λ = (C Cᵀ)⁻¹ C u, one a row, 0 where none binds; valid until the next call. */
+    /** λ = (C Cᵀ)⁻¹ C u, one value a row, 0 for inactive rows; valid until the next call. */
     double[] multipliers(double[] u) {
         Arrays.fill(value, 0);
         for (int i : member) {
@@ -226,7 +227,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         }
     }
 
-    /** Takes from u what the rows that bind do not allow: u ← P u; nodes of given motion get none. */
+    /** Projects u onto the null space of the active rows: u ← P u. Entries of nodes that are not free become 0. */
     void project(double[] u) {
         for (int n = 0; n < isFree.length; n++) {
             if (!isFree[n]) {
@@ -236,7 +237,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         addForces(multipliers(u), -1, u);
     }
 
-    /** Adds a multiple of Cᵀ λ with the normals at hand. */
+    /** Adds a multiple of Cᵀ λ with the current normals. */
     void addForces(double[] lambda, double times, double[] out) {
         for (int i : member) {
             for (int axis = 0; axis < 3; axis++) {
@@ -251,7 +252,7 @@ final class ActiveConstraints implements Constraint.RowConsumer {
         }
     }
 
-    /** Moves nodes by the shortest way to where the rows that bind hold: x ← x - Cᵀ (C Cᵀ)⁻¹ gap. */
+    /** Moves nodes by the smallest displacement for which the active rows hold: x ← x - Cᵀ (C Cᵀ)⁻¹ gap. */
     void projectPositions(double[] x) {
         Arrays.fill(value, 0);
         for (int i : member) {

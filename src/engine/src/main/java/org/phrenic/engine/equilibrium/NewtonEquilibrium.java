@@ -8,32 +8,36 @@ import org.phrenic.engine.math.ConjugateGradient;
 import org.phrenic.engine.math.DenseVectors;
 
 /**
- * Where a system comes to rest: P f(x) = 0 at a time that stands still, P the projection onto what the constraints that
- * bind allow, by Newton's method without a matrix (Knoll and Keyes 2004, doi 10.1016/j.jcp.2003.08.010).
+ * Static equilibrium of a particle system under its constraints, by a matrix-free Newton-Krylov method (Knoll and Keyes
+ * 2004, doi 10.1016/j.jcp.2003.08.010). It solves P f(x) = 0 at a fixed time, where P projects onto the directions that
+ * the active constraints allow.
  *
  * <pre>
- * P (K + σ M) P d = P f        x ← x + α d, then back to where the constraints hold
- * K u = -(g(x + ε u) - g(x - ε u)) / 2 ε,    g = f - Cᵀ λ with λ as it is at x
+ * P (K + σ M) P d = P f        x ← x + α d, then projection onto the constraints
+ * K u = -(g(x + ε u) - g(x - ε u)) / 2 ε,    g = f - Cᵀ λ with λ fixed at its value at x
  * </pre>
  *
- * <p>Conjugate gradients to a tolerance that falls with the residual (Eisenstat and Walker 1996, doi 10.1137/0917003),
- * so that it converges of order 2; α is halved until the residual falls. Where K has a direction in which it is not
- * positive, or no α serves, a fold is on its way over: the shift σ makes steps of backward Euler against velocity 0, of
- * length 1/√σ (pseudo-transient continuation: Kelley and Keyes 1998, doi 10.1137/S0036142996304796), on which the
- * residual may grow and what binds is chosen anew each time; it is lowered as the residual falls.
+ * <p>Each linear system is solved by conjugate gradients. The tolerance decreases with the residual (Eisenstat and
+ * Walker 1996, doi 10.1137/0917003), which gives convergence of order 2. The line search halves α until the residual
+ * decreases.
  *
- * <p>Planes of walls, normals of faces in order and anchors are taken once and frozen; which of them bind is chosen
- * anew after each Newton iteration has converged (rows that would have to pull are let go, rows that are broken bind)
- * until nothing changes. No guarantee holds for that outer loop: where a node touches and leaves in turn, or a fold
- * snaps, it ends at its limit and says so.
+ * <p>If K is not positive in some direction, or no α decreases the residual, the shift σ is switched on. Each step is
+ * then a backward Euler step of length 1/√σ from velocity 0 (pseudo-transient continuation: Kelley and Keyes 1998, doi
+ * 10.1137/S0036142996304796). During such steps the residual may grow, and the active set is updated after every step.
+ * σ decreases with the residual.
+ *
+ * <p>Contact planes, sheet normals and anchors are evaluated once and then kept fixed. The active set is updated after
+ * each converged Newton solve until it no longer changes: rows that would have to pull are released, violated rows
+ * become active. This outer loop may not converge, for instance where a node alternates between contact and separation
+ * or where a fold snaps through. It then ends at its limit, and the result reports it.
  */
 public final class NewtonEquilibrium {
     private static final int MOST_ITERATIONS = 80;
     private static final int MOST_KRYLOV = 3000;
     private static final int MOST_HALVINGS = 6;
-    /** Greatest displacement that differences of forces are taken over, mm. */
+    /** Largest displacement in the finite differences of forces, mm. */
     private static final double DIFFERENCE_MM = 1e-3;
-    /** Loosest and tightest tolerance of conjugate gradients, as a share of the residual. */
+    /** Loosest and tightest tolerance of conjugate gradients, as a fraction of the residual. */
     private static final double LOOSEST = 0.1;
 
     private static final double TIGHTEST = 1e-7;
@@ -41,18 +45,17 @@ public final class NewtonEquilibrium {
     private static final double MOST_SHIFT = 1e8;
     private static final double RAISE = 10;
     private static final double LOWER = 3;
-    /** While the shift keeps steps short the residual may grow so much in one: on the way over a fold it has to. */
+    /** Largest growth factor of the residual in one shifted step. Crossing a fold requires some growth. */
     private static final double GROWTH = 1.5;
 
-    /**
-     * Of a node from its wall at which it is taken to lean on it at first, mm; force by which it may be pulled before
-     * it is let go, mN.
-     */
+    /** Distance from the wall below which a contact is initially active, mm. */
     private static final double NEAR_MM = 0.02;
 
     private static final int FIRST_CHOICES = 5;
 
+    /** Pulling force above which a contact is released, mN. */
     private static final double PULL_MN = 1e-6;
+
     private static final double NO_TIME_S = 1e-9;
 
     private final ParticleSystem system;
@@ -75,16 +78,16 @@ public final class NewtonEquilibrium {
     private int krylov;
 
     /**
-     * What came of it.
+     * Outcome of a solve.
      *
      * @param converged whether forces balance to the tolerance
-     * @param activeSetSettled whether what binds is also what ought to
-     * @param residualsMn what is left of the forces on free nodes, rms, before each Newton step of the last round and
-     *     after the last, mN
-     * @param rounds how often what binds was chosen
-     * @param activeRows rows that bind at the end
-     * @param activeSetChanges rows that ought to bind and do not, or the other way round
-     * @param cgIterations iterations of conjugate gradients in all
+     * @param activeSetSettled whether the active set is consistent with the solution
+     * @param residualsMn residual force on free nodes, rms, before each Newton step of the last round and after the
+     *     last step, mN
+     * @param rounds number of Newton solves, one for each active set
+     * @param activeRows active rows at the end
+     * @param activeSetChanges rows whose active state is inconsistent with the solution
+     * @param cgIterations conjugate-gradient iterations in total
      */
     public record Result(
             boolean converged,
@@ -96,10 +99,9 @@ public final class NewtonEquilibrium {
             int cgIterations) {}
 
     /**
-     * @param system near an equilibrium; its positions are moved
-     * @param timeS the time at which all that is driven stands, s
-     * @param mayMove for each node in the caller's numbering whether it is to come to rest; all others stay where they
-     *     are
+     * @param system a system near equilibrium; its positions are changed
+     * @param timeS time at which prescribed motion is evaluated, s
+     * @param mayMove for each node in the caller's numbering, whether it is free; the others stay fixed
      */
     public NewtonEquilibrium(ParticleSystem system, double timeS, boolean[] mayMove) {
         this.system = system;
@@ -127,13 +129,13 @@ public final class NewtonEquilibrium {
     }
 
     /**
-     * Newton's method for what binds, and again for what binds then, until that stays.
+     * Alternates Newton solves and active-set updates until the active set no longer changes.
      *
-     * @param toleranceMn of the residual, rms over free nodes, mN
-     * @param mostRounds at least 1
+     * @param toleranceMn bound of the residual, rms over free nodes, mN
+     * @param mostRounds maximum number of rounds, at least 1
      */
     public Result findEquilibrium(double toleranceMn, int mostRounds) {
-        // Hardly any time goes by, so walls put nothing back: planes, normals and anchors are taken anew.
+        // Time does not advance, so kept planes, normals and anchors must be evaluated afresh.
         system.invalidate();
         system.project(timeS, NO_TIME_S);
         Arrays.fill(system.velocities(), 0);
@@ -205,7 +207,7 @@ public final class NewtonEquilibrium {
         return shift <= FIRST_SHIFT ? 0 : shift / LOWER;
     }
 
-    /** Brings nodes to where the rows that bind hold, normals of links following them. */
+    /** Moves nodes until the active rows hold, updating the normals of links after each iteration. */
     private void projectPositions() {
         for (int i = 0; i < 3; i++) {
             rows.collect();
@@ -216,7 +218,7 @@ public final class NewtonEquilibrium {
         rows.factorise();
     }
 
-    /** Forms forces, multipliers and the residual P f at x; its rms over free nodes, mN. */
+    /** Evaluates forces, multipliers and the residual P f at x; returns its rms over free nodes, mN. */
     private double evaluateResidual() {
         system.forces(timeS, x, still, force);
         lambda = rows.multipliers(force).clone();
@@ -225,7 +227,7 @@ public final class NewtonEquilibrium {
         return Math.sqrt(DenseVectors.dot(residual, residual) / freeCount);
     }
 
-    /** Tries the whole step, then half of it and so on; the residual where it falls, else NaN. */
+    /** Backtracking line search; returns the residual at the first step that decreases it, else NaN. */
     private double lineSearch(double norm) {
         double alpha = 1;
         for (int i = 0; i < MOST_HALVINGS; i++) {
@@ -245,7 +247,7 @@ public final class NewtonEquilibrium {
         return Double.NaN;
     }
 
-    /** Conjugate gradients for the step; false where K + σ M is found not to be positive. */
+    /** Solves for the Newton step by conjugate gradients; false if K + σ M is not positive definite. */
     private boolean solve(double tolerance) {
         Arrays.fill(stiffness, 0);
         system.addRowSums(stiffness, new double[stiffness.length]);
@@ -258,7 +260,7 @@ public final class NewtonEquilibrium {
         return positive;
     }
 
-    /** P (K + σ M) P with its diagonal as preconditioner. */
+    /** The operator P (K + σ M) P with its diagonal as preconditioner. */
     private final class StepSolver extends ConjugateGradient {
         private final double[] mass = system.masses();
 
@@ -274,7 +276,7 @@ public final class NewtonEquilibrium {
         @Override
         protected void precondition(double[] u, double[] out) {
             for (int k = 0; k < u.length; k++) {
-                // Half a row sum is the diagonal of a graph Laplacian; where no spring holds a node any scale will do.
+                // Half a row sum is the diagonal of a graph Laplacian. Any scale will do for a node without springs.
                 double diagonal = 0.5 * stiffness[k / 3] + shift * mass[k / 3];
                 out[k] = diagonal > 0 ? u[k] / diagonal : u[k];
             }
@@ -297,7 +299,7 @@ public final class NewtonEquilibrium {
             rows.project(out);
         }
 
-        /** g at x + ε d. */
+        /** Evaluates g at x + ε d. */
         private void difference(double[] d, double epsilon, double[] out) {
             System.arraycopy(x, 0, here, 0, x.length);
             DenseVectors.addScaled(x, epsilon, d);

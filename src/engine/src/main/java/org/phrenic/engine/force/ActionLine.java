@@ -5,10 +5,10 @@ import org.phrenic.engine.parallel.BlockedNodes;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * Muscle as the paper acts it: a vertical line through a point with a radius of action; nodes within the radius are
- * pulled down along the line in contraction (inhale) or pushed up in relaxation (exhale) with a force that falls off
- * smoothly with their distance from the line (Villard, Bourne and Bello 2009, after Thalmann's "action line"). The
- * distance is that of the rest positions, so the profile moves with the tissue.
+ * The action line of Villard, Bourne and Bello 2009 (after Thalmann): a vertical line through a point with a radius of
+ * action. Nodes within the radius are pulled down in contraction (inhale) or pushed up in relaxation (exhale). The
+ * force decreases smoothly with the distance from the line. Distances are those of the rest positions, so the profile
+ * moves with the tissue.
  */
 public final class ActionLine implements ForceField {
     private final BlockedNodes nodes;
@@ -17,12 +17,12 @@ public final class ActionLine implements ForceField {
     private double force;
 
     /**
-     * @param layout of the system it is for
+     * @param layout layout of the system
      * @param callerNodes the muscle's nodes, caller's numbering
      * @param restPositions of all nodes of the system in the caller's order, mm
-     * @param x the line's place across, mm (LPS)
-     * @param y the line's place front to back, mm (LPS)
-     * @param radius of action, mm
+     * @param x left-right coordinate of the line, mm (LPS)
+     * @param y front-back coordinate of the line, mm (LPS)
+     * @param radius radius of action, mm
      */
     public ActionLine(NodeLayout layout, int[] callerNodes, double[] restPositions, double x, double y, double radius) {
         nodes = new BlockedNodes(layout, callerNodes);
@@ -51,7 +51,7 @@ public final class ActionLine implements ForceField {
         }
     }
 
-    /** Sets the force on a node on the line itself, mN; positive contracts (down), negative relaxes (up). */
+    /** Sets the force on a node on the line, mN; positive in contraction (down), negative in relaxation (up). */
     public void setForce(double value) {
         force = value;
     }

@@ -7,20 +7,23 @@ import org.phrenic.engine.parallel.NodeLayout;
 
 /**
  * Springs of zero rest length from nodes to moving anchors: F = -k (x - anchor(t)) - c (v - anchor velocity). This is
- * the attachment by a mass-spring system of low elasticity of Villard, Bourne and Bello 2009; the fall-off that keeps
- * the deformation smooth is in the stiffness of each node ({@link FallOff}).
+ * the attachment by a mass-spring system of low elasticity of Villard, Bourne and Bello 2009. The stiffness of each
+ * node contains the fall-off that keeps the deformation smooth ({@link FallOff}).
  */
 public final class Attachments implements ForceField {
     private final BlockedNodes nodes;
     private final int[] callerNodes;
-    /** One an entry of {@link #nodes}, so that a block reads them in a row; anchors likewise, three numbers each. */
+    /**
+     * Stiffness for each entry of {@link #nodes}, so that a block reads consecutive values; anchors likewise, three
+     * each.
+     */
     private final double[] stiffness;
 
     private final double dampingRatio;
     private final PrescribedMotion anchors;
     private final double[] anchor;
     private final double[] anchorVelocity;
-    /** Anchors in the caller's order, as they are given; the same arrays where that is the order of entries. */
+    /** Anchors in the caller's order; the same arrays as the anchors of entries where the orders agree. */
     private final double[] given;
 
     private final double[] givenVelocity;
@@ -28,16 +31,16 @@ public final class Attachments implements ForceField {
     private double refreshed = Double.NaN;
     private double elapsed;
     private double stiffnessFactor = 1;
-    /** A constant force on each, three numbers an entry; null for none. */
+    /** Constant force for each entry, three components; null for none. */
     private double[] preload;
 
     /**
-     * @param layout of the system it is for
+     * @param layout layout of the system
      * @param callerNodes the attached nodes, caller's numbering
-     * @param stiffness of each, N/m
-     * @param damping dashpot of each as a multiple of its stiffness, s; 0 for none
-     * @param anchors where each is attached, in the same order
-     * @throws IllegalArgumentException if numbers differ, or a stiffness or the damping is negative or not finite
+     * @param stiffness stiffness of each spring, N/m
+     * @param damping ratio of dashpot coefficient to stiffness, s; 0 for none
+     * @param anchors anchor of each node, in the same order
+     * @throws IllegalArgumentException if counts differ, or a stiffness or the damping is negative or not finite
      */
     public Attachments(
             NodeLayout layout, int[] callerNodes, double[] stiffness, double damping, PrescribedMotion anchors) {
@@ -82,8 +85,8 @@ public final class Attachments implements ForceField {
     }
 
     /**
-     * Asks for the anchors anew only after so much simulated time; in between they go on at their velocity. 0, the
-     * default, asks at every evaluation.
+     * Sets the simulated time between two evaluations of the anchors. In between, they are extrapolated at constant
+     * velocity. 0, the default, evaluates them every time.
      *
      * @param seconds not negative
      */
@@ -93,10 +96,10 @@ public final class Attachments implements ForceField {
     }
 
     /**
-     * Gives every spring other numbers while it runs; allocates nothing but the first time.
+     * Replaces the coefficients of every spring during a simulation. Allocates only on the first call.
      *
-     * @param k stiffness of each, N/m
-     * @param constant a force on each beside that of its spring, three numbers, mN
+     * @param k stiffness of each spring, N/m
+     * @param constant additional constant force on each node, three components, mN
      */
     public void setCoefficients(double[] k, double[] constant) {
         if (preload == null) {
@@ -106,7 +109,7 @@ public final class Attachments implements ForceField {
         nodes.toEntries(constant, preload);
     }
 
-    /** Stiffness of each spring before the factor, N/m; a copy. */
+    /** Stiffness of each spring, without the stiffness factor, N/m; a copy. */
     public double[] stiffnesses() {
         double[] each = new double[stiffness.length];
         for (int i = 0; i < each.length; i++) {
@@ -120,12 +123,12 @@ public final class Attachments implements ForceField {
         return callerNodes.clone();
     }
 
-    /** What multiplies every stiffness. */
+    /** Factor on every stiffness. */
     public double stiffnessFactor() {
         return stiffnessFactor;
     }
 
-    /** Where each is attached at a time, mm. */
+    /** Anchor positions at a time, mm. */
     public double[] anchorsAt(double time) {
         double[] at = new double[anchor.length];
         anchors.at(time, at, new double[anchor.length]);
@@ -137,7 +140,7 @@ public final class Attachments implements ForceField {
         refreshed = Double.NaN;
     }
 
-    /** Multiplies every stiffness from now on. */
+    /** Sets a factor on every stiffness. */
     public void setStiffnessFactor(double value) {
         stiffnessFactor = value;
     }
@@ -151,7 +154,8 @@ public final class Attachments implements ForceField {
         if (anchors.isStationary()) {
             return;
         }
-        // With slack, so that rounding of the time cannot shift a refresh by a step; going back in time refreshes too.
+        // The tolerance prevents rounding of the time from delaying a refresh by a step. Going back in time refreshes
+        // too.
         if (!(Math.abs(time - refreshed) < refreshInterval * (1 - 1e-9))) {
             refreshAnchors(time);
             refreshed = time;
@@ -186,7 +190,7 @@ public final class Attachments implements ForceField {
         }
     }
 
-    /** To anchors that stand still, without dashpots. */
+    /** Forces of stationary anchors without dashpots. */
     private void pull(double[] x, double[] force, int from, int end) {
         int[] node = nodes.node;
         double[] each = stiffness;
@@ -201,7 +205,7 @@ public final class Attachments implements ForceField {
         }
     }
 
-    /** To anchors that move, without dashpots. */
+    /** Forces of moving anchors without dashpots. */
     private void pullAfter(double[] x, double[] force, int from, int end) {
         int[] node = nodes.node;
         double[] each = stiffness;
@@ -219,7 +223,7 @@ public final class Attachments implements ForceField {
         }
     }
 
-    /** To anchors that move, with dashpots. */
+    /** Forces of moving anchors with dashpots. */
     private void pullAlong(double[] x, double[] v, double[] force, int from, int end) {
         int[] node = nodes.node;
         double[] each = stiffness;

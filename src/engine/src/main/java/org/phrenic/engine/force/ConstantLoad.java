@@ -6,19 +6,19 @@ import org.phrenic.engine.parallel.BlockedNodes;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * A dead load: one constant force a node, times a factor that may change (gravity, a weight, what holds a scan's
- * shape).
+ * A dead load: one constant force a node, times a variable load factor (gravity, a weight, the preload that keeps a
+ * scan's shape).
  */
 public final class ConstantLoad implements ForceField {
     private final BlockedNodes nodes;
-    /** Three numbers an entry of {@link #nodes}. */
+    /** Three components for each entry of {@link #nodes}. */
     private final double[] load;
 
     private double loadFactor = 1;
 
     /**
-     * @param layout of the system it is for
-     * @param load three numbers a node in the caller's order, mN
+     * @param layout layout of the system
+     * @param load three components a node in the caller's order, mN
      */
     public ConstantLoad(NodeLayout layout, double[] load) {
         if (load.length != 3 * layout.nodeCount()) {
@@ -35,7 +35,7 @@ public final class ConstantLoad implements ForceField {
         }
     }
 
-    /** Multiplies the whole load from now on. */
+    /** Sets the factor on the whole load. */
     public void setLoadFactor(double value) {
         loadFactor = value;
     }
@@ -57,7 +57,7 @@ public final class ConstantLoad implements ForceField {
         }
     }
 
-    /** Minus the work of the load from the origin. */
+    /** The negative work of the load from the origin, µJ. */
     @Override
     public double potentialEnergy(double[] x) {
         double sum = 0;

@@ -2,9 +2,9 @@ package org.phrenic.engine.force;
 
 import org.phrenic.engine.parallel.BlockedEdges;
 
-/** Springs with a dashpot along each. */
+/** Springs with a dashpot along each edge. */
 final class DampedKernel extends SpringKernel {
-    /** N s/m. */
+    /** Damping coefficient, N s/m. */
     private final double damping;
 
     DampedKernel(BlockedEdges edges, SpringData data) {

@@ -6,12 +6,12 @@ import org.phrenic.engine.math.RadixSort;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * Pressure on chosen triangles: each corner carries a third of p w A n, where n is the triangle's current outward
- * normal turned inward, that is, pressure pushes against the face. w is a weight a triangle (1, or a hydrostatic
- * profile). A second pressure with weights of its own may act beside it.
+ * Pressure on selected triangles. Each corner carries a third of p w A n, where n is the inward unit normal of the
+ * current triangle, so positive pressure pushes against the face. w is a weight for each triangle (1, or a hydrostatic
+ * profile). An optional second pressure has its own weights.
  */
 public final class FacePressure implements ForceField {
-    /** All three corners lie in the block. */
+    /** Bit mask of a triangle whose three corners all lie in the block. */
     private static final int ALL = 7;
 
     private final int[] start;
@@ -23,19 +23,19 @@ public final class FacePressure implements ForceField {
     private double secondaryPressure;
 
     /**
-     * @param layout of the system it is for
-     * @param triangles three nodes a triangle, caller's numbering, anticlockwise seen from the side that is pressed on
+     * @param layout layout of the system
+     * @param triangles three nodes a triangle, caller's numbering, anticlockwise seen from the side under pressure
      * @param weight one a triangle
-     * @throws IllegalArgumentException if the corners are not three a triangle, or the weights not one a triangle
+     * @throws IllegalArgumentException if there are not three corners and one weight for each triangle
      */
     public FacePressure(NodeLayout layout, int[] triangles, double[] weight) {
         this(layout, triangles, weight, new double[weight.length]);
     }
 
     /**
-     * As the other, with a second pressure.
+     * As the other constructor, with a second pressure.
      *
-     * @param moreWeight its weights, one a triangle
+     * @param moreWeight weights of the second pressure, one a triangle
      */
     public FacePressure(NodeLayout layout, int[] triangles, double[] weight, double[] moreWeight) {
         int count = triangles.length / 3;
@@ -67,7 +67,7 @@ public final class FacePressure implements ForceField {
         }
     }
 
-    /** Enters a triangle once for each block that has a corner of it; returns the number of entries then. */
+    /** Adds a triangle once for each block that contains one of its corners; returns the new number of entries. */
     private static int enter(int t, int[] triangles, NodeLayout layout, int[] internal, long[] key, int entries) {
         for (int c = 0; c < 3; c++) {
             internal[3 * t + c] = layout.internal(triangles[3 * t + c]);

@@ -1,15 +1,12 @@
 package org.phrenic.engine.force;
 
-/**
- * The smooth profile by which an influence fades with distance: (1 - (d/r)²)² inside the radius, 0 outside; C¹
- * everywhere.
- */
+/** A smooth fall-off with distance: (1 - (d/r)²)² inside the radius, 0 outside. It is C¹ everywhere. */
 public final class FallOff {
     private FallOff() {}
 
     /**
      * @param distance from the centre or line, mm
-     * @param radius where the influence ends, mm, more than 0
+     * @param radius radius of the fall-off, mm, more than 0
      * @return 1 at the centre, 0 at the radius and beyond
      */
     public static double at(double distance, double radius) {

@@ -1,19 +1,19 @@
 package org.phrenic.engine.force;
 
-/** Constants of springs, one an entry of {@link org.phrenic.engine.parallel.BlockedEdges}. */
+/** Coefficients of springs, one for each entry of {@link org.phrenic.engine.parallel.BlockedEdges}. */
 final class SpringData {
-    /** N/m. */
+    /** Stiffness, N/m. */
     final double[] stiffness;
-    /** When passive, mm. */
+    /** Passive rest length, mm. */
     final double[] rest;
-    /** What full activation takes from the rest length, mm; null where nothing is contractile. */
+    /** Reduction of the rest length at full activation, mm; null if no spring is contractile. */
     final double[] shortening;
     /**
-     * Of contractile springs with dashpots at the activation of the last {@link #updateRest}, mm; of others the passive
-     * array.
+     * Rest length at the activation of the last {@link #updateRest}, mm. Used by contractile springs with dashpots; for
+     * others it is the passive array.
      */
     final double[] currentRest;
-    /** N s/m, of every spring; 0 without dashpots. */
+    /** Damping coefficient of every spring, N s/m; 0 without dashpots. */
     final double damping;
 
     double activation;
@@ -26,7 +26,7 @@ final class SpringData {
         this.damping = damping;
     }
 
-    /** Brings the current rest lengths of the entries {@code [from, to)} to the activation. */
+    /** Updates the current rest lengths of the entries {@code [from, to)} to the activation. */
     void updateRest(int from, int to) {
         if (currentRest != rest) {
             contract(currentRest, rest, shortening, activation, from, to);

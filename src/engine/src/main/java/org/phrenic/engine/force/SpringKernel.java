@@ -3,24 +3,24 @@ package org.phrenic.engine.force;
 import org.phrenic.engine.parallel.BlockedEdges;
 
 /**
- * Forces of springs, fused loops that gather both ends of an edge, compute its force and scatter it. With d = x(b) -
- * x(a), u = v(b) - v(a) and the rest length L at the present activation
+ * Fused gather-compute-scatter kernels of springs: each edge is read, its force computed and added to its ends in one
+ * loop. With d = x(b) - x(a), u = v(b) - v(a) and the rest length L at the current activation:
  *
  * <pre>
  * q = 1 / |d|,   t = k (1 - L q) + c (u·d) (q q),   f = t d on a, -f on b
  * </pre>
  *
- * <p>Operations are rounded one by one in this order. There is a kernel a kind of springs, so that none reads what it
- * does not need: a step waits for memory as much as for arithmetic.
+ * <p>Operations are rounded one by one in this order. Each kind of spring has its own kernel, so that none reads data
+ * it does not need: a step is limited by memory bandwidth as much as by arithmetic.
  */
 abstract class SpringKernel {
-    /** First and other node of each entry times 3. */
+    /** First and second node of each entry times 3. */
     final int[] own;
 
     final int[] other;
-    /** N/m. */
+    /** Stiffness, N/m. */
     final double[] stiffness;
-    /** {@link SpringData#currentRest}, mm. */
+    /** Rest length, mm; see {@link SpringData#currentRest}. */
     final double[] rest;
 
     SpringKernel(BlockedEdges edges, SpringData data) {
@@ -37,10 +37,10 @@ abstract class SpringKernel {
         return data.shortening == null ? new ElasticKernel(edges, data) : new ContractileKernel(edges, data);
     }
 
-    /** Entries from {@code from} to before {@code to}, of which three in a row have the same first node; both ends. */
+    /** Adds forces on both ends for the entries {@code [from, to)}, in groups of three with the same first node. */
     abstract void stars(double[] x, double[] v, double[] force, int from, int to);
 
-    /** Any entries; forces on first nodes, and on the other nodes if {@code bothEnds}. */
+    /** Adds forces for any entries, on the first node, and on the second node if {@code bothEnds}. */
     abstract void singles(double[] x, double[] v, double[] force, int from, int to, boolean bothEnds);
 
     static double inverseLength(double dx, double dy, double dz) {

@@ -6,14 +6,14 @@ import org.phrenic.engine.parallel.BlockedEdges;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * Linear springs, F = -k (l - l0) along the edge (Villard, Bourne and Bello 2009, eq. 3), optionally with a dashpot
- * along it, F = -c l̇, and optionally contractile: the rest length becomes l0 (1 - a s), where a is the activation of
- * the whole field and s the share of an edge in it (cos² of its angle to the muscle fibre for fibre muscle, 0 for
- * passive tissue).
+ * Linear springs, F = -k (l - l0) along the edge (Villard, Bourne and Bello 2009, eq. 3), optionally with a dashpot, F
+ * = -c l̇. Optionally contractile: the rest length becomes l0 (1 - a s), where a is the activation of the whole field
+ * and s the contractile share of an edge. s is cos² of the angle between edge and muscle fibre for muscle, 0 for
+ * passive tissue.
  */
 public final class Springs implements ForceField {
     /**
-     * Entries a call, a multiple of 3: short calls are compiled sooner, and what a call reads stays in the first cache.
+     * Entries in one kernel call, a multiple of 3. Short calls are compiled sooner, and their data fit in the L1 cache.
      */
     private static final int CHUNK = 480;
 
@@ -42,17 +42,17 @@ public final class Springs implements ForceField {
     }
 
     /**
-     * Springs between pairs of nodes.
+     * Starts a set of springs between pairs of nodes.
      *
-     * @param layout of the system they are for
-     * @param nodeA one end of each, caller's numbering
+     * @param layout layout of the system
+     * @param nodeA one end of each spring, caller's numbering
      * @param nodeB the other end
      */
     public static Builder between(NodeLayout layout, int[] nodeA, int[] nodeB) {
         return new Builder(layout, nodeA, nodeB);
     }
 
-    /** Sets the activation a; 0 is passive. */
+    /** Sets the activation a; 0 means passive. */
     public void setActivation(double value) {
         constants.activation = value;
     }
@@ -65,17 +65,17 @@ public final class Springs implements ForceField {
         return edges.count();
     }
 
-    /** Rest length of each spring when passive, mm; a copy. */
+    /** Passive rest length of each spring, mm; a copy. */
     public double[] restLengths() {
         return rest.clone();
     }
 
     /**
-     * Gives every spring other numbers while it runs; allocates nothing.
+     * Replaces the coefficients of every spring during a simulation. Allocates nothing.
      *
-     * @param k stiffness of each, N/m
-     * @param length rest length of each, mm; may be negative: the force is k (l - l0) all the same
-     * @param shortening how much of its length full activation takes from each, mm; not read if nothing is contractile
+     * @param k stiffness of each spring, N/m
+     * @param length rest length of each spring, mm; may be negative, the force is k (l - l0) in any case
+     * @param shortening reduction of each rest length at full activation, mm; ignored if no spring is contractile
      */
     public void setCoefficients(double[] k, double[] length, double[] shortening) {
         System.arraycopy(k, 0, stiffness, 0, stiffness.length);
@@ -95,7 +95,7 @@ public final class Springs implements ForceField {
         }
     }
 
-    /** Ends of each spring in the caller's numbering: two a spring. */
+    /** Ends of each spring in the caller's numbering, two a spring. */
     public int[] callerPairs(NodeLayout layout) {
         int[] pairs = new int[2 * edges.count()];
         for (int e = 0; e < edges.count(); e++) {
@@ -110,7 +110,7 @@ public final class Springs implements ForceField {
         return stiffness.clone();
     }
 
-    /** How much of its length full activation takes from each spring, mm; a copy. */
+    /** Reduction of each rest length at full activation, mm; a copy. */
     public double[] shortenings() {
         double[] out = new double[rest.length];
         for (int e = 0; share != null && e < out.length; e++) {
@@ -154,8 +154,8 @@ public final class Springs implements ForceField {
     }
 
     /**
-     * Exact along the edge; across it the tension's share is kept only where it pulls, so that K stays positive
-     * semidefinite.
+     * Exact along the edge. Across the edge, the geometric stiffness is included only under tension, so that K stays
+     * positive semidefinite.
      */
     @Override
     public void addStiffness(double[] x, double[] u, double[] out, int block) {
@@ -207,7 +207,7 @@ public final class Springs implements ForceField {
         return constants.damping != 0;
     }
 
-    /** What springs are made of. */
+    /** Builder of a set of springs. */
     public static final class Builder {
         private final NodeLayout layout;
         private final int[] nodeA;
@@ -223,29 +223,29 @@ public final class Springs implements ForceField {
             this.nodeB = nodeB;
         }
 
-        /** One stiffness for all, N/m. */
+        /** Sets one stiffness for all springs, N/m. */
         public Builder stiffness(double k) {
             stiffness = new double[nodeA.length];
             Arrays.fill(stiffness, k);
             return this;
         }
 
-        /** A stiffness each, N/m. */
+        /** Sets the stiffness of each spring, N/m. */
         public Builder stiffness(double[] k) {
             stiffness = k.clone();
             return this;
         }
 
-        /** One dashpot for all, N s/m; 0 for none. */
+        /** Sets one damping coefficient for all springs, N s/m; 0 for none. */
         public Builder damping(double c) {
             damping = c;
             return this;
         }
 
         /**
-         * The length at these positions (caller's order, mm) as rest length.
+         * Sets the rest lengths to the lengths at these positions (caller's order, mm).
          *
-         * @throws IllegalArgumentException if both ends of a spring lie on one spot, where its force has no direction
+         * @throws IllegalArgumentException if both ends of a spring coincide, so that its force has no direction
          */
         public Builder restLengthsAt(double[] positions) {
             restLengths = new double[nodeA.length];
@@ -264,13 +264,13 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** A rest length each, mm. */
+        /** Sets the rest length of each spring, mm. */
         public Builder restLengths(double[] lengths) {
             restLengths = lengths.clone();
             return this;
         }
 
-        /** How much of the activation shortens each edge, 0 to 1. */
+        /** Sets the contractile share s of each spring, 0 to 1. */
         public Builder contractileShares(double[] shares) {
             share = shares.clone();
             return this;

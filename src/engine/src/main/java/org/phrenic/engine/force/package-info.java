@@ -1,5 +1,5 @@
 /**
  * Force fields on particles: springs and their kernels, pressure, loads, attachments, action lines. A field adds forces
- * block by block and knows no anatomy and no integrator.
+ * block by block. It does not depend on anatomy or integrators.
  */
 package org.phrenic.engine.force;

@@ -6,8 +6,8 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
- * What all schemes share: the system, accelerations with viscous damping, and the check that kept forces are still
- * those of the state.
+ * Base of the integrators: the system, accelerations with viscous damping, and the check that cached forces are still
+ * valid.
  */
 abstract class AbstractIntegrator implements Integrator {
     final ParticleSystem system;
@@ -58,7 +58,7 @@ abstract class AbstractIntegrator implements Integrator {
         }
     }
 
-    /** The sum of two 2x2 or 3x3 matrices times scalars, for the amplification matrices. */
+    /** The sum of two square matrices times scalars, for the amplification matrices. */
     static double[][] linearCombination(double s, double[][] p, double t, double[][] q) {
         double[][] out = new double[p.length][p.length];
         for (int i = 0; i < p.length; i++) {

@@ -14,12 +14,12 @@ import org.phrenic.engine.parallel.Workers;
  * x' = x + h v'
  * </pre>
  *
- * <p>Solved by conjugate gradients with a diagonal preconditioner, without a matrix (fields give K u), starting from
- * the velocity at hand. Order 1, stable for every h; it damps what it does not resolve. Fields that give no K
- * (pressure, dead loads) and dashpots along springs enter explicitly.
+ * <p>The linear system is solved matrix-free (fields give K u) by conjugate gradients with a diagonal preconditioner,
+ * starting from the current velocity. Order 1, stable for every h; frequencies that the step does not resolve are
+ * damped. Fields without K (pressure, dead loads) and dashpots along springs are treated explicitly.
  */
 final class BackwardEuler extends AbstractIntegrator {
-    /** Residual left over, as a share of the right-hand side: well below the scheme's own error at any usable step. */
+    /** Relative residual of the linear solve, well below the scheme's own error at any usable step. */
     private static final double TOLERANCE = 1e-8;
 
     private static final int MAX_ITERATIONS = 500;
@@ -75,7 +75,7 @@ final class BackwardEuler extends AbstractIntegrator {
         system.project(time + step, step);
     }
 
-    /** Solves on the free nodes, starting from v; nodes of prescribed motion keep their v. */
+    /** Solves for the velocities of the free nodes, starting from v; prescribed nodes keep their v. */
     private void solve() {
         solver.multiply(v, image);
         for (int i = 0; i < x.length; i++) {
@@ -83,7 +83,7 @@ final class BackwardEuler extends AbstractIntegrator {
         }
         solver.precondition(right, image);
         double goal = TOLERANCE * TOLERANCE * solver.dot(right, image);
-        // A force or stiffness that is not finite shows in the velocities, where the divergence guard sees it.
+        // Forces or stiffness that are not finite make the velocities NaN, which the divergence guard detects.
         if (!Double.isFinite(solver.start(residual))) {
             DenseVectors.addScaled(v, 1, residual);
         } else if (!solver.solve(v, residual, goal, MAX_ITERATIONS)) {
@@ -91,7 +91,10 @@ final class BackwardEuler extends AbstractIntegrator {
         }
     }
 
-    /** M + h Γ + h² K on the free nodes with its diagonal as preconditioner; sums are formed block by block. */
+    /**
+     * The operator M + h Γ + h² K on the free nodes with its diagonal as preconditioner. Sums are formed block by
+     * block.
+     */
     private final class VelocitySolver extends ConjugateGradient {
         private final double[] partial = new double[layout.blockCount()];
         private final Workers.Task multiplyTask = this::multiplyBlock;

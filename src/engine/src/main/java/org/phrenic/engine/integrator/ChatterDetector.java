@@ -4,24 +4,27 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Notices what the stability limit, measured on the scene as it was, cannot foresee: that links under load, pressure or
- * great stretch have made the scene stiffer than the step bears. A scheme beyond its limit then swings at the highest
- * frequency, by about 180 degrees a substep (RK4: 110), while all motion of a body is smooth over many steps. A node
- * chatters if it is faster than 20 mm/s and its velocity turns round in at least 14 of 16 successive substeps (RK4: 20
- * of 32). Nodes that are pushed about between walls turn round as well, but not in every substep.
+ * Detects numerical oscillation (chatter) that the stability limit of the initial scene cannot predict: links under
+ * load, pressure or large stretch can make the scene too stiff for the step. Beyond its limit a scheme oscillates at
+ * the highest frequency, with a phase advance of about 180 degrees a substep (RK4: 110 degrees), while physical motion
+ * is smooth over many steps.
  *
- * <p>A node to follow is looked for in every sixteenth substep only, so that the watch costs a few copies of the
- * velocities in that time.
+ * <p>A node chatters if it is faster than 20 mm/s and its velocity reverses in at least 14 of 16 successive substeps
+ * (RK4: 20 of 32). Nodes that collide with walls also reverse, but not in every substep. The search for a candidate
+ * node runs only in every sixteenth substep, which limits its cost to a few copies of the velocities.
  */
 final class ChatterDetector {
     private static final int PERIOD = 16;
-    /** |u - v|² over |u|² + |v|²: 0 for the same velocity, 1 for one at a right angle or none, 2 for the opposite. */
+    /**
+     * Threshold of |u - v|² / (|u|² + |v|²) for a reversal. The ratio is 0 for equal, 1 for orthogonal, 2 for opposite
+     * velocities.
+     */
     private static final double TURN = 1.2;
-    /** As fast as the dome in quiet breathing, mm/s. */
+    /** Lowest speed of a chattering node, mm/s: that of the dome in quiet breathing. */
     private static final double SPEED = 20;
 
     private static final int NONE = -1;
-    /** Substeps for which a node is followed, and in how many of them it turns round if it chatters. */
+    /** Number of substeps for which a node is tracked, and number of reversals that count as chatter. */
     private static final int FOLLOWED = 16;
 
     private static final int TURNS = 14;
@@ -35,7 +38,7 @@ final class ChatterDetector {
     private final Workers.Task scan = this::scan;
     private final double[] pair = new double[6];
     private int substep;
-    /** Internal number of the node that is followed, since how many substeps, and how often it turned round. */
+    /** Internal number of the tracked node, substeps since tracking began, and reversals counted. */
     private int followed = NONE;
 
     private int since;
@@ -48,13 +51,13 @@ final class ChatterDetector {
         found = new int[system.layout().blockCount()];
     }
 
-    /** Begins anew: what was seen so far belongs to another step or state. */
+    /** Restarts detection after a change of step or state. */
     void reset() {
         substep = 0;
         followed = NONE;
     }
 
-    /** Told after each substep of a scheme; the caller's number of a node that chatters, or -1. */
+    /** Call after each substep of a scheme; returns the caller's number of a node that chatters, or -1. */
     int afterSubstep(IntegratorKind kind) {
         if (followed != NONE) {
             return kind == IntegratorKind.RK4 ? follow(FOLLOWED_RK4, TURNS_RK4) : follow(FOLLOWED, TURNS);

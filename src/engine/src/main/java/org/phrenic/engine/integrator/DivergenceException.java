@@ -2,7 +2,9 @@ package org.phrenic.engine.integrator;
 
 import java.util.Locale;
 
-/** A state left all bounds and the last good one was restored; the message is one sentence that names the cause. */
+/**
+ * Thrown after a simulation diverged and its last checkpoint was restored; the message is one sentence with the cause.
+ */
 public final class DivergenceException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

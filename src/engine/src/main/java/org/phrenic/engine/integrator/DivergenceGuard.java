@@ -6,28 +6,29 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Notices a state that cannot be right (not a number, or a node faster than anything in a body) in the step it appears,
- * and keeps a good one to go back to. Where a reach is given, a node farther than that from home is noticed too, within
- * {@value #STEPS_BETWEEN_MEASURES} steps: a membrane that is blown up without end is never fast.
+ * Detects divergence and keeps a checkpoint to restore. A state has diverged if a value is not finite or a node is
+ * faster than {@code MAX_SPEED}; this is checked in every step. An optional bound on node displacement is checked every
+ * {@value #STEPS_BETWEEN_MEASURES} steps, because a membrane that inflates without limit is never fast.
  */
 final class DivergenceGuard {
-    /** A cough moves tissue at some 1,000 mm/s; ten times that is a fault of the numbers. */
+    /** Bound of the speed of a node, mm/s: ten times the roughly 1,000 mm/s of tissue in a cough. */
     private static final double MAX_SPEED = 10_000;
 
-    /**
-     * A state with a faster node may be about to leave all bounds: unless it is asked for, it is none to go back to.
-     */
+    /** Highest speed of a node in an automatic checkpoint, mm/s. A faster state may be about to diverge. */
     private static final double CALM_SPEED = 2_500;
 
     private static final long STEPS_BETWEEN_SNAPSHOTS = 256;
 
     private static final long STEPS_BETWEEN_MEASURES = 16;
     /**
-     * A state farther out than this share of the reach may be on its way beyond: it is none to go back to unless it is
-     * asked for.
+     * Largest displacement in an automatic checkpoint, as a fraction of the bound. A larger one may be about to exceed
+     * it.
      */
     private static final double CALM_REACH = 0.8;
-    /** What was on its way out when a state was put back has so many steps to turn round. */
+    /**
+     * Number of steps after a restored checkpoint in which displacement is not checked, so that outward motion can
+     * reverse.
+     */
     private static final long STEPS_TO_TURN_ROUND = 256;
 
     private final ParticleSystem system;
@@ -37,7 +38,7 @@ final class DivergenceGuard {
     private long checkpointStep;
     private double bound;
     private final Workers.Task scan = this::scan;
-    /** Where nodes are at home; empty where they may go anywhere. */
+    /** Reference positions for displacement, mm; empty without a bound. */
     private double[] reference = {};
 
     private double maxDisplacement = Double.POSITIVE_INFINITY;
@@ -52,20 +53,20 @@ final class DivergenceGuard {
         good = new boolean[system.layout().blockCount()];
     }
 
-    /** From now on no node may go farther than this, mm, from where it is. */
+    /** Bounds the displacement of every node from its current position, mm. */
     void boundDisplacement(double mm) {
         measuredFrom = 0;
         reference = system.positions().clone();
         maxDisplacement = mm;
     }
 
-    /** At step 0 again, the system being where it starts. */
+    /** Restarts at step 0 with the current state as checkpoint. */
     void restart() {
         measuredFrom = 0;
         checkpoint(0);
     }
 
-    /** Keeps the state at hand, unless it is itself out of bounds. */
+    /** Saves the current state as checkpoint, unless it has diverged. */
     void checkpoint(long step) {
         if (isGood()) {
             System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);
@@ -74,7 +75,7 @@ final class DivergenceGuard {
         }
     }
 
-    /** The cause if the state is out of bounds after a step, null if it is good. */
+    /** Checks the state after a step; returns the cause of divergence, or null. */
     String check(long step) {
         if (!isGood()) {
             return describe();
@@ -133,9 +134,9 @@ final class DivergenceGuard {
         double[] x = system.positions();
         double most = bound * bound;
         boolean all = true;
-        // Without a way out in the middle: it is hardly ever taken, and to ask for it takes longer.
+        // No early exit: it is rarely taken, and testing for it costs more.
         for (int i = 3 * from; i < 3 * end; i += 3) {
-            // 0 x is 0 unless x is not finite: so a lost position shows as well.
+            // 0 x is NaN if x is not finite, so the comparison below also detects invalid positions.
             double speed = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2] + 0 * (x[i] + x[i + 1] + x[i + 2]);
             all &= speed <= most;
         }
@@ -198,7 +199,7 @@ final class DivergenceGuard {
         return "speed beyond all bounds";
     }
 
-    /** Puts the last good state back and returns its step. */
+    /** Restores the checkpoint and returns its step. */
     long restore() {
         System.arraycopy(checkpointX, 0, system.positions(), 0, checkpointX.length);
         System.arraycopy(checkpointV, 0, system.velocities(), 0, checkpointV.length);

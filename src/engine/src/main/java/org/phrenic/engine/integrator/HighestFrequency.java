@@ -6,22 +6,22 @@ import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * The square of the highest angular frequency of a system: the largest eigenvalue of A = M^(-1/2) K M^(-1/2), by
- * Lanczos' method (1950, doi 10.6028/jres.045.026) from a fixed rough start.
+ * The square of the highest angular frequency of a system: the largest eigenvalue of A = M^(-1/2) K M^(-1/2), by the
+ * Lanczos method (1950, doi 10.6028/jres.045.026) from a fixed start vector that varies strongly between nodes.
  *
  * <pre>
  * β(j+1) q(j+1) = A q(j) - α(j) q(j) - β(j) q(j-1),   α(j) = q(j) · A q(j)
  * </pre>
  *
- * <p>The largest eigenvalue of the tridiagonal matrix of α and β comes from below, and after 20 products with K as near
- * as power iteration after several times as many. Vectors are not made orthogonal again: that would only keep
- * eigenvalues from being found twice.
+ * <p>The largest eigenvalue of the tridiagonal matrix of α and β is a lower bound that converges from below. After 20
+ * products with K it is as accurate as power iteration after several times as many. The vectors are not
+ * reorthogonalised, because that would only remove repeated copies of eigenvalues.
  */
 final class HighestFrequency {
     private static final int PRODUCTS = 20;
-    /** What is left of a vector is rounding: all that the start has in it has been found. */
+    /** Relative norm below which a vector is rounding error: the Krylov space is exhausted. */
     private static final double EXHAUSTED = 1e-14;
-    /** Halvings of an interval that starts at some times the eigenvalue: to the last bit. */
+    /** Number of bisections, enough for full double precision. */
     private static final int HALVINGS = 60;
 
     private final ParticleSystem system;
@@ -46,14 +46,13 @@ final class HighestFrequency {
         for (int n = 0; n < w.length; n++) {
             root[n] = Math.sqrt(w[n]);
             for (int i = 3 * n; i < 3 * n + 3 && w[n] > 0; i++) {
-                // Signs that alternate irregularly from node to node: close to the highest mode, and orthogonal to
-                // none.
+                // Irregular alternating signs: close to the highest mode, and orthogonal to no mode.
                 q[i] = ((((i * 2654435761L) >>> 7) & 1) == 0 ? 1 : -1) * (1 + i % 7 / 7.0) / root[n];
             }
         }
     }
 
-    /** (1/s)², at the system's current state; 0 without a free node, not a finite number where the state is none. */
+    /** ω² at the system's current state, 1/s²; 0 without free nodes, not finite if the state is not. */
     static double omegaSquared(ParticleSystem system) {
         return new HighestFrequency(system).find();
     }
@@ -81,7 +80,7 @@ final class HighestFrequency {
         return largest(found);
     }
 
-    /** Puts A q, less so much of the vector before, in {@code image}. */
+    /** Writes A q minus {@code less} times the previous vector to {@code image}. */
     private void multiply(double less) {
         byRoot(q, u);
         Arrays.fill(image, 0);
@@ -104,7 +103,7 @@ final class HighestFrequency {
         }
     }
 
-    /** Largest eigenvalue of the tridiagonal matrix of the first rows, by bisection. */
+    /** Largest eigenvalue of the leading tridiagonal matrix, by bisection. */
     private double largest(int rows) {
         double low = 0;
         double high = 0;
@@ -122,7 +121,10 @@ final class HighestFrequency {
         return high;
     }
 
-    /** Whether a number is above all eigenvalues: then all pivots of its multiple of 1 less the matrix are positive. */
+    /**
+     * Whether a number is greater than all eigenvalues: all pivots of (number times the identity minus the matrix) are
+     * positive.
+     */
     private boolean isAboveAll(double number, int rows) {
         double pivot = number - diagonal[0];
         for (int j = 1; j < rows && pivot > 0; j++) {

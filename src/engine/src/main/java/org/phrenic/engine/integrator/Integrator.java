@@ -3,16 +3,16 @@ package org.phrenic.engine.integrator;
 import org.phrenic.engine.ParticleSystem;
 
 /**
- * A scheme that carries a {@link ParticleSystem} over one time step. It owns its work arrays: one integrator, one
- * system.
+ * A scheme that advances a {@link ParticleSystem} by one time step. It owns its work arrays, so each system needs its
+ * own integrator.
  */
 public interface Integrator {
 
-    /** What this scheme is. */
+    /** The kind of this scheme. */
     IntegratorKind kind();
 
     /**
-     * Carries the system from time to time + h, constraints included. Allocates nothing.
+     * Advances the system from time to time + h, including constraints. Allocates nothing.
      *
      * @param time simulated time at the start, s
      * @param h step, s, more than 0
@@ -20,11 +20,10 @@ public interface Integrator {
     void step(double time, double h);
 
     /**
-     * Forgets what was kept from earlier steps: to be called after positions, velocities or forces were changed from
-     * outside.
+     * Discards cached values of earlier steps. Call it after positions, velocities or forces were changed from outside.
      */
     void reset();
 
-    /** The system that is carried. */
+    /** The system that is integrated. */
     ParticleSystem system();
 }

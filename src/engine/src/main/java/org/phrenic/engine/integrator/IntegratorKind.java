@@ -5,19 +5,19 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.phrenic.engine.ParticleSystem;
 
-/** The integration schemes, their names on the command line, and what is known of them. */
+/** The integration schemes: their names on the command line, order, cost and amplification matrix. */
 public enum IntegratorKind {
     /** Velocity Verlet with semi-implicit viscous damping. */
     VERLET("verlet", 2, 1),
-    /** Störmer's formula with second differences: Verlet for smooth motion, an order higher. */
+    /** Störmer's formula with second differences: of third order for smooth motion, at the cost of velocity Verlet. */
     STORMER("stormer", 3, 1),
-    /** Eq. 6 of Villard, Bourne and Bello 2009 as its visible terms read: a lagged acceleration. */
+    /** Eq. 6 of Villard, Bourne and Bello 2009 read literally, with a lagged acceleration. */
     LAGGED("lagged", 1, 1),
     /** Midpoint Runge-Kutta. */
     RK2("rk2", 2, 2),
     /** Classical Runge-Kutta. */
     RK4("rk4", 4, 4),
-    /** Velocity first, then position with the new velocity. */
+    /** Symplectic Euler: velocity first, then position with the new velocity. */
     SYMPLECTIC_EULER("symplectic-euler", 1, 1),
     /** Backward Euler, one Newton step solved by conjugate gradients. */
     BACKWARD_EULER("backward-euler", 1, 1);
@@ -47,7 +47,7 @@ public enum IntegratorKind {
         return forceEvaluations;
     }
 
-    /** @throws IllegalArgumentException if there is no scheme of this name; the sentence lists those there are */
+    /** @throws IllegalArgumentException if there is no scheme of this name; the message lists the valid names */
     public static IntegratorKind of(String name) {
         String wanted = name.toLowerCase(Locale.ROOT);
         for (IntegratorKind kind : values()) {
@@ -59,7 +59,7 @@ public enum IntegratorKind {
                 + Arrays.stream(values()).map(IntegratorKind::label).collect(Collectors.joining(", ")));
     }
 
-    /** A new integrator of this kind for a system. */
+    /** Creates an integrator of this kind for a system. */
     public Integrator create(ParticleSystem system) {
         return switch (this) {
             case VERLET -> new VelocityVerlet(system);
@@ -73,8 +73,8 @@ public enum IntegratorKind {
     }
 
     /**
-     * The matrix that carries (x, v h, ...) of the oscillator ẍ = -ω² x - d ẋ over one step, in the dimensionless
-     * numbers a = (ω h)² and b = d h.
+     * The amplification matrix of one step for the oscillator ẍ = -ω² x - d ẋ with state (x, v h, ...), in the
+     * dimensionless numbers a = (ω h)² and b = d h.
      */
     public double[][] amplification(double a, double b) {
         return switch (this) {
@@ -90,8 +90,8 @@ public enum IntegratorKind {
 
     /**
      * As {@link #amplification(double, double)} with a dashpot beside the viscosity: ẍ = -ω² x - d ẋ - e ẋ, c = e h.
-     * Verlet and backward Euler take viscosity implicitly and dashpots explicitly, so that a strong dashpot limits
-     * their step; for the other schemes the two are one.
+     * Verlet and backward Euler treat viscosity implicitly and dashpots explicitly, so a strong dashpot limits their
+     * step. The other schemes treat both alike.
      */
     public double[][] amplification(double a, double b, double c) {
         if (c == 0) {

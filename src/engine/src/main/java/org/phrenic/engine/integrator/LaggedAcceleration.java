@@ -4,7 +4,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * The scheme that eq. 6 of Villard, Bourne and Bello 2009 shows, read literally:
+ * Eq. 6 of Villard, Bourne and Bello 2009, read literally:
  *
  * <pre>
  * v(t+h/2) = v(t) + h/2 a(t-h)
@@ -13,8 +13,8 @@ import org.phrenic.engine.parallel.Workers;
  * x(t+h)   = x(t) + h v(t) + h²/2 a(t-h)
  * </pre>
  *
- * <p>The acceleration lags a step behind, so the scheme is of order 1 and adds energy (amplitude grows like exp(h ω² t
- * / 2) without damping): it needs viscosity γ/m &gt; h ω². The first step takes a(t-h) = a(t).
+ * <p>The acceleration lags one step, so the scheme is of order 1 and adds energy (without damping the amplitude grows
+ * like exp(h ω² t / 2)). Stability requires viscosity γ/m &gt; h ω². The first step uses a(t-h) = a(t).
  */
 final class LaggedAcceleration extends AbstractIntegrator {
     private final double[] lagged;

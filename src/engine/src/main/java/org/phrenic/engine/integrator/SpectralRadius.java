@@ -5,8 +5,8 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * Largest absolute eigenvalue of a small matrix: of 2x2 and 3x3 from the characteristic polynomial, which near double
- * roots is nearer than an iteration on the matrix; of larger ones by QR iterations.
+ * Largest absolute eigenvalue of a small matrix. 2x2 and 3x3 matrices use the characteristic polynomial, which is more
+ * accurate than QR iterations near double roots. Larger matrices use QR iterations.
  */
 final class SpectralRadius {
     private SpectralRadius() {}
@@ -19,8 +19,8 @@ final class SpectralRadius {
             return iterated(m);
         }
         if (m[1][0] == 0 && m[2][0] == 0) {
-            // A mode without stiffness: its eigenvalue stands alone. The polynomial would mix it with its neighbour,
-            // and near a double root it loses half the digits.
+            // A mode without stiffness: its eigenvalue is separate. The cubic polynomial would mix it with a
+            // neighbouring one, and near a double root half of the digits are lost.
             return Math.max(Math.abs(m[0][0]), block(m[1][1], m[1][2], m[2][1], m[2][2]));
         }
         double trace = m[0][0] + m[1][1] + m[2][2];
@@ -34,13 +34,13 @@ final class SpectralRadius {
                 - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
                 + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
         double real = realRoot(trace, minors, determinant);
-        // Division by (λ - real) leaves λ² - (trace - real) λ + (minors - real (trace - real)).
+        // Dividing the polynomial by (λ - real) gives λ² - (trace - real) λ + (minors - real (trace - real)).
         double t = trace - real;
         double d = minors - real * t;
         return Math.max(Math.abs(real), quadratic(t, d, t * t - 4 * d));
     }
 
-    /** NaN where the matrix is not finite. */
+    /** By QR iterations; NaN if the matrix is not finite. */
     private static double iterated(double[][] m) {
         EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(m.length, false);
         if (!eigen.decompose(new DMatrixRMaj(m))) {
@@ -53,12 +53,14 @@ final class SpectralRadius {
         return largest;
     }
 
-    /** Of a 2x2 matrix; the discriminant is taken from its entries, which keeps nearly equal eigenvalues apart. */
+    /**
+     * Of a 2x2 matrix. The discriminant is computed from the entries, which is accurate for nearly equal eigenvalues.
+     */
     private static double block(double p, double q, double r, double s) {
         return quadratic(p + s, p * s - q * r, (p - s) * (p - s) + 4 * q * r);
     }
 
-    /** Larger |root| of λ² - t λ + d. */
+    /** Larger absolute root of λ² - t λ + d. */
     private static double quadratic(double t, double d, double discriminant) {
         if (discriminant < 0) {
             return Math.sqrt(d);
@@ -66,7 +68,7 @@ final class SpectralRadius {
         return 0.5 * (Math.abs(t) + Math.sqrt(discriminant));
     }
 
-    /** A real root of λ³ - t λ² + m λ - d, bracketed by Cauchy's bound and bisected. */
+    /** A real root of λ³ - t λ² + m λ - d, by bisection within Cauchy's bound. */
     private static double realRoot(double t, double m, double d) {
         double high = 1 + Math.max(Math.abs(t), Math.max(Math.abs(m), Math.abs(d)));
         double low = -high;

@@ -4,43 +4,44 @@ import java.util.Locale;
 import org.phrenic.engine.ParticleSystem;
 
 /**
- * The largest step that is stable for a scheme on an assembled system.
+ * The largest time step for which a scheme is stable on an assembled system.
  *
- * <p>The highest frequency of M⁻¹K at the current state ({@link HighestFrequency}) is raised by 3 %, and held against
- * Gershgorin's bound ω² ≤ max Σ|K_ij| / m_i, which it may not pass. The step is then the largest h for which no
- * oscillator of the system, ω from 0 to ω_max with the least viscosity γ/m there is, grows: spectral radius of the
- * scheme's amplification matrix at most 1. So the paper's parameters with midpoint Runge-Kutta come out as unstable at
- * the published step, although 2/ω_max would allow it.
+ * <p>The highest frequency of M⁻¹K at the current state ({@link HighestFrequency}) is raised by 3 % and bounded by
+ * Gershgorin's estimate ω² ≤ max Σ|K_ij| / m_i. The limit is the largest h at which no oscillator grows, for ω from 0
+ * to ω_max and the least viscosity γ/m of the system: the spectral radius of the scheme's amplification matrix is at
+ * most 1. For example, the paper's parameters with midpoint Runge-Kutta are unstable at the published step, although h
+ * &lt; 2/ω_max.
  *
  * @param omegaMax highest angular frequency, 1/s
  * @param omegaBound Gershgorin's bound of it, 1/s
  * @param minDamping least γ/m of any free node, 1/s
- * @param maxDamping most γ/m plus dashpot row sum over mass of any free node, 1/s
- * @param maxDashpot most dashpot row sum over mass of any free node, 1/s; schemes that take viscosity implicitly take
+ * @param maxDamping largest sum of γ/m and dashpot row sum over mass of any free node, 1/s
+ * @param maxDashpot largest dashpot row sum over mass of any free node, 1/s; schemes with implicit viscosity treat
  *     dashpots explicitly
- * @param contacts whether nodes may lean on walls. Backward Euler solves for where forces alone would carry the nodes,
- *     and walls push back afterwards: at long steps that is another equilibrium, so that with walls its step is held to
- *     ω h ≤ 3 (on the thorax an error of 1 % of a quiet breath's excursion)
+ * @param contacts whether the system has contact constraints. Backward Euler solves for the motion under forces alone
+ *     and contacts are projected afterwards, which at long steps gives a different equilibrium. With contacts its step
+ *     is limited to ω h ≤ 3 (on the thorax an error of 1 % of a quiet breath's excursion)
  */
 public record StabilityLimit(
         double omegaMax, double omegaBound, double minDamping, double maxDamping, double maxDashpot, boolean contacts) {
-    /** ω h that backward Euler may have where nodes lean on walls. */
+    /** Largest ω h of backward Euler with contacts. */
     private static final double LEANING = 3;
 
-    /** {@link HighestFrequency} comes from below: what it leaves out on the meshes measured is under 1 %. */
+    /** Factor on {@link HighestFrequency}, which is a lower bound; its error on the measured meshes is under 1 %. */
     private static final double MARGIN = 1.03;
 
     private static final int FREQUENCIES = 64;
-    /** Growth that rounding alone explains. */
+    /** Tolerance of the spectral radius for rounding. */
     private static final double ROUNDING = 1e-9;
     /**
-     * ω h at which a scheme that always grows without damping shows it, and far below the limit of one that does not.
+     * Value of ω h for testing whether a scheme grows without damping at every step; far below the limit of schemes
+     * that do not.
      */
     private static final double TELLING = 0.02;
-    /** ω h of a step shorter than any that is used. */
+    /** Value of ω h below any practical step. */
     private static final double SHORT = 1e-6;
 
-    /** Measures a system at its current state. */
+    /** Computes the limit of a system at its current state. */
     public static StabilityLimit of(ParticleSystem system) {
         int n = system.nodeCount();
         double[] stiffness = new double[n];
@@ -60,7 +61,7 @@ public record StabilityLimit(
             }
         }
         double highest = MARGIN * Math.sqrt(HighestFrequency.omegaSquared(system));
-        // Also where the state at hand gives no number.
+        // Also false if the highest frequency is NaN.
         boolean usable = highest <= Math.sqrt(bound);
         return new StabilityLimit(
                 usable ? highest : Math.sqrt(bound),
@@ -71,7 +72,7 @@ public record StabilityLimit(
                 system.hasContacts());
     }
 
-    /** Largest stable step of a scheme on this system, s; 0 if none is, infinite if every one is. */
+    /** Largest stable step of a scheme on this system, s; 0 if no step is stable, infinite if every step is. */
     public double largestStep(IntegratorKind kind) {
         double top = Math.max(omegaMax, maxDamping);
         if (top == 0 || isStable(kind, 1e6 / top)) {
@@ -120,10 +121,10 @@ public record StabilityLimit(
     }
 
     /**
-     * Into how many equal parts a step must be split to be stable.
+     * Number of equal substeps into which a step must be split to be stable.
      *
-     * @param safety share of the largest stable step that may be used, such as 0.9
-     * @throws IllegalArgumentException if no step is stable; the sentence says why
+     * @param safety fraction of the largest stable step that may be used, such as 0.9
+     * @throws IllegalArgumentException if no step is stable; the message gives the reason
      */
     public int substeps(IntegratorKind kind, double dt, double safety) {
         double limit = largestStep(kind);

@@ -4,6 +4,6 @@ package org.phrenic.engine.integrator;
 public enum StepPolicy {
     /** Split it into equal substeps. */
     SUBSTEP,
-    /** Refuse it with a sentence that states the step and the limit. */
+    /** Refuse it with an exception that states the step and the limit. */
     REFUSE
 }

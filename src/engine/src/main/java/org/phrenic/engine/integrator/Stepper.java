@@ -3,19 +3,23 @@ package org.phrenic.engine.integrator;
 import org.phrenic.engine.ParticleSystem;
 
 /**
- * The clock of a system: whole steps of dt, each split into as many substeps as stability asks for, watched by a
- * {@link DivergenceGuard} and a {@link ChatterDetector}: a scene that has become stiffer than the limit foresaw is
- * carried on in twice as many parts. Time is the step count times dt, never a sum; where dt is changed, the sum over
- * the stretches of one dt, each a count times its dt.
+ * Advances a system in time steps of dt. Each step is split into as many substeps as stability requires. A
+ * {@link DivergenceGuard} detects divergence. If a {@link ChatterDetector} finds that the scene has become stiffer than
+ * the stability limit predicted, the number of substeps doubles.
+ *
+ * <p>Time is the step count times dt, not a running sum, to avoid accumulated rounding. After a change of dt it is the
+ * sum over the segments of constant dt.
  */
 public final class Stepper {
-    /** Share of the largest stable step that is used: room for stiffness that grows while tissue deforms. */
+    /**
+     * Fraction of the largest stable step that is used. The margin covers stiffness that grows while tissue deforms.
+     */
     public static final double SAFETY = 0.9;
 
-    /** Into at most so many parts is a step split: more would look as if the program had stopped. */
+    /** Maximum number of substeps a step. With more, the program would appear to hang. */
     public static final int MAX_SUBSTEPS = 10_000;
 
-    /** So many times as many parts as the limit asks for are tried against chatter. */
+    /** Largest refinement factor against chatter, relative to the substeps that the limit requires. */
     private static final int MAX_REFINEMENT = 16;
 
     private Integrator integrator;
@@ -25,12 +29,12 @@ public final class Stepper {
     private final ChatterDetector watch;
     private StabilityLimit limit;
     private int substeps;
-    /** How many times as many parts as the limit asks for. */
+    /** Refinement factor relative to the substeps that the limit requires. */
     private int refinement = 1;
 
     private String substepRefinementReason = "";
     private long steps;
-    /** Where the present time step began to count: its step, and the time that the steps before it add up to. */
+    /** Start of the segment with the current dt: its first step, and the simulated time there, s. */
     private long segmentStep;
 
     private double segmentTime;
@@ -39,14 +43,14 @@ public final class Stepper {
      * @param integrator the scheme, on its system
      * @param dt time step, s, more than 0
      * @param policy what to do beyond the stability limit
-     * @throws IllegalArgumentException if dt is not positive and finite, or is refused; the sentence states both
-     *     numbers
+     * @throws IllegalArgumentException if dt is not positive and finite, or is beyond the limit; the message states
+     *     both numbers
      */
     public Stepper(Integrator integrator, double dt, StepPolicy policy) {
         this(integrator, dt, policy, StabilityLimit.of(integrator.system()));
     }
 
-    /** The same for a system whose stability limit was measured a moment ago; parameters as for the other. */
+    /** As the other constructor, with a stability limit that was measured beforehand. */
     public Stepper(Integrator integrator, double dt, StepPolicy policy, StabilityLimit measured) {
         if (!(dt > 0) || Double.isInfinite(dt)) {
             throw new IllegalArgumentException("time step: found " + dt + " s, expected more than 0");
@@ -59,19 +63,19 @@ public final class Stepper {
         apply(measured);
     }
 
-    /** Estimates the stability limit anew: to be called after stiffness, mass or damping changed. */
+    /** Recomputes the stability limit. Call it after stiffness, mass or damping changed. */
     public void measureStabilityLimit() {
         apply(StabilityLimit.of(integrator.system()));
     }
 
     /**
-     * Goes on with another scheme and time step, and so many substeps as the worse of two limits asks for; the state at
-     * hand is kept as one to go back to.
+     * Changes scheme and time step. The number of substeps satisfies both limits. The current state becomes the
+     * checkpoint.
      *
      * @param next the scheme, on the same system
      * @param nextDt time step, s, more than 0
-     * @param here limit of the system as it is
-     * @param ahead limit of the system as it is about to be
+     * @param here limit of the system in its current state
+     * @param ahead limit of the system after the change about to be made
      * @throws IllegalArgumentException as the constructor; nothing has changed then
      */
     public void switchTo(Integrator next, double nextDt, StabilityLimit here, StabilityLimit ahead) {
@@ -89,7 +93,7 @@ public final class Stepper {
     }
 
     /**
-     * From now on no node may go farther from where it is: beyond, a step is given back as one that diverged.
+     * Bounds the displacement of every node from its current position. A step beyond the bound counts as diverged.
      *
      * @param mm more than 0
      */
@@ -97,12 +101,12 @@ public final class Stepper {
         guard.boundDisplacement(mm);
     }
 
-    /** Keeps the state at hand as one to go back to. */
+    /** Saves the current state as checkpoint. */
     public void checkpoint() {
         guard.checkpoint(steps);
     }
 
-    /** Into how many substeps a step is split under a limit, or refused. */
+    /** Number of substeps under a limit; throws if the step is refused. */
     private int split(IntegratorKind kind, double step, StabilityLimit measured) {
         if (policy == StepPolicy.REFUSE && !measured.isStable(kind, step)) {
             throw new IllegalArgumentException(measured.describe(kind, step) + ": refused");
@@ -116,7 +120,7 @@ public final class Stepper {
         return parts;
     }
 
-    /** After a change of scheme, step or scene: nothing is known of chatter yet. */
+    /** Resets scheme and chatter detection after a change of scheme, step or scene. */
     private void begin() {
         integrator.reset();
         watch.reset();
@@ -124,7 +128,7 @@ public final class Stepper {
         substepRefinementReason = "";
     }
 
-    /** Back to step 0, the system being where it starts. */
+    /** Restarts at step 0 from the current state. */
     public void restart(Integrator first, StabilityLimit measured) {
         steps = 0;
         segmentStep = 0;
@@ -141,13 +145,13 @@ public final class Stepper {
     }
 
     /**
-     * Carries the system over one dt.
+     * Advances the system by dt.
      *
-     * @throws DivergenceException if the state left all bounds; the last good state has been restored
+     * @throws DivergenceException if the state diverged; the last checkpoint has been restored
      */
     public void step() {
         if (steps == 0) {
-            // What was set since this was made belongs to the start.
+            // Changes since construction belong to the initial state.
             guard.checkpoint(0);
         }
         double h = dt / substeps;
@@ -171,7 +175,7 @@ public final class Stepper {
         }
     }
 
-    /** Splits steps into twice as many parts from now on; the cause if that may not be or has not helped. */
+    /** Doubles the number of substeps; returns the cause of chatter if a limit prevents this, else null. */
     private String refine(int node) {
         String cause = "node " + node + " turns round in every substep";
         if (policy == StepPolicy.REFUSE || refinement >= MAX_REFINEMENT || 2L * substeps > MAX_SUBSTEPS) {
@@ -185,9 +189,7 @@ public final class Stepper {
         return null;
     }
 
-    /**
-     * Why steps are split into more parts than the limit asks for, as the cause in a sentence; empty if they are not.
-     */
+    /** Why steps are split into more substeps than the limit requires, as a sentence; empty if they are not. */
     public String substepRefinementReason() {
         return substepRefinementReason;
     }
@@ -210,7 +212,7 @@ public final class Stepper {
         return substeps;
     }
 
-    /** The limit as last measured. */
+    /** The last measured stability limit. */
     public StabilityLimit limit() {
         return limit;
     }

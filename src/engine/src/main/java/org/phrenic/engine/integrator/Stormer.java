@@ -5,8 +5,8 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Störmer's explicit formula with second differences, in the form of velocities: a step of order 3 for one force
- * evaluation. With u the way of a step over h, a = (f - γ v) / m, and backward differences ∇ from step to step:
+ * Störmer's explicit formula with second differences, in velocity form: order 3 with one force evaluation a step. Let u
+ * be the displacement of a step divided by h, a = (f - γ v) / m, and ∇ the backward difference between steps:
  *
  * <pre>
  * u      = v(t) + h (1/2 a + 1/6 ∇a + 1/8 ∇²a)(t)
@@ -14,25 +14,25 @@ import org.phrenic.engine.parallel.Workers;
  * v(t+h) = u + h (1/2 a - 1/6 ∇a - 1/24 ∇²a)(t+h)             then constraints of velocity
  * </pre>
  *
- * <p>From the way of one step to that of the next this is u' = u + h (a + ∇²a / 12), Störmer's formula; without the
- * differences it is velocity Verlet. What is left is damping, h³ ω⁴ / 12, so a frequency far below the limit of
- * stability is followed the better. Viscosity is implicit in the last line and explicit in the first; dashpots along
- * springs are taken at a velocity extrapolated from the three accelerations known. The first two steps after
- * {@link #reset()} go without the differences that are not known yet. For motion that is smooth on the scale of a step:
- * at a jump of the force (contact, a limit) it is no better than Verlet.
+ * <p>From one step to the next, u' = u + h (a + ∇²a / 12), which is Störmer's formula. Without the differences it is
+ * velocity Verlet. The leading error is damping, h³ ω⁴ / 12, so frequencies far below the stability limit are more
+ * accurate. Viscosity is implicit in the last line and explicit in the first. Dashpots along springs use a velocity
+ * extrapolated from the three known accelerations. The first two steps after {@link #reset()} omit the differences that
+ * are not yet known. The order holds only for motion that is smooth on the scale of a step: at a jump of the force
+ * (contact, a limit) the accuracy is that of Verlet.
  *
  * <p>Source: C. Störmer, Sur les trajectoires des corpuscules électrisés, 1907; E. Hairer, S. P. Nørsett and G. Wanner,
  * Solving Ordinary Differential Equations I, 2nd edition 1993, section III.10.
  */
 final class Stormer extends AbstractIntegrator {
-    /** How much of a(t), a(t-h), a(t-2h) is in u - v(t), by how many accelerations are known: 1, 2, 3. */
+    /** Coefficients of a(t), a(t-h), a(t-2h) in (u - v(t)) / h. Row i is for i + 1 known accelerations. */
     private static final double[][] LEAVING = {{1 / 2.0, 0, 0}, {2 / 3.0, -1 / 6.0, 0}, {19 / 24.0, -5 / 12.0, 1 / 8.0}
     };
 
-    /** The same of a(t+h), a(t), a(t-h) in v(t+h) - u. */
+    /** Coefficients of a(t+h), a(t), a(t-h) in (v(t+h) - u) / h, as above. */
     private static final double[][] ARRIVING = {{1 / 2.0, 0, 0}, {1 / 3.0, 1 / 6.0, 0}, {7 / 24.0, 1 / 4.0, -1 / 24.0}};
 
-    /** a(t+h) from a(t), a(t-h), a(t-2h). */
+    /** Extrapolation coefficients of a(t+h) from a(t), a(t-h), a(t-2h), as above. */
     private static final double[][] AHEAD = {{1, 0, 0}, {2, -1, 0}, {3, -3, 1}};
 
     private final double[][] history = new double[3][];
@@ -85,7 +85,7 @@ final class Stormer extends AbstractIntegrator {
         known = Math.min(known + 1, history.length);
     }
 
-    /** The acceleration at t-ih, i = 0, 1, 2, as far as it is known. */
+    /** The acceleration at t-ih, i = 0, 1, 2, if known. */
     double[] acceleration(int i) {
         return history[i];
     }
@@ -106,7 +106,7 @@ final class Stormer extends AbstractIntegrator {
         double[] velocity = v;
         double step = h;
         int end = 3 * layout.end(block);
-        // Nodes of prescribed motion are moved too: they are put where they belong right after.
+        // This also moves prescribed nodes; they are set to their positions afterwards.
         for (int i = 3 * layout.start(block); i < end; i++) {
             double u = velocity[i] + (c0 * a0[i] + c1 * a1[i] + c2 * a2[i]);
             velocity[i] = u;
@@ -114,7 +114,7 @@ final class Stormer extends AbstractIntegrator {
         }
     }
 
-    /** From u to v(t+h) with the acceleration to be expected there, for forces that depend on velocity. */
+    /** Predicts v(t+h) from u and the extrapolated acceleration, for forces that depend on velocity. */
     private void predictVelocity(int block) {
         shift(block, h);
     }
@@ -141,8 +141,8 @@ final class Stormer extends AbstractIntegrator {
     }
 
     /**
-     * Viscosity at the velocity that comes out. The oldest acceleration is overwritten by the newest; both are 0 where
-     * the motion is prescribed.
+     * Updates the velocity with implicit viscosity. The newest acceleration overwrites the oldest. Both are 0 for
+     * prescribed nodes.
      */
     private void kick(int block) {
         double[] c = ARRIVING[known - 1];
@@ -185,8 +185,8 @@ final class Stormer extends AbstractIntegrator {
         double[] arriving = ARRIVING[2];
         double[] ahead = AHEAD[2];
         double damp = 1 / (1 + arriving[0] * b);
-        // State (x, v h, and h² times the accelerations at t, t-h, t-2h); u as a row over it, then x' = x + u,
-        // the velocity foreseen, f' = -a x' - c foreseen, v' and the newest acceleration f' - b v'.
+        // State (x, v h, and h² times the accelerations at t, t-h, t-2h). u is a row over this state, then x' = x +
+        // u, the predicted velocity, f' = -a x' - c times that velocity, v', and the newest acceleration f' - b v'.
         double[] u = {0, 1, leaving[0], leaving[1], leaving[2]};
         double[] foreseen = u.clone();
         for (int i = 0; i < 3; i++) {

@@ -6,7 +6,7 @@ import org.phrenic.engine.parallel.Workers;
 
 /**
  * Symplectic (semi-implicit) Euler: v += h a(x, v), then x += h v with the new velocity. Order 1, one force evaluation
- * a step; undamped it is stable for ω h &lt; 2.
+ * a step; without damping stable for ω h &lt; 2.
  */
 final class SymplecticEuler extends AbstractIntegrator {
     private double h;
@@ -28,7 +28,7 @@ final class SymplecticEuler extends AbstractIntegrator {
         system.project(time + step, step);
     }
 
-    /** Turns forces into new velocities, in place: neighbours may still ask for the old ones. */
+    /** Overwrites forces with new velocities; the old velocities are still needed by other blocks. */
     private void kick(int block) {
         double[] f = force;
         double[] old = v;
@@ -49,7 +49,7 @@ final class SymplecticEuler extends AbstractIntegrator {
         }
     }
 
-    /** Nodes of prescribed motion are moved too: they are put where they belong right after. */
+    /** Updates positions. This also moves prescribed nodes; they are set to their positions afterwards. */
     private void drift(int block) {
         double[] next = force;
         double[] position = x;

@@ -6,7 +6,7 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Velocity Verlet with semi-implicit viscous damping, the default. With w = γ h / 2m:
+ * Velocity Verlet with semi-implicit viscous damping, the default scheme. With w = γ h / 2m:
  *
  * <pre>
  * v(t+h/2) = (v(t) + h/2 f(t)/m) / (1 + w)
@@ -14,9 +14,9 @@ import org.phrenic.engine.parallel.Workers;
  * v(t+h)   = (1 - w) v(t+h/2) + h/2 f(t+h)/m   then constraints of velocity
  * </pre>
  *
- * <p>Seen from half step to half step this is v' = ((1-w) v + h f/m) / (1+w). Order 2, one force evaluation a step,
- * symplectic without damping, stable for ω h &lt; 2 whatever the viscosity. Dashpots along springs are taken at the
- * half step's velocity, which makes their part first order.
+ * <p>Between half steps this is v' = ((1-w) v + h f/m) / (1+w). Order 2, one force evaluation a step, symplectic
+ * without damping, stable for ω h &lt; 2 at any viscosity. Dashpots along springs use the velocity at the half step, so
+ * their contribution is of order 1.
  */
 final class VelocityVerlet extends AbstractIntegrator {
     private boolean forceIsCurrent;
@@ -79,14 +79,14 @@ final class VelocityVerlet extends AbstractIntegrator {
             velocity[i] = vx;
             velocity[i + 1] = vy;
             velocity[i + 2] = vz;
-            // Nodes of prescribed motion are moved too: they are put where they belong right after.
+            // This also moves prescribed nodes; they are set to their positions afterwards.
             position[i] += step * vx;
             position[i + 1] += step * vy;
             position[i + 2] += step * vz;
         }
     }
 
-    /** Without effect on nodes of prescribed motion: their inverse mass is 0. */
+    /** Updates velocities. Prescribed nodes are unaffected, because their inverse mass is 0. */
     private void kick(int block) {
         int end = layout.end(block);
         for (int from = layout.start(block); from < end; from += NodeLayout.LOOP_CHUNK) {
@@ -122,8 +122,8 @@ final class VelocityVerlet extends AbstractIntegrator {
     static double[][] amplification(double a, double b, double c) {
         double w = b / 2;
         double damp = 1 / (1 + w);
-        // State (x, v h, f h²/m) with the force kept from the last step; u = (v h + f/2) damp, x' = x + u,
-        // f' = -a x' - c u, v' h = (1 - w) u + f'/2.
+        // State (x, v h, f h²/m) with the cached force of the last step; u = (v h + f/2) damp, x' = x + u, f' = -a x'
+        // - c u, v' h = (1 - w) u + f'/2.
         double f = -(a + c) * damp;
         return new double[][] {
             {1, damp, 0.5 * damp},

@@ -1,5 +1,5 @@
 /**
- * Integration schemes, each with its amplification matrix, their stability limits, and the stepper that splits a step
- * and detects divergence. Forces and constraints do not belong here.
+ * Integration schemes with their amplification matrices and stability limits, and the stepper that splits steps and
+ * detects divergence. Forces and constraints do not belong here.
  */
 package org.phrenic.engine.integrator;

@@ -1,13 +1,13 @@
 package org.phrenic.engine.kinematics;
 
 /**
- * A rigid motion as a screw: a turn by {@code angle} about an axis and a slide along it.
+ * A rigid motion as a screw: a rotation by {@code angle} about an axis and a translation along it.
  *
- * <p>{@code x' = p + Rot(d, angle) (x - p) + slide d}. From a motion {@code x' = R x + v}, with {@code theta} and
- * {@code d} from the quaternion of {@code R} (exact for small angles and for angles near pi alike): {@code slide = d .
- * v}, {@code p = 1/2 [v - slide d + cot(theta/2) d x v]}, the point of the axis nearest to the origin (C. W. Spoor, F.
- * E. Veldpaus 1980, doi 10.1016/0021-9290(80)90020-2). Errors of direction and place grow as {@code 1 / (2
- * sin(theta/2))} (H. J. Woltring et al. 1985, J. Biomech. 18:379): fit axes from full breaths, not from tidal ones.
+ * <p>{@code x' = p + Rot(d, angle) (x - p) + slide d}. For a motion {@code x' = R x + v}, {@code theta} and {@code d}
+ * follow from the quaternion of {@code R}, which is accurate for angles near 0 and near pi. Then {@code slide = d . v},
+ * and {@code p = 1/2 [v - slide d + cot(theta/2) d x v]} is the point of the axis nearest to the origin (C. W. Spoor,
+ * F. E. Veldpaus 1980, doi 10.1016/0021-9290(80)90020-2). Errors of direction and position grow as {@code 1 / (2
+ * sin(theta/2))} (H. J. Woltring et al. 1985, J. Biomech. 18:379), so fit axes to full breaths, not to tidal ones.
  *
  * @param directionX unit direction, right-hand rule
  * @param directionY unit direction
@@ -15,8 +15,8 @@ package org.phrenic.engine.kinematics;
  * @param pointX a point on the axis, mm
  * @param pointY a point on the axis, mm
  * @param pointZ a point on the axis, mm
- * @param angle turn in rad; of a motion it is within 0 to pi
- * @param slide shift along the direction, mm
+ * @param angle rotation angle, rad; within 0 to pi if computed from a motion
+ * @param slide translation along the direction, mm
  */
 public record HelicalAxis(
         double directionX,
@@ -28,7 +28,7 @@ public record HelicalAxis(
         double angle,
         double slide) {
 
-    /** Below this a turn is rounding error, and the motion a shift along its own direction. */
+    /** Rotation angle below which a motion is treated as a pure translation, rad: the level of rounding errors. */
     public static final double SMALLEST_ANGLE = 1e-13;
 
     private static final double UNIT_TOLERANCE = 1e-9;
@@ -74,11 +74,11 @@ public record HelicalAxis(
     }
 
     /**
-     * The screw of a motion. A motion that does not turn has no axis of its own: it is given as a slide along its
-     * translation through the reference point (along z if it does not move at all), angle 0. Of the two equal screws of
-     * half a turn it is the one that the rounding of the rotation names.
+     * The screw of a motion. A pure translation has no unique axis: it becomes a slide with angle 0 through the
+     * reference point, along the translation (along z for the identity). A rotation by pi has two equivalent screws;
+     * rounding decides which is returned.
      *
-     * @param reference where on the axis the point shall be: the one nearest to this, mm
+     * @param reference the point of the axis nearest to this one is chosen, mm
      */
     public static HelicalAxis of(RigidMotion motion, double[] reference) {
         double[] v = {motion.translation(0), motion.translation(1), motion.translation(2)};
@@ -101,21 +101,21 @@ public record HelicalAxis(
         return new HelicalAxis(x, y, z, px + along * x, py + along * y, pz + along * z, angle, slide);
     }
 
-    /** The whole motion. */
+    /** The full motion. */
     public RigidMotion motion() {
         return motion(1);
     }
 
-    /** A part of the motion: {@code fraction} of the angle and of the slide; may be negative or above 1. */
+    /** A fraction of the motion: {@code fraction} of the angle and of the slide; may be negative or above 1. */
     public RigidMotion motion(double fraction) {
         double sine = StrictMath.sin(fraction * angle);
         double half = StrictMath.sin(0.5 * fraction * angle);
-        // 1 - cos without the loss of digits at small angles
+        // 1 - cos without cancellation at small angles
         double versine = 2 * half * half;
         double x = directionX;
         double y = directionY;
         double z = directionZ;
-        // Rodrigues: R = I + sine K + versine K^2, K the cross product with the direction
+        // Rodrigues' formula: R = I + sine K + versine K^2, where K is the cross-product matrix of the direction
         double[] turn = {
             -versine * (y * y + z * z),
             versine * x * y - sine * z,
@@ -127,7 +127,7 @@ public record HelicalAxis(
             versine * y * z + sine * x,
             -versine * (x * x + y * y)
         };
-        // t = p - R p + slide d = -(R - I) p + slide d: R - I as it stands keeps the digits of a small turn
+        // t = p - R p + slide d = -(R - I) p + slide d; using R - I directly avoids cancellation at small angles
         double[] t = {
             fraction * slide * x - (turn[0] * pointX + turn[1] * pointY + turn[2] * pointZ),
             fraction * slide * y - (turn[3] * pointX + turn[4] * pointY + turn[5] * pointZ),
@@ -140,8 +140,8 @@ public record HelicalAxis(
     }
 
     /**
-     * The same screw of the other half of a body mirrored at {@code x = 0}: a turn is an axial vector, so that its y
-     * and z components change sign, and the slide, measured along it, changes sign with them.
+     * The screw mirrored at {@code x = 0}, for the other half of a body. Rotation is an axial vector, so its y and z
+     * components change sign. The slide is measured along this direction and changes sign too.
      */
     public HelicalAxis mirroredX() {
         return new HelicalAxis(directionX, -directionY, -directionZ, -pointX, pointY, pointZ, angle, -slide);

@@ -1,18 +1,18 @@
 package org.phrenic.engine.kinematics;
 
 /**
- * A rigid body that moves along its helical axis with one amplitude {@code s}: 0 is where it rests (end-expiration), 1
- * the whole turn and slide of the axis (full inspiration); below 0 it goes beyond rest.
+ * A rigid body that moves along its helical axis with one amplitude {@code s}: 0 at rest (end-expiration), 1 at the
+ * full rotation and slide of the axis (full inspiration), negative beyond rest.
  *
- * <p>{@code x(s) = p + Rot(d, s theta) (x0 - p) + s slide d}. As the axis stays where it is, the velocity is that of a
- * screw: {@code v(x) = w x x + v0} with {@code w = theta ds/dt d} and {@code v0 = slide ds/dt d - w x p}, whatever
- * {@code s} is; so prescribed nodes get exact velocities and no difference quotients.
+ * <p>{@code x(s) = p + Rot(d, s theta) (x0 - p) + s slide d}. The axis is fixed, so the velocity is that of a screw for
+ * every {@code s}: {@code v(x) = w x x + v0} with {@code w = theta ds/dt d} and {@code v0 = slide ds/dt d - w x p}.
+ * Prescribed nodes therefore get exact velocities without finite differences.
  */
 public final class HelicalBody {
-    /** Numbers of a pose: three rows of {@code [R | t]}. */
+    /** Length of a pose array: three rows of {@code [R | t]}. */
     public static final int POSE_LENGTH = 12;
 
-    /** Numbers of a twist: {@code w} in rad/s, then {@code v0} in mm/s, the velocity of the body at the origin. */
+    /** Length of a twist array: {@code w} in rad/s, then {@code v0} in mm/s, the velocity of the body at the origin. */
     public static final int TWIST_LENGTH = 6;
 
     private final double dx;
@@ -24,7 +24,7 @@ public final class HelicalBody {
     private final double angle;
     private final double slide;
 
-    /** The body at rest, with the axis of its whole motion. */
+    /** Creates a body at rest with the axis of its full motion. */
     public HelicalBody(HelicalAxis axis) {
         dx = axis.directionX();
         dy = axis.directionY();
@@ -37,16 +37,16 @@ public final class HelicalBody {
     }
 
     /**
-     * Where the body is at an amplitude.
+     * Computes the pose of the body at an amplitude.
      *
-     * @param amplitude s, without unit
+     * @param amplitude s, dimensionless
      * @param pose receives {@value #POSE_LENGTH} numbers, row by row {@code [R | t]}, t in mm
      */
     public void pose(double amplitude, double[] pose) {
         double turn = amplitude * angle;
         double sine = StrictMath.sin(turn);
         double half = StrictMath.sin(0.5 * turn);
-        // 1 - cos, with all its digits at small angles; it leaves s = 0 an exact identity.
+        // 1 - cos without cancellation at small angles; s = 0 gives an exact identity.
         double versine = 2 * half * half;
         double shift = amplitude * slide;
         row(pose, 0, -versine * (dy * dy + dz * dz), versine * dx * dy - sine * dz, versine * dx * dz + sine * dy);
@@ -61,7 +61,7 @@ public final class HelicalBody {
     }
 
     /**
-     * How the body moves.
+     * Computes the twist of the body.
      *
      * @param rate ds/dt, 1/s
      * @param twist receives {@value #TWIST_LENGTH} numbers
@@ -77,14 +77,14 @@ public final class HelicalBody {
     }
 
     /**
-     * Moves points of the body.
+     * Transforms points of the body.
      *
-     * @param pose of the body
+     * @param pose pose of the body
      * @param rest x, y, z of points at rest, mm
      * @param from first point to read
-     * @param moved receives them, mm; may not be {@code rest}
+     * @param moved receives the transformed points, mm; must not be {@code rest}
      * @param to first point to write
-     * @param count how many
+     * @param count number of points
      */
     public static void transformPoints(double[] pose, double[] rest, int from, double[] moved, int to, int count) {
         int i = 3 * from;
@@ -100,14 +100,14 @@ public final class HelicalBody {
     }
 
     /**
-     * Velocities of points of the body.
+     * Computes velocities of points of the body.
      *
-     * @param twist of the body
-     * @param moved where the points are now, x, y, z in mm
+     * @param twist twist of the body
+     * @param moved current x, y, z of points, mm
      * @param from first point to read
-     * @param velocities receives mm/s
+     * @param velocities receives the velocities, mm/s
      * @param to first point to write
-     * @param count how many
+     * @param count number of points
      */
     public static void pointVelocities(
             double[] twist, double[] moved, int from, double[] velocities, int to, int count) {
@@ -123,7 +123,7 @@ public final class HelicalBody {
         }
     }
 
-    /** A row of {@code R - I}, and of the translation {@code -(R - I) p} that keeps the axis in place. */
+    /** Writes a row of {@code R - I} and of the translation {@code -(R - I) p} that keeps the axis fixed. */
     private void row(double[] pose, int at, double x, double y, double z) {
         pose[at] = x;
         pose[at + 1] = y;

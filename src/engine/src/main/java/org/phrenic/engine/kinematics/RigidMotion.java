@@ -6,18 +6,21 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.SingularValueDecomposition_F64;
 
 /**
- * A rigid motion {@code x' = R x + t}: a proper rotation (3 x 3) and a translation (mm). A value: nothing changes it.
+ * A rigid motion {@code x' = R x + t}: a proper rotation (3 x 3) and a translation (mm). Immutable.
  *
- * <p>{@link #fit} finds the motion that carries one set of points best onto another, {@code min sum |R p_i + t -
- * q_i|^2}: with both sets centred and {@code H = sum p_i q_i^T = U S V^T}, {@code R = V diag(1, 1, det(V U^T)) U^T} and
- * {@code t = q_mean - R p_mean} (K. S. Arun, T. S. Huang, S. D. Blostein 1987, doi 10.1109/TPAMI.1987.4767965; the sign
- * of the determinant after I. Soederkvist, P.-A. Wedin 1993, doi 10.1016/0021-9290(93)90098-Y).
+ * <p>{@link #fit} finds the motion that best maps one set of points onto another, {@code min sum |R p_i + t - q_i|^2}.
+ * With both sets centred and {@code H = sum p_i q_i^T = U S V^T}, {@code R = V diag(1, 1, det(V U^T)) U^T} and {@code t
+ * = q_mean - R p_mean} (K. S. Arun, T. S. Huang, S. D. Blostein 1987, doi 10.1109/TPAMI.1987.4767965; sign of the
+ * determinant after I. Soederkvist, P.-A. Wedin 1993, doi 10.1016/0021-9290(93)90098-Y).
  */
 public final class RigidMotion {
-    /** How far {@code R^T R} may be from the identity, entry by entry: some thousand rounding errors. */
+    /** Tolerance of each entry of {@code R^T R - I}: some thousand rounding errors. */
     private static final double ORTHONORMAL_TOLERANCE = 1e-9;
 
-    /** Points closer to one line than this share of their extent leave the turn about that line open. */
+    /**
+     * Distance from a line, relative to the extent, below which points are collinear and leave the rotation
+     * undetermined.
+     */
     private static final double COLLINEAR_TOLERANCE = 1e-7;
 
     private static final RigidMotion IDENTITY =
@@ -31,13 +34,13 @@ public final class RigidMotion {
         this.t = t;
     }
 
-    /** The motion that leaves everything where it is. */
+    /** The identity. */
     public static RigidMotion identity() {
         return IDENTITY;
     }
 
     /**
-     * The motion of a rotation and a translation.
+     * Creates a motion from a rotation and a translation.
      *
      * @param rotation 9 numbers, row by row
      * @param translation 3 numbers, mm
@@ -59,7 +62,7 @@ public final class RigidMotion {
                 for (int k = 0; k < 3; k++) {
                     dot += rotation[3 * k + i] * rotation[3 * k + j];
                 }
-                // Written so that a NaN fails too.
+                // The negated comparison also rejects NaN.
                 if (!(Math.abs(dot - (i == j ? 1 : 0)) <= ORTHONORMAL_TOLERANCE)) {
                     throw new IllegalArgumentException(
                             "rigid motion: columns " + i + " and " + j + " of the rotation have the product " + dot
@@ -73,7 +76,7 @@ public final class RigidMotion {
         return new RigidMotion(rotation.clone(), translation.clone());
     }
 
-    /** The shift by {@code (x, y, z)} mm. */
+    /** The translation by {@code (x, y, z)} mm. */
     public static RigidMotion translation(double x, double y, double z) {
         return of(IDENTITY.r, new double[] {x, y, z});
     }
@@ -82,8 +85,8 @@ public final class RigidMotion {
      * The least-squares motion from one set of points to another.
      *
      * @param from x, y, z of each point, mm
-     * @param to where each of them went, in the same order, mm
-     * @throws IllegalArgumentException for fewer than 3 points, different counts, points on one line, or a NaN
+     * @param to corresponding points in the same order, mm
+     * @throws IllegalArgumentException for fewer than 3 points, different counts, collinear points, or a NaN
      */
     public static RigidMotion fit(double[] from, double[] to) {
         if (from.length != to.length || from.length % 3 != 0) {
@@ -112,7 +115,7 @@ public final class RigidMotion {
         }
         DMatrixRMaj u = svd.getU(null, false);
         DMatrixRMaj v = svd.getV(null, false);
-        // EJML does not sort: the direction to flip, if one must be, is the one of the smallest singular value.
+        // EJML does not sort singular values. A reflection is removed by flipping the direction of the smallest one.
         double[] s = svd.getSingularValues();
         int smallest = s[0] <= s[1] && s[0] <= s[2] ? 0 : s[1] <= s[2] ? 1 : 2;
         DMatrixRMaj rotation = new DMatrixRMaj(3, 3);
@@ -131,7 +134,7 @@ public final class RigidMotion {
         return new RigidMotion(r.clone(), t);
     }
 
-    /** Entry of the rotation, row and column from 0. */
+    /** Entry of the rotation matrix; row and column from 0. */
     public double rotation(int row, int column) {
         return r[3 * row + column];
     }
@@ -141,14 +144,14 @@ public final class RigidMotion {
         return t[axis];
     }
 
-    /** Where the point goes, {@code {x, y, z}} in mm. */
+    /** The transformed point {@code {x, y, z}}, mm. */
     public double[] apply(double x, double y, double z) {
         double[] point = {x, y, z};
         apply(point);
         return point;
     }
 
-    /** Moves every point of the array (x, y, z in turn, mm) in place. */
+    /** Transforms all points of an array (x, y, z in turn, mm) in place. */
     public void apply(double[] points) {
         for (int n = 0; n + 2 < points.length; n += 3) {
             double x = points[n];
@@ -160,7 +163,7 @@ public final class RigidMotion {
         }
     }
 
-    /** The motion that does {@code first}, then this one. */
+    /** The composition: {@code first}, then this motion. */
     public RigidMotion after(RigidMotion first) {
         double[] product = new double[9];
         for (int i = 0; i < 3; i++) {
@@ -172,14 +175,14 @@ public final class RigidMotion {
         return new RigidMotion(product, apply(first.t[0], first.t[1], first.t[2]));
     }
 
-    /** The motion that takes this one back. */
+    /** The inverse motion. */
     public RigidMotion inverse() {
         double[] back = {r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]};
         RigidMotion turn = new RigidMotion(back, new double[3]);
         return new RigidMotion(back, turn.apply(-t[0], -t[1], -t[2]));
     }
 
-    /** Root mean square distance in mm between where {@code from} goes and {@code to}. */
+    /** Root mean square distance between the transformed {@code from} and {@code to}, mm. */
     public double rms(double[] from, double[] to) {
         double[] moved = from.clone();
         apply(moved);
@@ -210,7 +213,8 @@ public final class RigidMotion {
     }
 
     /**
-     * Refuses points on one line: the farthest point from the mean gives the line, the others their distance from it.
+     * Rejects collinear points. The line runs from the mean to the farthest point; the other points are compared with
+     * it.
      */
     private static void requireSpread(double[] points, double[] mean, String name) {
         double length = 0;

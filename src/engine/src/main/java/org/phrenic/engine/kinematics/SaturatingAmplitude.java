@@ -1,19 +1,19 @@
 package org.phrenic.engine.kinematics;
 
 /**
- * How far the ribs have turned when a share of the inspiratory capacity is in: much at first, little at the end.
+ * Rotation of the ribs as a saturating function of inspired volume: steep at first, flat near full inspiration.
  *
- * <p>{@code s(V) = (1 - exp(-V / c)) / (1 - exp(-1 / c))}, {@code V} the inspired volume over the inspiratory capacity;
- * {@code s(0) = 0}, {@code s(1) = 1}. Below 0 (below the resting volume) it goes on as the straight line of its slope
- * at 0, so that value and slope are continuous. That ribs move much less above the middle of the capacity than below it
- * was measured by B. Beyer et al. 2016 (Respir. Physiol. Neurobiol. 232:57); the exponential and {@code c = 0.5} are
- * ours.
+ * <p>{@code s(V) = (1 - exp(-V / c)) / (1 - exp(-1 / c))}, where {@code V} is the inspired volume divided by the
+ * inspiratory capacity; {@code s(0) = 0}, {@code s(1) = 1}. Below 0 (below the resting volume) it continues linearly,
+ * with continuous value and slope. B. Beyer et al. 2016 (Respir. Physiol. Neurobiol. 232:57) measured that ribs move
+ * much less above half of the capacity than below it. The exponential form and {@code c = 0.5} are assumptions of this
+ * project.
  *
- * @param constant c, a share of the capacity, above 0
+ * @param constant c, relative to the capacity, above 0
  */
 public record SaturatingAmplitude(double constant) {
 
-    /** {@code c = 0.5}: 73 % of the turn at half of the capacity. */
+    /** {@code c = 0.5}: 73 % of the rotation at half of the capacity. */
     public static final SaturatingAmplitude DEFAULT = new SaturatingAmplitude(0.5);
 
     public SaturatingAmplitude {
@@ -23,17 +23,17 @@ public record SaturatingAmplitude(double constant) {
         }
     }
 
-    /** Share of the full turn at a share of the inspiratory capacity. */
+    /** Fraction of the full rotation at a fraction of the inspiratory capacity. */
     public double at(double volume) {
         double scale = -StrictMath.expm1(-1 / constant);
         return volume < 0 ? volume / (constant * scale) : -StrictMath.expm1(-volume / constant) / scale;
     }
 
     /**
-     * Share of the inspiratory capacity at which the ribs have turned by a share: the inverse of {@link #at}.
+     * The inverse of {@link #at}: the fraction of the inspiratory capacity at a fraction of the rotation.
      *
-     * @param turn share of the full turn, at most 1
-     * @throws IllegalArgumentException if it is above 1 or not a number
+     * @param turn fraction of the full rotation, at most 1
+     * @throws IllegalArgumentException if it is above 1 or NaN
      */
     public double volume(double turn) {
         if (!(turn <= 1)) {
@@ -43,7 +43,7 @@ public record SaturatingAmplitude(double constant) {
         return turn < 0 ? turn * constant * scale : -constant * StrictMath.log1p(-turn * scale);
     }
 
-    /** {@code ds/dV}. */
+    /** The derivative {@code ds/dV}. */
     public double slope(double volume) {
         double atRest = 1 / (-StrictMath.expm1(-1 / constant) * constant);
         return volume < 0 ? atRest : atRest * StrictMath.exp(-volume / constant);

@@ -1,2 +1,5 @@
-/** Rigid motions and bodies that move along helical axes: prescribed, not solved. Nothing here knows forces. */
+/**
+ * Rigid motions and bodies that move along helical axes. Motion is prescribed, not solved, and does not depend on
+ * forces.
+ */
 package org.phrenic.engine.kinematics;

@@ -1,10 +1,10 @@
 package org.phrenic.engine.math;
 
-/** The order of keys by size, of equal ones the earlier first; without boxed numbers. */
+/** Stable argsort: the permutation that sorts keys in ascending order, without boxing. */
 public final class ArgSort {
     private ArgSort() {}
 
-    /** Which key comes first, which second, and so on. */
+    /** Indices of the keys in ascending order; equal keys keep their order. */
     public static int[] of(long[] keys) {
         long[] sorted = keys.clone();
         RadixSort.sort(sorted);
@@ -17,7 +17,7 @@ public final class ArgSort {
         return order;
     }
 
-    /** The first place of a key that is there. */
+    /** Index of the first occurrence of a key that is present. */
     private static int firstOf(long[] sorted, long key) {
         int low = 0;
         int high = sorted.length - 1;

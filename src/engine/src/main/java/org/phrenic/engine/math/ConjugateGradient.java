@@ -1,15 +1,14 @@
 package org.phrenic.engine.math;
 
 /**
- * Preconditioned conjugate gradients for A x = b without a matrix (Hestenes and Stiefel 1952, doi
- * 10.6028/jres.049.044):
+ * Matrix-free preconditioned conjugate gradients for A x = b (Hestenes and Stiefel 1952, doi 10.6028/jres.049.044):
  *
  * <pre>
  * z = M⁻¹ r,  ρ = r · z,  q = A d,  α = ρ / d · q,  x += α d,  r -= α q,  d = z' + (ρ' / ρ) d
  * </pre>
  *
- * <p>A subclass gives A and M⁻¹. A least-squares problem min |b - A x| has z = Aᵀ r, ρ = z · z and α = ρ / q · q
- * (CGLS). Sums are formed in a fixed order; a solve allocates nothing.
+ * <p>A subclass provides A and M⁻¹. For least squares, min |b - A x|, use z = Aᵀ r, ρ = z · z and α = ρ / q · q (CGLS).
+ * Sums have a fixed order; a solve allocates nothing.
  */
 public abstract class ConjugateGradient {
     private final double[] z;
@@ -28,34 +27,34 @@ public abstract class ConjugateGradient {
         image = new double[equations];
     }
 
-    /** Writes A d. */
+    /** Writes A d to {@code out}. */
     protected abstract void multiply(double[] d, double[] out);
 
-    /** Writes z = M⁻¹ r. */
+    /** Writes z = M⁻¹ r to {@code out}. */
     protected abstract void precondition(double[] residual, double[] out);
 
-    /** a · b. */
+    /** The inner product a · b. */
     protected double dot(double[] a, double[] b) {
         return DenseVectors.dot(a, b);
     }
 
-    /** ρ. */
+    /** The value ρ. */
     protected double rho(double[] residual, double[] preconditioned) {
         return dot(residual, preconditioned);
     }
 
-    /** Denominator of α. */
+    /** The denominator of α. */
     protected double curvature(double[] d, double[] q) {
         return dot(d, q);
     }
 
-    /** What is held against the goal: ρ, unless a subclass measures the residual otherwise. */
+    /** Measure compared with the goal: ρ by default. */
     protected double stopMeasure(double currentRho, double[] residual) {
         return currentRho;
     }
 
     /**
-     * Takes the first direction from the residual b - A x.
+     * Initialises the search direction from the residual b - A x.
      *
      * @return ρ of this residual
      */
@@ -69,11 +68,11 @@ public abstract class ConjugateGradient {
     /**
      * Iterates after {@link #start} until the stop measure is at most the goal.
      *
-     * @param x first guess, improved in place
-     * @param residual b - A x, kept up to date
+     * @param x initial guess, updated in place
+     * @param residual b - A x, updated in place
      * @param goal bound of the stop measure
-     * @param maxIterations at most so many
-     * @return whether A was positive along all directions; it ends at the first along which it is not
+     * @param maxIterations maximum number of iterations
+     * @return false if the iteration stopped at a direction along which A is not positive
      */
     public final boolean solve(double[] x, double[] residual, double goal, int maxIterations) {
         for (iterations = 0; iterations < maxIterations && stopMeasure(rho, residual) > goal; iterations++) {
@@ -96,7 +95,7 @@ public abstract class ConjugateGradient {
         return true;
     }
 
-    /** Iterations of the last solve. */
+    /** Number of iterations of the last solve. */
     public final int iterations() {
         return iterations;
     }

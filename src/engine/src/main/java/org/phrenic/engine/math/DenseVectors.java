@@ -1,6 +1,6 @@
 package org.phrenic.engine.math;
 
-/** Vectors of many numbers, all of one length; sums run in the order of the numbers. */
+/** Operations on dense vectors of equal length; sums run in index order. */
 public final class DenseVectors {
     private DenseVectors() {}
 

@@ -3,20 +3,20 @@ package org.phrenic.engine.math;
 import java.util.Arrays;
 
 /**
- * Disjoint sets as a forest: each item names another of its set, the root itself (union-find with path halving; Tarjan
- * and van Leeuwen 1984, doi 10.1145/62.2160).
+ * Union-find with path halving (Tarjan and van Leeuwen 1984, doi 10.1145/62.2160). Each item stores its parent; a root
+ * stores itself.
  */
 public final class DisjointSets {
     private DisjointSets() {}
 
-    /** So many items, each a set of its own. */
+    /** Creates sets of one item each. */
     public static int[] singletons(int count) {
         int[] parent = new int[count];
         Arrays.setAll(parent, i -> i);
         return parent;
     }
 
-    /** The root of an item's set; shortens the way for those who come after. */
+    /** The root of an item's set; shortens the path for later calls. */
     public static int find(int[] parent, int item) {
         int at = item;
         while (parent[at] != at) {
@@ -27,8 +27,8 @@ public final class DisjointSets {
     }
 
     /**
-     * Makes one set of two items' sets, whose root is the lower of the two roots: of sets joined so alone it is the
-     * lowest item.
+     * Merges the sets of two items; the lower root becomes the root. If all unions use this method, a root is the
+     * lowest item of its set.
      */
     public static void unionToLower(int[] parent, int a, int b) {
         int one = find(parent, a);

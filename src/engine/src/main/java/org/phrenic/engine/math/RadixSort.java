@@ -3,9 +3,9 @@ package org.phrenic.engine.math;
 import java.util.Arrays;
 
 /**
- * Sorts whole numbers digit by digit, the lowest first (Knuth, The Art of Computer Programming 3, 5.2.5): keys made of
- * a few packed numbers leave most digits alike, which costs nothing. In a program that has just started its two short
- * loops are fast sooner than a general sort is.
+ * Least-significant-digit radix sort of long integers (Knuth, The Art of Computer Programming 3, 5.2.5). Digits equal
+ * in all keys are skipped, which is fast for keys made of a few packed numbers. Its two short loops are compiled sooner
+ * after program start than a general sort.
  */
 public final class RadixSort {
     private static final int DIGIT_BITS = 11;
@@ -14,7 +14,7 @@ public final class RadixSort {
 
     private RadixSort() {}
 
-    /** Sorts keys in place, the smallest first. */
+    /** Sorts keys in place, in ascending order. */
     public static void sort(long[] keys) {
         sort(keys, keys.length);
     }
@@ -44,7 +44,7 @@ public final class RadixSort {
         }
     }
 
-    /** Sorts the keys from one place to before another; made for many short stretches. */
+    /** Sorts the keys {@code [from, to)} in place; intended for many short ranges. */
     public static void sort(long[] keys, int from, int to) {
         if (to - from <= FEW) {
             insert(keys, from, to);
@@ -67,7 +67,7 @@ public final class RadixSort {
         }
     }
 
-    /** The bits in which not all keys agree. */
+    /** The bits in which the keys differ. */
     private static long differing(long[] keys, int length) {
         long bits = 0;
         for (int i = 1; i < length; i++) {
@@ -76,7 +76,7 @@ public final class RadixSort {
         return bits;
     }
 
-    /** Leaves in {@code start} the place of the first key with each digit. */
+    /** Writes to {@code start} the index of the first key with each digit. */
     private static void count(long[] keys, int length, int shift, int[] start) {
         Arrays.fill(start, 0);
         for (int i = 0; i < length; i++) {
@@ -96,7 +96,7 @@ public final class RadixSort {
         }
     }
 
-    /** With the sign turned, so that negative keys come first. */
+    /** The digit of a key. The sign bit is flipped, so that negative keys come first. */
     private static int digit(long key, int shift) {
         return (int) ((key ^ Long.MIN_VALUE) >>> shift) & DIGITS - 1;
     }

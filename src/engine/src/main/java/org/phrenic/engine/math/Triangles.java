@@ -1,18 +1,16 @@
 package org.phrenic.engine.math;
 
-/**
- * Arithmetic of one triangle among many, whose corners lie in an array of three numbers a vertex. Allocates nothing.
- */
+/** Geometry of triangles whose corners are stored in an array of three coordinates a vertex. Allocates nothing. */
 public final class Triangles {
     private Triangles() {}
 
     /**
-     * The cross product of two sides, (b - a) x (c - a): it stands on the triangle, on the side from which the corners
-     * go anticlockwise.
+     * The cross product of two sides, (b - a) x (c - a). It points to the side from which the corners are
+     * anticlockwise.
      *
-     * @param p positions, three numbers a vertex
-     * @param a where the first corner begins in {@code p}, three times its number; so {@code b} and {@code c}
-     * @param out receives the product, three numbers
+     * @param p positions, three coordinates a vertex
+     * @param a index of the first corner in {@code p}, three times its vertex number; {@code b} and {@code c} likewise
+     * @param out receives the product, three components
      * @return its length, twice the triangle's area
      */
     public static double cross(double[] p, int a, int b, int c, double[] out) {
@@ -29,8 +27,8 @@ public final class Triangles {
     }
 
     /**
-     * The unit normal, on the side from which the corners go anticlockwise; zero for a triangle without area.
-     * Parameters as for {@link #cross}.
+     * The unit normal on the side from which the corners are anticlockwise; zero for a degenerate triangle. Parameters
+     * as for {@link #cross}.
      *
      * @return twice the triangle's area
      */

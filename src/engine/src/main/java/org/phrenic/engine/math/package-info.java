@@ -1,5 +1,5 @@
 /**
- * Numerical tools without particles: conjugate gradients, dense vectors, sorting, union-find, triangle geometry.
- * Nothing here uses another package of the engine.
+ * Numerical tools: conjugate gradients, dense vectors, sorting, union-find, triangle geometry. This package uses no
+ * other package of the engine.
  */
 package org.phrenic.engine.math;

@@ -9,22 +9,19 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 
-/**
- * Does independent runs some at a time and gives their results in the order of the runs, whatever the number of
- * threads.
- */
+/** Runs independent jobs in parallel. Results are in the order of the jobs, whatever the number of threads. */
 public final class BatchRunner {
     /**
-     * A run.
+     * A named job.
      *
-     * @param name for progress
-     * @param work what to do
+     * @param name name in progress messages
+     * @param work the computation
      */
     public record Job<T>(String name, Supplier<T> work) {}
 
     private BatchRunner() {}
 
-    /** All results; the first failure ends what has not begun and is thrown. */
+    /** Runs all jobs and returns their results. The first failure cancels jobs that have not started, and is thrown. */
     public static <T> List<T> run(List<Job<T>> jobs, int threads, ProgressListener progress) {
         ExecutorService pool = Executors.newFixedThreadPool(Math.max(1, Math.min(threads, jobs.size())), task -> {
             Thread thread = new Thread(task, "study");

@@ -4,32 +4,35 @@ import java.util.Arrays;
 import org.phrenic.engine.math.RadixSort;
 
 /**
- * Edges between nodes sorted for block-wise work: an edge with both ends in one block is listed once there ("inner"),
- * an edge between two blocks once in each of them ("outer", seen from its own node). So the force of an inner edge is
- * computed once and given to both ends, no two blocks write to the same node, and the order of summation is fixed.
+ * Edges between nodes, sorted by block. An edge with both ends in one block is listed once ("inner"). An edge between
+ * two blocks is listed in each of them ("outer", from the node in that block). The force of an inner edge is thus
+ * computed once for both ends, no two blocks write to the same node, and the order of summation is fixed.
  */
 public final class BlockedEdges {
     private static final int SWEEPS = 8;
 
-    /** Edges as the caller listed them, in internal nodes. */
+    /** Internal nodes of the edges in the caller's order. */
     public final int[] nodeA;
 
     public final int[] nodeB;
     /**
-     * Places in the sorted list: {@code [innerStart(b), outerStart(b))} inner, {@code [outerStart(b), innerStart(b+1))}
-     * outer.
+     * Index ranges of entries: inner {@code [innerStart(b), outerStart(b))}, outer {@code [outerStart(b),
+     * innerStart(b+1))}.
      */
     public final int[] innerStart;
 
-    /** Inner entries before this one come in threes with the same first node (stars), those from here on singly. */
+    /**
+     * Inner entries before this index are in groups of three with the same first node (stars); those from here on are
+     * single.
+     */
     public final int[] singleStart;
 
     public final int[] outerStart;
-    /** First node of the entry times 3; for an outer entry the one in the block. */
+    /** First node of the entry times 3; for an outer entry, the node in the block. */
     public final int[] own;
-    /** Other node of the entry times 3. */
+    /** Second node of the entry times 3. */
     public final int[] other;
-    /** Which of the caller's edges an entry is. */
+    /** The caller's edge index of each entry. */
     public final int[] edge;
 
     public BlockedEdges(NodeLayout layout, int[] callerA, int[] callerB) {
@@ -79,7 +82,7 @@ public final class BlockedEdges {
 
     private void fill(NodeLayout layout, int n) {
         boolean[] highOwns = owners(layout, n);
-        // Sorted by first node, so that entries walk through memory.
+        // Sorted by first node for sequential memory access.
         long[] key = new long[n];
         int[] waiting = new int[layout.nodeCount()];
         for (int e = 0; e < n; e++) {
@@ -107,7 +110,7 @@ public final class BlockedEdges {
                 starNode = first;
                 starLeft = waiting[first] / 3 * 3;
             }
-            // Stars fill a block's inner part from its beginning, loose edges from its end.
+            // Stars fill a block's inner part from its beginning, single edges from its end.
             int at = starLeft-- > 0 ? nextStar[block]++ : --nextLoose[block];
             put(at, first, second, e);
         }
@@ -123,8 +126,8 @@ public final class BlockedEdges {
     }
 
     /**
-     * Which end of each inner edge lists it: chosen so that most nodes list three (a triangulated surface has three
-     * edges a node), and the edges left over from stars are few.
+     * Chooses the end of each inner edge that lists it, so that most nodes list three (a triangulated surface has three
+     * edges a node) and few edges remain outside stars.
      */
     private boolean[] owners(NodeLayout layout, int n) {
         boolean[] highOwns = new boolean[n];
@@ -145,13 +148,13 @@ public final class BlockedEdges {
         return highOwns;
     }
 
-    /** Gives the edge to its other end where that leaves fewer over. */
+    /** Reassigns an edge to its other end if fewer edges then remain outside stars. */
     private void swapOwner(int e, boolean[] highOwns, int[] owned) {
         int mine = first(e, highOwns[e]);
         int theirs = first(e, !highOwns[e]);
         int before = owned[mine] % 3 + owned[theirs] % 3;
         int after = (owned[mine] + 2) % 3 + (owned[theirs] + 1) % 3;
-        // An edge that neither gains nor loses is handed on as well: it may complete a star further along.
+        // Neutral reassignments are accepted as well, because they may complete a star elsewhere.
         if (after < before || (after == before && owned[mine] % 3 == 1)) {
             highOwns[e] = !highOwns[e];
             owned[mine]--;
@@ -169,7 +172,7 @@ public final class BlockedEdges {
         return nodeA.length;
     }
 
-    /** One value an edge into one value an entry. */
+    /** Copies one value for each edge to one value for each entry. */
     public double[] toEntries(double[] perEdge) {
         double[] out = new double[edge.length];
         for (int i = 0; i < edge.length; i++) {

@@ -2,13 +2,13 @@ package org.phrenic.engine.parallel;
 
 import java.util.stream.IntStream;
 
-/** A list of nodes sorted by block: which of the caller's entries fall into a block. */
+/** A list of nodes sorted by block, with the entries of each block. */
 public final class BlockedNodes {
     /** Entries of block b are {@code [start[b], start[b+1])}. */
     public final int[] start;
     /** Internal node of an entry times 3. */
     public final int[] node;
-    /** Which of the caller's list an entry is. */
+    /** Index of each entry in the caller's list. */
     public final int[] item;
 
     private final boolean sorted;
@@ -28,12 +28,12 @@ public final class BlockedNodes {
         }
     }
 
-    /** Whether the caller's list already is in the order of entries. */
+    /** Whether the caller's list is already in the order of entries. */
     public boolean isSorted() {
         return sorted;
     }
 
-    /** Puts three numbers a node of the caller's list in the order of entries. */
+    /** Copies three values a node from the caller's order to the order of entries. */
     public void toEntries(double[] listed, double[] sorted) {
         for (int i = 0; i < item.length; i++) {
             int p = 3 * item[i];

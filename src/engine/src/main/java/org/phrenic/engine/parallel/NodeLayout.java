@@ -5,20 +5,22 @@ import org.phrenic.engine.math.ArgSort;
 import org.phrenic.engine.math.RadixSort;
 
 /**
- * The order in which nodes lie in memory, and the fixed blocks of it that are the unit of parallel work.
+ * The order of nodes in memory and its partition into blocks, the units of parallel work.
  *
- * <p>Nodes that are near in space are near in memory (Morton order), which is worth a factor of 1.7 in speed over a
- * random order; callers keep their own numbering and translate through {@link #internal} and {@link #caller}. A block
- * is a run of consecutive nodes; the cut depends on the number of nodes alone, never on the number of threads.
+ * <p>Nodes that are close in space are close in memory (Morton order), which is 1.7 times as fast as a random order.
+ * Callers keep their own numbering and translate it with {@link #internal} and {@link #caller}. A block is a range of
+ * consecutive nodes. The partition depends only on the number of nodes, never on the number of threads.
  */
 public final class NodeLayout {
     /**
-     * Nodes a block of small systems: 36 kB of positions, velocities and forces, which stays in a core's first cache,
-     * and enough blocks to share.
+     * Nodes a block of small systems: 36 kB of positions, velocities and forces. This fits in the L1 cache of a core
+     * and gives enough blocks for parallel work.
      */
     private static final int SMALL_BLOCK_NODES = 512;
 
-    /** Nodes a block of large systems: fewer edges lead from block to block, whose forces are computed twice. */
+    /**
+     * Nodes a block of large systems. Larger blocks have fewer edges between blocks, whose forces are computed twice.
+     */
     private static final int LARGE_BLOCK_NODES = 1024;
 
     private static final int LARGE_FROM_NODES = 1 << 14;
@@ -26,8 +28,8 @@ public final class NodeLayout {
     private static final int MORTON_BITS = 21;
 
     /**
-     * How much of a block a loop takes in one call: a method is compiled after some hundred calls, a loop only when it
-     * has gone round some ten thousand times, and the first steps of a scene are waited for.
+     * Nodes processed in one call of a loop method. Short calls start up faster: the JIT compiler compiles a method
+     * after some hundred calls, but a single loop only after some ten thousand iterations.
      */
     public static final int LOOP_CHUNK = 64;
 
@@ -82,7 +84,7 @@ public final class NodeLayout {
         return new NodeLayout(ArgSort.of(code));
     }
 
-    /** Nodes kept in the order given. */
+    /** Keeps nodes in the given order. */
     public static NodeLayout natural(int nodes) {
         int[] order = new int[nodes];
         Arrays.setAll(order, i -> i);
@@ -117,22 +119,22 @@ public final class NodeLayout {
         return blockStart[block + 1];
     }
 
-    /** The block in which an internal node lies. */
+    /** The block of an internal node. */
     public int blockOf(int internalNode) {
         return blockOfNode[internalNode];
     }
 
-    /** Where the caller's node lies in memory. */
+    /** The internal number of a caller's node. */
     public int internal(int callerNode) {
         return internalOfCaller[callerNode];
     }
 
-    /** The caller's number of the node at this place in memory. */
+    /** The caller's number of an internal node. */
     public int caller(int internalNode) {
         return callerOfInternal[internalNode];
     }
 
-    /** Which of some listed nodes comes first in memory, which second, and so on; of one listed twice the earlier. */
+    /** Indices that sort listed nodes by their order in memory; a node listed twice keeps its order. */
     public int[] inMemoryOrder(int[] callerNodes) {
         long[] key = new long[callerNodes.length];
         for (int i = 0; i < key.length; i++) {
@@ -142,7 +144,7 @@ public final class NodeLayout {
         return Arrays.stream(key).mapToInt(k -> (int) k).toArray();
     }
 
-    /** Three numbers a node from the caller's order into the internal one. */
+    /** Three values a node from the caller's order to the internal order. */
     public double[] toInternal(double[] callerValues) {
         double[] out = new double[callerValues.length];
         for (int i = 0; i < nodeCount(); i++) {
@@ -151,7 +153,7 @@ public final class NodeLayout {
         return out;
     }
 
-    /** Three numbers a node from the internal order into the caller's, written to {@code out}. */
+    /** Three values a node from the internal order to the caller's order, written to {@code out}. */
     public void toCaller(double[] internalValues, double[] out) {
         int[] callers = callerOfInternal;
         for (int i = 0; i < callers.length; i++) {

@@ -1,10 +1,10 @@
 package org.phrenic.engine.parallel;
 
-/** Told how far a study of many runs is; by any thread, one at a time. */
+/** Receives the progress of a batch of runs. Called from any thread, one at a time. */
 public interface ProgressListener {
-    /** So many of all runs are done, the last of them this. */
+    /** Called after a run. */
     void done(int count, int total, String what);
 
-    /** Something worth saying once. */
+    /** Receives a message. */
     default void note(String sentence) {}
 }

@@ -5,13 +5,12 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A few threads that share out numbered pieces of work, thousands of times a second.
+ * A thread pool for numbered pieces of work, suited to thousands of short parallel loops a second.
  *
- * <p>The caller works too. Each thread has a run of pieces of its own, the same every time, so that what it touched
- * last time is still in its core's cache; who is done with his own takes pieces from the others' runs, so if a core is
- * taken by another process its share is done by the others, and a step never waits for a worker that has not begun.
- * Idle workers spin briefly, then yield, then sleep. Nothing is allocated by {@link #run}. Which thread does a piece
- * must not matter to its result.
+ * <p>The calling thread works too. Each thread first takes its own fixed range of pieces, so that their data stay in
+ * its core's cache. It then takes pieces from the ranges of other threads (work stealing), so a core that is busy with
+ * another process does not delay a step. Idle workers spin briefly, then yield, then sleep. {@link #run} allocates
+ * nothing. The result of a piece must not depend on the thread that runs it.
  */
 public final class Workers implements AutoCloseable {
     /** One numbered piece of work. */
@@ -22,25 +21,25 @@ public final class Workers implements AutoCloseable {
 
     private static final int SPINS = 2_000;
     /**
-     * Long enough to outlast a look at the scene (about a millisecond): a worker that sleeps through the next round's
-     * beginning costs a twentieth where every second step is looked at.
+     * Number of yields before sleeping: longer than the rendering of a frame (about a millisecond). A worker that
+     * sleeps at the start of a round costs 5 % if every second step is rendered.
      */
     private static final int YIELDS = 5_000;
 
     private static final long PARK_NANOS = 50_000;
     private static final int PIECE_BITS = 24;
     private static final long PIECE_MASK = (1L << PIECE_BITS) - 1;
-    /** Longs between two threads' counters: two cache lines, so that they do not disturb each other. */
+    /** Distance between the counters of two threads, in longs: two cache lines, to avoid false sharing. */
     private static final int STRIDE = 16;
 
     private final Thread[] threads;
-    /** For each thread: round number in the high bits, pieces of its run still to be claimed in the low ones. */
+    /** For each thread: round number in the high bits, number of unclaimed pieces of its range in the low bits. */
     private final AtomicLongArray left;
 
     private final AtomicInteger unfinished = new AtomicInteger();
     private int pieces;
     private Task task;
-    /** Written after task, pieces and counters of the round, and read before them. */
+    /** Written after task, pieces and counters of a round and read before them, which makes them visible to workers. */
     private volatile long round;
 
     private volatile boolean closed;
@@ -58,8 +57,10 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * @param count threads in all, the caller's included
-     * @throws IllegalArgumentException if there is not at least one
+     * Creates a pool.
+     *
+     * @param count number of threads, including the caller's
+     * @throws IllegalArgumentException if it is less than 1
      */
     public static Workers of(int count) {
         if (count < 1) {
@@ -68,14 +69,14 @@ public final class Workers implements AutoCloseable {
         return new Workers(count);
     }
 
-    /** The threads that share the work, the caller's included. */
+    /** Number of threads, including the caller's. */
     public int count() {
         return threads.length + 1;
     }
 
     /**
-     * Runs pieces 0 to {@code pieces - 1}, in any order, and returns when all are done. One caller at a time. What a
-     * piece throws is thrown here, after the others are done (one of them if several do).
+     * Runs pieces 0 to {@code pieces - 1} in any order and returns when all are done. Only one thread may call it at a
+     * time. An exception of a piece is rethrown after the other pieces are done (one of them if there are several).
      */
     public void run(int pieces, Task work) {
         if (threads.length == 0 || pieces < 2) {
@@ -100,7 +101,7 @@ public final class Workers implements AutoCloseable {
         Throwable thrown = failure;
         if (thrown != null) {
             failure = null;
-            // A task declares nothing checked.
+            // A task declares no checked exceptions.
             if (thrown instanceof Error error) {
                 throw error;
             }
@@ -112,7 +113,7 @@ public final class Workers implements AutoCloseable {
         return (int) ((long) all * owner / count());
     }
 
-    /** Claims and does pieces of a round, own ones first, until none is left. */
+    /** Claims and runs pieces of a round, those of the own range first, until none is left. */
     private void claimAll(int self, long current, Task work, int all) {
         int done = 0;
         for (int i = 0; i < count(); i++) {
@@ -123,13 +124,13 @@ public final class Workers implements AutoCloseable {
                 if (now >>> PIECE_BITS != (current << PIECE_BITS) >>> PIECE_BITS || (now & PIECE_MASK) == 0) {
                     break;
                 }
-                // A claim of an old round fails here on the round number, whatever was read as its task.
+                // A claim for an old round fails here because the round number differs, whatever task was read.
                 if (left.compareAndSet(STRIDE * (owner + 1), now, now - 1)) {
                     done++;
                     try {
                         work.run(end - (int) (now & PIECE_MASK));
                     } catch (Throwable e) {
-                        // An Error too: a piece lost in silence would leave a step half done.
+                        // Errors are caught too: a silently lost piece would leave a step incomplete.
                         failure = e;
                     }
                 }
@@ -155,7 +156,7 @@ public final class Workers implements AutoCloseable {
         }
     }
 
-    @SuppressWarnings("ThreadPriorityCheck") // yielding is the point: the core may be wanted by the worker waited for
+    @SuppressWarnings("ThreadPriorityCheck") // intended: the awaited worker may need this core
     private static void relax(int turn, boolean maySleep) {
         if (turn < SPINS) {
             Thread.onSpinWait();

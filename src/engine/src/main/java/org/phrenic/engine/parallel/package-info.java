@@ -1,5 +1,5 @@
 /**
- * How work is partitioned and shared: order and blocks of nodes, nodes and edges sorted by block, worker threads.
- * Results have the same bits on any number of threads. No forces here.
+ * Partitioning and parallel execution: order and blocks of nodes, nodes and edges sorted by block, worker threads.
+ * Results are bitwise identical on any number of threads. Forces do not belong here.
  */
 package org.phrenic.engine.parallel;

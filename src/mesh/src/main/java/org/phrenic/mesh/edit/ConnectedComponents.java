@@ -7,11 +7,11 @@ import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Connected components of a mesh as meshes. */
+/** Splits a mesh into its connected components. */
 public final class ConnectedComponents {
     private ConnectedComponents() {}
 
-    /** The connected components that have triangles, in the order of their lowest vertex. */
+    /** The connected components that have triangles, ordered by their lowest vertex index. */
     public static List<TriangleMesh> of(TriangleMesh mesh) {
         int[] t = mesh.triangles();
         int[] parent = DisjointSets.singletons(mesh.vertexCount());

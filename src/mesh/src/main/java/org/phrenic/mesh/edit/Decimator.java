@@ -6,17 +6,19 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Decimation by quadric error metrics (Garland and Heckbert 1997, doi 10.1145/258734.258849): edges collapse to the
- * point of least error, the least error first. No collapse changes the topology (link condition, Dey et al. 1999),
- * turns a triangle by more than 78 degrees or makes a triangle much thinner. The new vertex and the centres of the new
- * edges and triangles about it stay within a bound of the original surface. Boundaries keep their place.
+ * Mesh decimation by quadric error metrics (Garland and Heckbert 1997, doi 10.1145/258734.258849). The edge with the
+ * least quadric error collapses first, into the point that minimizes the error.
+ *
+ * <p>A collapse is rejected if it changes the topology (link condition, Dey et al. 1999), rotates a triangle normal by
+ * more than 78 degrees or makes a triangle much thinner. It is also rejected if the new vertex, or the centre of a new
+ * edge or triangle at it, is farther from the original surface than a bound. Boundary edges keep their position.
  */
 public final class Decimator {
-    /** Least cosine between a triangle's normals before and after: a turn of 78 degrees. */
+    /** Least cosine between a triangle's normals before and after a collapse: a rotation of 78 degrees. */
     private static final double LEAST_COSINE = 0.2;
-    /** Least {@link MovedTriangle#shapeAfter} of a triangle that becomes thinner. */
+    /** Least {@link MovedTriangle#shapeAfter} of a triangle that a collapse makes thinner. */
     private static final double LEAST_SHAPE = 0.2;
-    /** Weight of the planes that hold a boundary, relative to those of triangles. */
+    /** Weight of the planes that preserve the boundary, relative to triangle planes. */
     private static final double BOUNDARY = 100;
 
     private final HalfEdgeMesh mesh;
@@ -26,10 +28,10 @@ public final class Decimator {
     private final OneRing ring = new OneRing();
     private final MovedTriangle moved = new MovedTriangle();
     private final double bound;
-    /** Latest cost of each edge, by its primary half-edge; a queue entry with another cost is out of date. */
+    /** Current cost of each edge, indexed by its primary half-edge. A queue entry with a different cost is stale. */
     private final float[] costs;
 
-    /** Cost as float bits above, half-edge below. */
+    /** Queue entries: the cost as float bits in the high 32 bits, the half-edge in the low 32 bits. */
     private final PriorityQueue<Long> queue = new PriorityQueue<>();
 
     private Decimator(TriangleMesh given, double boundMm) {
@@ -41,12 +43,12 @@ public final class Decimator {
     }
 
     /**
-     * A surface of fewer vertices.
+     * Decimates a surface.
      *
-     * @param mesh consistently oriented ({@link MeshRepair#repair}); where it is not manifold it is cut open
-     * @param vertices how many are wanted; more are left where fewer would break a rule
-     * @param boundMm greatest distance of the surface from the original, mm; infinite for no bound
-     * @throws IllegalArgumentException if fewer than 4 vertices are asked for or the bound is not above 0
+     * @param mesh consistently oriented ({@link MeshRepair#repair}); it is cut open where it is not manifold
+     * @param vertices target number of vertices; the result has more if every further collapse is rejected
+     * @param boundMm greatest distance of the result from the original surface, mm; infinite for no bound
+     * @throws IllegalArgumentException if the target is below 4 vertices or the bound is not positive
      */
     public static TriangleMesh toVertexCount(TriangleMesh mesh, int vertices, double boundMm) {
         if (vertices < 4 || !(boundMm > 0)) {
@@ -95,7 +97,7 @@ public final class Decimator {
         }
     }
 
-    /** The plane through a boundary edge, perpendicular to its triangle. */
+    /** Adds the plane through a boundary edge, perpendicular to its triangle. */
     private void addBoundary(int side, double[] n) {
         double[] p = mesh.position;
         int a = mesh.start[side];
@@ -114,7 +116,7 @@ public final class Decimator {
         }
     }
 
-    /** Finds the point of least error for the edge of a half-edge; returns the error there. */
+    /** Finds the point of least quadric error for an edge; returns the error. */
     private double minimize(int h) {
         double[] p = mesh.position;
         int a = mesh.start[h];
@@ -133,7 +135,7 @@ public final class Decimator {
         double x = quadrics.x;
         double y = quadrics.y;
         double z = quadrics.z;
-        // Searching the original costs most and comes last.
+        // The distance to the original surface is the most expensive test, so it comes last.
         boolean fits = everyTriangle(a, b, (c, d) -> keepsShape(a, c, d, x, y, z))
                 && everyTriangle(b, a, (c, d) -> keepsShape(b, c, d, x, y, z))
                 && isNear(x, y, z)
@@ -153,12 +155,12 @@ public final class Decimator {
         } while (g != HalfEdges.NONE && g != mesh.out[b]);
     }
 
-    /** A test of the side opposite a vertex in one of its triangles. */
+    /** A predicate on the edge opposite a vertex in one of its triangles. */
     private interface OppositeSide {
         boolean test(int b, int c);
     }
 
-    /** Whether a test holds for all triangles at {@code v} that do not hold {@code gone}. */
+    /** Whether a predicate holds for all triangles at {@code v} that do not contain {@code gone}. */
     private boolean everyTriangle(int v, int gone, OppositeSide test) {
         mesh.collectRing(v, ring);
         for (int i = 0; i < ring.triangles; i++) {
@@ -176,7 +178,7 @@ public final class Decimator {
                 && !(shape < LEAST_SHAPE && shape < moved.shapeBefore());
     }
 
-    /** Whether the centres of the triangle (x, y, z), b, c and of its side to b are within the bound. */
+    /** Whether the centroid of triangle (x, y, z), b, c and the midpoint of its edge to b are within the bound. */
     private boolean staysNear(int b, int c, double x, double y, double z) {
         double[] p = mesh.position;
         return isNear((x + p[3 * b]) / 2, (y + p[3 * b + 1]) / 2, (z + p[3 * b + 2]) / 2)
@@ -194,7 +196,7 @@ public final class Decimator {
         push(mesh.isPrimary(h) ? h : mesh.twin[h]);
     }
 
-    /** Enters an edge; the bits of a non-negative float sort as the number does, the half-edge breaks ties. */
+    /** Enqueues an edge. The bits of a non-negative float sort like its value; the half-edge index breaks ties. */
     private void push(int h) {
         costs[h] = (float) minimize(h);
         queue.add((long) Float.floatToRawIntBits(costs[h]) << 32 | h);

@@ -2,35 +2,35 @@ package org.phrenic.mesh.edit;
 
 import org.phrenic.engine.math.Triangles;
 
-/** Collapses short edges under the link condition, without flipped or thin triangles. */
+/** Collapses short edges that satisfy the link condition, without flipping triangles or making them thin. */
 final class EdgeCollapser {
-    /** Least cosine between the normals of a triangle before and after a collapse: a turn of up to 75 degrees. */
+    /** Least cosine between a triangle's normals before and after a collapse: a rotation of up to 75 degrees. */
     static final double UP_TO_75_DEG = 0.26;
-    /** A turn of up to 110 degrees. */
+    /** Rotation of up to 110 degrees. */
     static final double UP_TO_110_DEG = -0.34;
-    /** Any turn and any shape, for very fine folds; the topology is kept. */
+    /** Any rotation and any shape, for very fine folds. The topology is still preserved. */
     static final double ANY_TURN = Double.NEGATIVE_INFINITY;
 
     /**
-     * Twice the area over the squared longest side, which a collapse may not undercut; an equilateral triangle has
-     * 0.87.
+     * Least shape quality (twice the area over the squared longest edge) that a collapse may produce; 0.87 for an
+     * equilateral triangle.
      */
     private static final double LEAST_SHAPE = 0.15;
-    /** Least difference of {@link #spread} for the edge to collapse into the end that spreads more. */
+    /** If the {@link #spread} of the ends differs by more than this, the edge collapses into the sharper end. */
     private static final double SHARPER = 0.1;
 
-    /** A bit for each of {@link #places}. */
+    /** One bit for each of {@link #places}. */
     private static final int ALL_PLACES = 7;
 
-    /** Edges shorter than this part of the longest collapse even across creases. */
+    /** Edges shorter than this fraction of the longest allowed edge collapse even across creases. */
     private static final double TINY = 0.3;
 
     private final HalfEdgeMesh mesh;
-    /** One-rings of the start and the end of an edge. */
+    /** One-rings of the two ends of an edge. */
     private final OneRing[] rings = {new OneRing(), new OneRing()};
-    /** Start, middle and end of an edge: where its remaining vertex may go. */
+    /** Candidate positions of the remaining vertex: start, midpoint and end of the edge. */
     private final double[] places = new double[9];
-    /** Normals of the triangles about one end, and their lengths. */
+    /** Normals of the triangles around one end, and their lengths. */
     private double[] normals = new double[3 * 64];
 
     private double[] lengths = new double[64];
@@ -43,9 +43,9 @@ final class EdgeCollapser {
     }
 
     /**
-     * Collapses edges shorter than {@code below}, shortest first, as long as no new edge exceeds {@code longest} and
-     * more than {@code leastVertices} are left, and no triangle turns further than {@code leastCosine}; returns how
-     * many.
+     * Collapses edges shorter than {@code below}, shortest first, while more than {@code leastVertices} vertices
+     * remain. A collapse is rejected if a new edge would exceed {@code longest} or the cosine of a triangle's rotation
+     * would fall below {@code leastCosine}. Returns the number of collapses.
      */
     int collapse(double below, double longest, int leastVertices, double leastCosine) {
         this.leastCosine = leastCosine;
@@ -68,7 +68,7 @@ final class EdgeCollapser {
         int b = mesh.end(h);
         mesh.collectRing(a, rings[0]);
         mesh.collectRing(b, rings[1]);
-        // Most edges stay because others would become too long wherever the remaining vertex went.
+        // Most edges are rejected here: a new edge would be too long at every candidate position.
         int tooLong = placesTooLong(a, b, longest * longest);
         if (tooLong == ALL_PLACES || !mesh.satisfiesLinkCondition(h, rings[0])) {
             return false;
@@ -88,7 +88,7 @@ final class EdgeCollapser {
         return true;
     }
 
-    /** At which {@link #places} of the remaining vertex a new edge would be too long, one bit each. */
+    /** Bit mask of the {@link #places} at which a new edge would be too long. */
     private int placesTooLong(int a, int b, double longestSquare) {
         double[] p = mesh.position;
         for (int axis = 0; axis < 3; axis++) {
@@ -119,7 +119,7 @@ final class EdgeCollapser {
         return tooLong;
     }
 
-    /** Where on its edge the remaining vertex goes, 0 at a to 1 at b; NaN if the edge must stay. */
+    /** Position of the remaining vertex on its edge, 0 at a to 1 at b; NaN if the edge must not collapse. */
     private double placeOnEdge(int h, int a, int b, double longest) {
         boolean boundaryA = mesh.isBoundaryVertex(a);
         boolean boundaryB = mesh.isBoundaryVertex(b);
@@ -137,12 +137,13 @@ final class EdgeCollapser {
             return kindB == HalfEdgeMesh.SMOOTH ? 0 : 1;
         }
         double share = kindA == kindB ? 0.5 : kindA == HalfEdgeMesh.CORNER ? 0 : 1;
-        // Ragged boundaries are all corners and have to coarsen; creases do so along tiny edges only.
+        // A ragged boundary consists of corners only and must still coarsen. Between crease corners only tiny edges
+        // collapse.
         boolean alongLine = boundaryA || (mesh.crease[h] && (kindA != HalfEdgeMesh.CORNER || kindA != kindB));
         return alongLine || mesh.squareLength(h) < TINY * TINY * longest * longest ? share : Double.NaN;
     }
 
-    /** The least cosine between the normal of a triangle of the ring and their common normal: 1 on a plane. */
+    /** Least cosine between a triangle normal of the ring and the summed normal; 1 on a plane. */
     private double spread(OneRing ring) {
         int count = ring.triangles;
         if (lengths.length < count) {
@@ -173,7 +174,8 @@ final class EdgeCollapser {
     }
 
     /**
-     * Whether the triangles of the ring that do not hold {@code gone} keep orientation and shape when its vertex moves.
+     * Whether the triangles of the ring that do not contain {@code gone} keep orientation and shape when its vertex
+     * moves.
      */
     private boolean fits(OneRing ring, int gone, double x, double y, double z) {
         for (int i = 0; i < ring.triangles; i++) {
@@ -183,7 +185,7 @@ final class EdgeCollapser {
             moved.set(mesh.position, ring.vertex, ring.vertices[i], ring.next(i), x, y, z);
             double before = moved.shapeBefore();
             double after = moved.shapeAfter();
-            // A triangle without area has no orientation to keep.
+            // A degenerate triangle has no orientation to preserve.
             double cosine = before < 1e-6 ? 1 : moved.dot / (Math.sqrt(moved.before) * Math.sqrt(moved.after));
             if (cosine < leastCosine || (leastCosine > ANY_TURN && after < LEAST_SHAPE && after < before)) {
                 return false;

@@ -4,12 +4,13 @@ import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Flips edges until the surface is Delaunay: an edge whose opposite angles sum to more than 180 degrees is replaced by
- * the other diagonal, unless that folds the surface or bends it more sharply.
+ * Flips edges until the surface is Delaunay. An edge whose opposite angles sum to more than 180 degrees is replaced by
+ * the other diagonal. A flip is rejected if it folds the surface, or if the new edge bends by more than 30 degrees and
+ * more sharply than the old edge.
  */
 final class EdgeFlipper {
     private static final int MOST_PASSES = 5;
-    /** Below this cosine between its triangles (100 degrees) an edge is a rim of the surface and stays. */
+    /** An edge whose triangle normals have a cosine below this (100 degrees) is not flipped. */
     private static final double RIM = -0.17;
     /** Bends below 30 degrees count as flat. */
     private static final double FLAT_ENOUGH = 0.87;
@@ -34,7 +35,7 @@ final class EdgeFlipper {
                 }
             }
             total += flipped;
-            // Fewer than one flip in 1,000 vertices is not worth another pass.
+            // Another pass is not worthwhile for fewer than one flip per 1,000 vertices.
             if (flipped * 1000 < mesh.vertexCount()) {
                 break;
             }
@@ -42,28 +43,28 @@ final class EdgeFlipper {
         return total;
     }
 
-    /** Turns the edge or marks it as settled; returns how many were turned. */
+    /** Flips the edge or marks it as checked; returns the number of flips. */
     private int settle(int h) {
         if (mesh.twin[h] == HalfEdgeMesh.NONE || !mesh.isPrimary(h) || mesh.crease[h] || !wouldGain(h)) {
             mesh.flipChecked[h] = true;
             return 0;
         }
         if (!mayFlip(h)) {
-            // The topology of the neighbourhood forbids it; the next pass checks it again.
+            // The neighbouring topology does not allow the flip. The next pass checks it again.
             return 0;
         }
         mesh.flip(h);
         return 1;
     }
 
-    /** Whether the other diagonal is the better one, by the four corners of the two triangles alone. */
+    /** Whether the flip improves the two triangles, judged by their four corners only. */
     private boolean wouldGain(int h) {
         int o = mesh.twin[h];
         int a = mesh.start[h];
         int b = mesh.start[o];
         int c = mesh.start[HalfEdgeMesh.previous(h)];
         int d = mesh.start[HalfEdgeMesh.previous(o)];
-        // sin(angle at c + angle at d) < 0, without a trigonometric function.
+        // Delaunay test sin(angle at c + angle at d) < 0, computed without trigonometric functions.
         double cosC = dotAt(c, a, b);
         double cosD = dotAt(d, a, b);
         if (cosC > 0 && cosD > 0) {
@@ -95,7 +96,7 @@ final class EdgeFlipper {
                 && fourth[0] * sx + fourth[1] * sy + fourth[2] * sz > 0;
     }
 
-    /** Whether both ends can spare a neighbour and the other diagonal is no edge yet. */
+    /** Whether the flip keeps the least valence at both ends and the new edge does not exist yet. */
     private boolean mayFlip(int h) {
         int o = mesh.twin[h];
         int a = mesh.start[h];

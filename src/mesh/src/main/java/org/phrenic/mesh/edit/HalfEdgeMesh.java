@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.TriangleMesh;
 
-/** A triangle surface that can be edited: edges split, collapsed and flipped in place. */
+/** A half-edge mesh with edge split, collapse and flip in place. */
 final class HalfEdgeMesh extends HalfEdges {
     private final OneRing ring = new OneRing();
 
@@ -12,7 +12,7 @@ final class HalfEdgeMesh extends HalfEdges {
         super(mesh);
     }
 
-    /** Cuts the edge of {@code h} in two at the given point; returns the new vertex. */
+    /** Splits the edge of {@code h} at the given point; returns the new vertex. */
     int split(int h, double x, double y, double z) {
         int m = newVertex(x, y, z);
         int o = twin[h];
@@ -55,7 +55,7 @@ final class HalfEdgeMesh extends HalfEdges {
         return m;
     }
 
-    /** Flips the inner edge of {@code h}, which must not be a crease; the new edge must not exist yet. */
+    /** Flips the inner edge of {@code h}. The edge must not be a crease, and the new edge must not exist yet. */
     void flip(int h) {
         int o = twin[h];
         int hn = next(h);
@@ -102,8 +102,8 @@ final class HalfEdgeMesh extends HalfEdges {
     }
 
     /**
-     * Whether removing the edge of {@code h} leaves a manifold of the same topology (Dey et al. 1999, the link
-     * condition).
+     * Whether collapsing the edge of {@code h} keeps the surface manifold and its topology unchanged (link condition,
+     * Dey et al. 1999).
      */
     boolean canCollapse(int h) {
         if (!preservesBoundary(h)) {
@@ -114,8 +114,8 @@ final class HalfEdgeMesh extends HalfEdges {
     }
 
     /**
-     * The part of {@link #canCollapse} that needs no ring: no bridge between boundaries, and enough neighbours beside
-     * the edge.
+     * The part of {@link #canCollapse} that needs no one-ring. The edge must not connect two boundaries, and the
+     * vertices opposite it must have enough neighbours.
      */
     boolean preservesBoundary(int h) {
         int o = twin[h];
@@ -125,7 +125,7 @@ final class HalfEdgeMesh extends HalfEdges {
         return canRemoveTriangle(h) && (o == NONE || canRemoveTriangle(o));
     }
 
-    /** Link condition: of the ring of the start, only the vertices opposite the edge are neighbours of its end. */
+    /** Link condition: only the vertices opposite the edge are neighbours of both its ends. */
     boolean satisfiesLinkCondition(int h, OneRing ringOfStart) {
         int common = 0;
         int b = end(h);
@@ -150,7 +150,7 @@ final class HalfEdgeMesh extends HalfEdges {
         return valenceExceeds(isBoundaryVertex(c) ? 2 : 3, c);
     }
 
-    /** Removes the edge of {@code h} and its start vertex; the end vertex stays and moves to the given point. */
+    /** Collapses the edge of {@code h}. Its start vertex is removed, and its end vertex moves to the given point. */
     void collapse(int h, double x, double y, double z) {
         int a = start[h];
         int b = end(h);
@@ -165,7 +165,7 @@ final class HalfEdgeMesh extends HalfEdges {
         for (int side = h; side != NONE; side = side == h ? o : NONE) {
             fromB = closeSide(side);
         }
-        // After both triangles are removed, so that fanStart does not pass through them.
+        // Both triangles are removed first, so that fanStart does not pass through them.
         out[b] = fanStart(fromB);
         removeVertex(a);
         setPosition(b, x, y, z);
@@ -177,8 +177,8 @@ final class HalfEdgeMesh extends HalfEdges {
     }
 
     /**
-     * Takes out the triangle of {@code h}, whose edge has shrunk to a vertex, and joins what its other two sides
-     * touched. Returns a half-edge from that vertex.
+     * Removes the triangle of {@code h}, whose edge has collapsed, and joins the neighbours across its other two edges.
+     * Returns a half-edge from the remaining vertex.
      */
     private int closeSide(int h) {
         int hn = next(h);
@@ -197,7 +197,7 @@ final class HalfEdgeMesh extends HalfEdges {
         }
         int t = h - h % 3;
         removeTriangle(t);
-        // The half-edges beyond run from c to b or from b to c: one start for each end.
+        // The outer half-edges run from c to b or from b to c, so each end gets one outgoing half-edge.
         int fromC = NONE;
         int fromB = NONE;
         for (int side = 0; side < 2; side++) {
@@ -212,8 +212,8 @@ final class HalfEdgeMesh extends HalfEdges {
     }
 
     /**
-     * Half-edges of the edges between two squared lengths, exclusive, by length in single precision; in the low 32
-     * bits.
+     * Edges with a squared length strictly between two bounds, sorted by length in single precision. The low 32 bits of
+     * each entry are the half-edge.
      */
     long[] sortedEdges(double aboveSquare, double belowSquare, boolean longestFirst) {
         long[] keys = new long[3 * triangleEnd];
@@ -222,7 +222,7 @@ final class HalfEdgeMesh extends HalfEdges {
             if (isPrimary(h)) {
                 double square = squareLength(h);
                 if (square > aboveSquare && square < belowSquare) {
-                    // The bits of a non-negative float sort as the number does; the half-edge breaks ties.
+                    // The bits of a non-negative float sort like its value. The half-edge index breaks ties.
                     int bits = Float.floatToRawIntBits((float) square);
                     keys[length++] = (long) (longestFirst ? -bits : bits) << 32 | h;
                 }

@@ -7,20 +7,20 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A triangle surface as half-edges (Botsch et al. 2010, Polygon Mesh Processing, section 2.3) in flat arrays. Half-edge
- * {@code 3t + i} runs from corner i to corner i + 1 of triangle t; {@code twin} is the opposite half-edge of the same
- * edge, {@link #NONE} on a boundary; {@code out} is one half-edge that starts at a vertex, at a boundary vertex the one
- * on the boundary. Slots of removed triangles and vertices are used again.
+ * A triangle surface as half-edges in flat arrays (Botsch et al. 2010, Polygon Mesh Processing, section 2.3). Half-edge
+ * {@code 3t + i} runs from corner i to corner i + 1 of triangle t. {@code twin} is the opposite half-edge of the same
+ * edge, or {@link #NONE} on a boundary. {@code out} is one half-edge that starts at a vertex; at a boundary vertex it
+ * is the boundary half-edge. Slots of removed triangles and vertices are reused.
  *
- * <p>A surface that is not manifold, or not consistently oriented, is cut open there: along such edges, and at vertices
- * of several fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
+ * <p>The surface is cut open where it is not manifold or not consistently oriented: along non-manifold edges, and at
+ * vertices with several fans (Gueziec et al. 2001, Cutting and Stitching, doi 10.1109/2945.928166).
  */
 abstract class HalfEdges {
     static final int NONE = -1;
     static final int SMOOTH = 0;
     static final int ON_FEATURE_LINE = 1;
     static final int CORNER = 2;
-    /** A feature line that turns by more than 53 degrees has a corner there. */
+    /** A feature line has a corner where it turns by more than 53 degrees. */
     private static final double SHARP_TURN = 0.6;
 
     /** Start vertex of each half-edge; {@link #NONE} in a removed triangle. */
@@ -29,21 +29,21 @@ abstract class HalfEdges {
     int[] twin;
     int[] out;
     double[] position;
-    /** Feature edges, which keep place and direction; marked on both half-edges. */
+    /** Feature edges, which keep position and direction; marked on both half-edges. */
     boolean[] crease;
 
-    /** Half-edges that {@link EdgeFlipper} left as they are and near which nothing has changed since. */
+    /** Half-edges that {@link EdgeFlipper} has checked and whose neighbourhood is unchanged since. */
     boolean[] flipChecked;
 
-    /** Whether each edge of the given mesh had two triangles. */
+    /** Whether every edge of the input mesh had two triangles. */
     final boolean inputClosed;
 
     private boolean hasCreases;
-    /** Neighbours along the feature line of the vertex last given to {@link #featureKind}. */
+    /** Neighbours along the feature line of the vertex last passed to {@link #featureKind}. */
     int previousOnLine;
 
     int nextOnLine;
-    /** Triangles and vertices in use have numbers below these. */
+    /** Upper bounds (exclusive) of the triangle and vertex indices in use. */
     int triangleEnd;
 
     int vertexEnd;
@@ -100,7 +100,7 @@ abstract class HalfEdges {
         }
     }
 
-    /** Gives each further fan at a vertex a copy of the vertex. */
+    /** Duplicates a vertex for each further fan at it. */
     private void separateFans() {
         boolean[] done = new boolean[start.length];
         for (int h = 0; h < start.length; h++) {
@@ -144,7 +144,7 @@ abstract class HalfEdges {
         return twin[out[v]] == NONE;
     }
 
-    /** Whether this is the one of an edge's half-edges that loops over edges take. */
+    /** Whether {@code h} is the half-edge that represents its edge in loops over edges. */
     boolean isPrimary(int h) {
         return start[h] != NONE && h > twin[h];
     }
@@ -167,9 +167,10 @@ abstract class HalfEdges {
     }
 
     /**
-     * What feature lines (boundary edges and creases) do at a vertex: {@link #SMOOTH} if none meets it,
-     * {@link #ON_FEATURE_LINE} if one runs through it, {@link #CORNER} if it ends, branches or turns sharply. For the
-     * second, {@link #previousOnLine} and {@link #nextOnLine} are the neighbours along the line.
+     * Classifies a vertex by the feature lines (boundary edges and creases) at it. It is {@link #SMOOTH} if no line
+     * meets it, {@link #ON_FEATURE_LINE} if one line passes through it, and {@link #CORNER} if a line ends, branches or
+     * turns sharply. For {@link #ON_FEATURE_LINE}, {@link #previousOnLine} and {@link #nextOnLine} are the neighbours
+     * along the line.
      */
     int featureKind(int v) {
         if (!hasCreases && twin[out[v]] != NONE) {
@@ -211,7 +212,7 @@ abstract class HalfEdges {
         return dot < SHARP_TURN * Math.sqrt(before * after);
     }
 
-    /** Turns clockwise about the start of {@code h} to the boundary, or once round to {@code h} itself. */
+    /** Rotates clockwise about the start of {@code h} to the boundary, or one full turn back to {@code h}. */
     final int fanStart(int h) {
         int g = h;
         while (twin[g] != NONE) {
@@ -223,7 +224,7 @@ abstract class HalfEdges {
         return g;
     }
 
-    /** Finds the one-ring of a vertex. */
+    /** Collects the one-ring of a vertex. */
     void collectRing(int v, OneRing ring) {
         ring.vertex = v;
         ring.size = 0;
@@ -241,7 +242,7 @@ abstract class HalfEdges {
         ring.triangles = ring.size;
     }
 
-    /** Whether a vertex has more than so many neighbours; counts no further. */
+    /** Whether a vertex has more than {@code least} neighbours; stops counting there. */
     boolean valenceExceeds(int least, int v) {
         int count = 0;
         int h = out[v];
@@ -258,7 +259,7 @@ abstract class HalfEdges {
         return false;
     }
 
-    /** A new triangle without neighbours; returns its first half-edge. */
+    /** Adds a triangle without neighbours; returns its first half-edge. */
     final int newTriangle(int a, int b, int c) {
         int t = freeTriangles.isEmpty() ? 3 * triangleEnd++ : freeTriangles.removeLast();
         if (t + 3 > start.length) {
@@ -274,7 +275,7 @@ abstract class HalfEdges {
         return t;
     }
 
-    /** Clears the mark of the three edges of a changed triangle, on both sides. */
+    /** Clears the checked flag of the three edges of a changed triangle, on both half-edges. */
     final void clearFlipChecked(int h) {
         int t = h - h % 3;
         for (int side = t; side < t + 3; side++) {
@@ -285,7 +286,7 @@ abstract class HalfEdges {
         }
     }
 
-    /** As {@link #clearFlipChecked} for all triangles. */
+    /** Clears the checked flag of all edges. */
     final void clearAllFlipChecked() {
         Arrays.fill(flipChecked, 0, 3 * triangleEnd, false);
     }

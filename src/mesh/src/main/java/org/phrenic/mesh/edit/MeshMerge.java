@@ -3,11 +3,11 @@ package org.phrenic.mesh.edit;
 import java.util.List;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Putting several surfaces into one. */
+/** Concatenates meshes. */
 public final class MeshMerge {
     private MeshMerge() {}
 
-    /** All triangles of all meshes, vertices one mesh after the other. */
+    /** One mesh with the vertices and triangles of all parts, in the order of the parts. No vertices are welded. */
     public static TriangleMesh merge(List<TriangleMesh> parts) {
         double[] positions =
                 new double[parts.stream().mapToInt(m -> m.positions().length).sum()];

@@ -3,15 +3,13 @@ package org.phrenic.mesh.edit;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
-/**
- * Consistent orientation of a surface, see {@link MeshRepair#orient}: breadth first across the edges of two triangles.
- */
+/** Consistent orientation of a surface by breadth-first search across manifold edges; see {@link MeshRepair#orient}. */
 final class MeshOrienter {
     private final TriangleMesh mesh;
     private final EdgeTable edges;
     private final boolean[] done;
     private final boolean[] flip;
-    /** Triangles of the current piece in the order in which they were reached. */
+    /** Triangles of the current component in breadth-first order. */
     private final int[] queue;
 
     private MeshOrienter(TriangleMesh mesh, EdgeTable edges) {
@@ -22,7 +20,9 @@ final class MeshOrienter {
         queue = new int[done.length];
     }
 
-    /** The mesh with consistent triangles and how many were flipped; {@code edges} are those of the mesh. */
+    /**
+     * The consistently oriented mesh and the number of flipped triangles. {@code edges} is the edge table of the mesh.
+     */
     static MeshRepair.Result orient(TriangleMesh mesh, EdgeTable edges) {
         return new MeshOrienter(mesh, edges).run();
     }
@@ -46,7 +46,7 @@ final class MeshOrienter {
         return new MeshRepair.Result(new TriangleMesh(mesh.positions(), t), new MeshRepair.Report(0, 0, 0, 0, flipped));
     }
 
-    /** Orients the piece of one triangle; returns how many of its triangles are flipped. */
+    /** Orients the component of one triangle; returns the number of flipped triangles. */
     private int orientPiece(int seed) {
         int length = 1;
         queue[0] = seed;
@@ -65,10 +65,7 @@ final class MeshOrienter {
         return inverted ? length - flipped : flipped;
     }
 
-    /**
-     * Appends the neighbours of a triangle that are not done, oriented like it, to the queue; returns the queue's
-     * length.
-     */
+    /** Appends the unvisited neighbours of a triangle to the queue, oriented like it. Returns the new queue length. */
     private int orientNeighbours(int triangle, int length) {
         int end = length;
         int[] t = mesh.triangles();
@@ -90,8 +87,8 @@ final class MeshOrienter {
     }
 
     /**
-     * Six times the signed volume of the closed piece in the queue, about its first corner to keep digits far from the
-     * origin.
+     * Six times the signed volume of the closed component in the queue. It is computed relative to the first corner,
+     * which preserves precision far from the origin.
      */
     private double volume(int length) {
         int[] t = mesh.triangles();

@@ -9,17 +9,19 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Repair of surfaces from files and segmentations: welds vertices, removes degenerate and duplicate triangles, orients
- * triangles consistently, closes seams. Every step keeps the order of what remains, so that equal input gives equal
- * output.
+ * Repair of surfaces from files and segmentations. It welds vertices, closes seams, removes degenerate and duplicate
+ * triangles, and orients triangles consistently. Each step preserves the order of the remaining elements, so equal
+ * input gives equal output.
  */
 public final class MeshRepair {
-    /** Twice the area over the square of the longest side, below which a triangle is a line: an angle of 1e-12 rad. */
+    /**
+     * A triangle is degenerate if twice its area over its squared longest edge is below this: an angle of 1e-12 rad.
+     */
     private static final double FLAT = 1e-12;
 
     private MeshRepair() {}
 
-    /** What a repair did, as counts. */
+    /** Counts of the changes made by a repair. */
     public record Report(
             int verticesWelded, int degenerateRemoved, int duplicatesRemoved, int unusedRemoved, int trianglesFlipped) {
         static final Report NONE = new Report(0, 0, 0, 0, 0);
@@ -51,21 +53,21 @@ public final class MeshRepair {
         }
     }
 
-    /** A mesh and what was done to get it. */
+    /** A repaired mesh and the counts of the changes. */
     public record Result(TriangleMesh mesh, Report report) {}
 
-    /** {@link #weld}, {@link #clean}, {@link #orient} in turn. */
+    /** Applies {@link #weld}, {@link #clean} and {@link #orient} in this order. */
     public static Result repair(TriangleMesh mesh, double tolerance) {
         return repair(mesh, tolerance, 0);
     }
 
     /**
-     * {@link #weld}, closing of seams, {@link #clean} and {@link #orient} in turn. Vertices on open edges are welded
-     * within a larger distance than all others: patches of one surface may differ along their common boundary by more
-     * than vertices inside a patch are apart.
+     * Applies {@link #weld}, closes seams, then applies {@link #clean} and {@link #orient}. Vertices on open edges are
+     * welded with a larger tolerance, because the common boundary of two patches may differ by more than the vertex
+     * spacing inside a patch.
      *
-     * @param tolerance of all vertices, mm
-     * @param seam welding distance on open edges, mm; not used unless above the tolerance
+     * @param tolerance welding distance of all vertices, mm
+     * @param seam welding distance on open edges, mm; ignored unless above the tolerance
      */
     public static Result repair(TriangleMesh mesh, double tolerance, double seam) {
         Result joined = weld(mesh, tolerance);
@@ -86,8 +88,8 @@ public final class MeshRepair {
     }
 
     /**
-     * Replaces each vertex by the nearest earlier kept vertex within {@code tolerance} (mm), the earliest of equals; a
-     * vertex that has none is kept. Replaced vertices are removed.
+     * Merges each vertex into the nearest earlier kept vertex within {@code tolerance} (mm). Among equal distances the
+     * earliest vertex is used. A vertex with no such neighbour is kept. Merged vertices are removed.
      *
      * @param tolerance mm, at least 0; 0 welds equal coordinates only
      */
@@ -98,7 +100,7 @@ public final class MeshRepair {
         return merge(mesh, new VertexWelder(mesh.positions(), tolerance).representatives());
     }
 
-    /** Welds vertices on open edges within a distance, mm; vertices inside a patch stay, however near to each other. */
+    /** Welds vertices on open edges within a distance, mm. Vertices inside a patch are not welded. */
     private static Result weldBoundaries(TriangleMesh mesh, EdgeTable edges, double distance) {
         int[] rim = boundaryVertices(mesh, edges);
         double[] p = mesh.positions();
@@ -115,7 +117,7 @@ public final class MeshRepair {
         return merge(mesh, keeper);
     }
 
-    /** The vertices that have an edge with one triangle, in their order. */
+    /** The vertices of edges with one triangle, in ascending order. */
     private static int[] boundaryVertices(TriangleMesh mesh, EdgeTable edges) {
         boolean[] open = new boolean[mesh.vertexCount()];
         for (int e = 0; e < edges.edgeCount(); e++) {
@@ -148,8 +150,8 @@ public final class MeshRepair {
     }
 
     /**
-     * Drops triangles that name a vertex twice or have no area (all corners on one line), the later of triangles with
-     * the same three vertices, and vertices that no triangle uses.
+     * Removes degenerate triangles (a repeated vertex or collinear corners), duplicate triangles and unused vertices.
+     * Of triangles with the same three vertices the first is kept.
      */
     public static Result clean(TriangleMesh mesh) {
         int[] t = mesh.triangles();
@@ -203,15 +205,15 @@ public final class MeshRepair {
     }
 
     /**
-     * Orients triangles so that neighbours across every manifold edge agree. A piece that is closed then faces outward
-     * (positive signed volume); an open piece keeps the orientation of the majority of its triangles. A one-sided
-     * surface keeps a seam.
+     * Orients triangles consistently across every manifold edge. A closed component then faces outward (positive signed
+     * volume). An open component keeps the orientation of the majority of its triangles. A non-orientable surface keeps
+     * an inconsistent seam.
      */
     public static Result orient(TriangleMesh mesh) {
         return MeshOrienter.orient(mesh, new EdgeTable(mesh));
     }
 
-    /** Keeps the named vertices in their order and renames the corners (in place). */
+    /** Keeps the marked vertices in order and renumbers the triangle corners in place. */
     static TriangleMesh compact(double[] positions, int[] triangles, boolean[] keep) {
         int[] rename = new int[keep.length];
         int count = 0;

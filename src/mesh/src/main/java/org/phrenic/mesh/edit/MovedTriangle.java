@@ -1,24 +1,24 @@
 package org.phrenic.mesh.edit;
 
 /**
- * What moving the corner v of a triangle (v, b, c) does to its normal; n and m are (c - b) x (v - b) before and after
- * the move.
+ * Normal and shape of a triangle (v, b, c) before and after its corner v moves. The normals are n and m, both (c - b) x
+ * (v - b), before and after the move.
  */
 final class MovedTriangle {
-    /** n . n, m . m and n . m. */
+    /** Dot products n . n, m . m and n . m. */
     double before;
 
     double after;
     double dot;
-    /** Squares of the longest side before and after the move, at least the smallest normal number. */
+    /** Squared longest edge before and after the move, at least the smallest normal number. */
     double longestBefore;
 
     double longestAfter;
 
     /**
-     * Looks at one triangle.
+     * Computes the quantities for one triangle.
      *
-     * @param p positions, three numbers a vertex
+     * @param p positions, three numbers per vertex
      */
     void set(double[] p, int v, int b, int c, double x, double y, double z) {
         double bx = p[3 * b];
@@ -52,12 +52,12 @@ final class MovedTriangle {
         return Math.max(Double.MIN_NORMAL, Math.max(base, Math.max(first, dx * dx + dy * dy + dz * dz)));
     }
 
-    /** Twice the area over the squared longest side before the move; 0.87 for an equilateral triangle. */
+    /** Twice the area over the squared longest edge before the move; 0.87 for an equilateral triangle. */
     double shapeBefore() {
         return Math.sqrt(before) / longestBefore;
     }
 
-    /** As {@link #shapeBefore}, after the move. */
+    /** Twice the area over the squared longest edge after the move. */
     double shapeAfter() {
         return Math.sqrt(after) / longestAfter;
     }

@@ -3,8 +3,8 @@ package org.phrenic.mesh.edit;
 import java.util.Arrays;
 
 /**
- * The neighbours of a vertex v in order, at a boundary from one boundary edge to the other. The triangles at v are (v,
- * vertices[i], next(i)) for i below {@link #triangles}.
+ * The neighbours of a vertex v in cyclic order; at a boundary they run from one boundary edge to the other. The
+ * triangles at v are (v, vertices[i], next(i)) for i below {@link #triangles}.
  */
 final class OneRing {
     int vertex;
@@ -23,7 +23,7 @@ final class OneRing {
         return vertices[i + 1 == size ? 0 : i + 1];
     }
 
-    /** Whether the i-th triangle has a vertex besides v. */
+    /** Whether the i-th triangle contains a vertex besides v. */
     boolean triangleHas(int i, int v) {
         return vertices[i] == v || next(i) == v;
     }

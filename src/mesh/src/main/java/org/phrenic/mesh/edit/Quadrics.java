@@ -1,21 +1,20 @@
 package org.phrenic.mesh.edit;
 
 /**
- * Sums of squared distances from planes, one sum a vertex, weighted by area: x A x + 2 b x + c with ten numbers each
- * (Garland and Heckbert 1997, Surface Simplification Using Quadric Error Metrics, doi 10.1145/258734.258849). Lengths
- * are taken from a common origin inside the body, which keeps their digits.
+ * Quadric error metrics per vertex (Garland and Heckbert 1997, Surface Simplification Using Quadric Error Metrics, doi
+ * 10.1145/258734.258849). A quadric is an area-weighted sum of squared distances to planes, x A x + 2 b x + c, stored
+ * as ten numbers. Positions are relative to a common origin inside the body, which preserves precision.
  */
 final class Quadrics {
     private static final int WIDTH = 10;
     /**
-     * Regularization towards the midpoint of the edge, relative to the trace, for directions that the planes leave
-     * undetermined.
+     * Regularization towards the edge midpoint, relative to the trace, for directions that the planes do not determine.
      */
     private static final double PULL = 1e-3;
 
     private final double[] q;
     private final double[] origin;
-    /** The point found by the last {@link #minimize}. */
+    /** Coordinates of the point found by the last {@link #minimize}. */
     double x;
 
     double y;
@@ -26,7 +25,7 @@ final class Quadrics {
         this.origin = origin.clone();
     }
 
-    /** Adds to vertex {@code v} the plane with a unit normal through a point of an array. */
+    /** Adds to vertex {@code v} the plane through a point of an array with the given unit normal. */
     void add(int v, double nx, double ny, double nz, double[] points, int point, double weight) {
         double d = -(nx * (points[3 * point] - origin[0])
                 + ny * (points[3 * point + 1] - origin[1])
@@ -44,14 +43,14 @@ final class Quadrics {
         q[o + 9] += weight * d * d;
     }
 
-    /** Gives vertex {@code to} the planes of {@code from} as well. */
+    /** Adds the quadric of {@code from} to vertex {@code to}. */
     void merge(int from, int to) {
         for (int k = 0; k < WIDTH; k++) {
             q[WIDTH * to + k] += q[WIDTH * from + k];
         }
     }
 
-    /** Finds where the planes of two vertices together are nearest, from (mx, my, mz); returns the sum there. */
+    /** Minimizes the summed quadric of two vertices, starting from (mx, my, mz); returns the minimum. */
     double minimize(int a, int b, double mx, double my, double mz) {
         int i = WIDTH * a;
         int j = WIDTH * b;
@@ -64,7 +63,7 @@ final class Quadrics {
         double ayy = q[i + 3] + q[j + 3];
         double ayz = q[i + 4] + q[j + 4];
         double azz = q[i + 5] + q[j + 5];
-        // The gradient at m, halved.
+        // Half the gradient at m.
         double gx = axx * m0 + axy * m1 + axz * m2 + q[i + 6] + q[j + 6];
         double gy = axy * m0 + ayy * m1 + ayz * m2 + q[i + 7] + q[j + 7];
         double gz = axz * m0 + ayz * m1 + azz * m2 + q[i + 8] + q[j + 8];

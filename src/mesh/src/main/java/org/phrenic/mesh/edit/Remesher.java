@@ -8,27 +8,29 @@ import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * Isotropic remeshing to a given number of vertices (Botsch and Kobbelt 2004, A Remeshing Approach to Multiresolution
- * Modeling, doi 10.1145/1057432.1057457): edges longer than 4/3 of a target length are split, shorter than 4/5
- * collapsed, the rest flipped to Delaunay, vertices evened out on the original surface; the target follows the count.
- * The last vertices are added at the longest edges or taken at the shortest, so the count is met exactly where the
- * topology allows.
+ * Modeling, doi 10.1145/1057432.1057457). Edges longer than 4/3 of the target length are split, edges shorter than 4/5
+ * are collapsed, other edges are flipped towards Delaunay, and vertices are relaxed on the original surface. The target
+ * length follows from the vertex count. At the end single splits or collapses reach the exact count where the topology
+ * allows it.
  *
- * <p>Where the surface becomes finer, edges bent by more than 60 degrees are creases: they keep their place and are
- * only divided otherwise. Where it becomes coarser, sharp edges are detail below the new length.
+ * <p>When refining, edges bent by more than 60 degrees are creases: they keep their position and are only split. When
+ * coarsening, sharp edges are treated as detail below the new edge length and are not preserved.
  *
- * <p>Closedness, genus and boundary loops are kept. On a closed surface the vertices are at last shifted along their
- * normals by the one distance that restores the volume, since chords of a convex surface lie inside it.
+ * <p>Closedness, genus and boundary loops are preserved. Chords of a convex surface lie inside it, so remeshing loses
+ * volume. On a closed surface all vertices are finally offset along their normals by one distance that restores it.
  */
 public final class Remesher {
     private static final double LONG = 4.0 / 3;
     private static final double SHORT = 4.0 / 5;
-    /** Below this cosine between its triangles (a bend of 60 degrees) an edge is a crease. */
+    /** An edge is a crease if the cosine between its triangle normals is below this (a bend of 60 degrees). */
     private static final double CREASE = 0.5;
 
-    /** Edges below this part of the target length may turn triangles by 110 degrees as they collapse at the end. */
+    /**
+     * In the final collapses, edges below this fraction of the target length may rotate triangles by up to 110 degrees.
+     */
     private static final double SHORT_AT_END = 0.4;
 
-    /** Edges below this part of it collapse at the end however triangles turn. */
+    /** In the final collapses, edges below this fraction of the target length may rotate triangles by any angle. */
     private static final double TINY_AT_END = 0.25;
 
     private static final int LEAST_VERTICES = 12;
@@ -36,7 +38,7 @@ public final class Remesher {
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
     private static final int MOST_SWEEPS = 12;
-    /** Greatest distance of the projection onto the original surface, in target lengths. */
+    /** Greatest search distance for the projection onto the original surface, in target lengths. */
     private static final double REACH = 2;
 
     private final TriangleMesh original;
@@ -61,12 +63,12 @@ public final class Remesher {
     }
 
     /**
-     * A surface of the same shape and topology with {@code vertices} evenly spread vertices; more only where fewer
-     * would break the topology.
+     * Remeshes to {@code vertices} evenly spaced vertices with the same shape and topology. The result has more
+     * vertices only if fewer would change the topology.
      *
-     * @param mesh consistently oriented ({@link MeshRepair#repair}); where it is not manifold it is cut open
+     * @param mesh consistently oriented ({@link MeshRepair#repair}); it is cut open where it is not manifold
      * @param vertices at least 4
-     * @throws IllegalArgumentException if the mesh has no area, or fewer than 4 vertices are asked for
+     * @throws IllegalArgumentException if the mesh has no area or fewer than 4 vertices are requested
      */
     public static TriangleMesh toVertexCount(TriangleMesh mesh, int vertices) {
         if (vertices < 4) {
@@ -79,16 +81,17 @@ public final class Remesher {
     }
 
     /**
-     * As {@link #toVertexCount} with as many vertices as give equilateral triangles of this edge.
+     * Remeshes to the number of vertices that gives equilateral triangles with this edge length; see
+     * {@link #toVertexCount}.
      *
      * @param edgeMm above 0
-     * @throws IllegalArgumentException if the mesh has no area or the edge is not above 0
+     * @throws IllegalArgumentException if the mesh has no area or the edge length is not positive
      */
     public static TriangleMesh toEdgeLength(TriangleMesh mesh, double edgeMm) {
         if (!(edgeMm > 0)) {
             throw new IllegalArgumentException("remeshing to edges of " + edgeMm + " mm, expected more than 0");
         }
-        // A closed surface of F triangles has F / 2 vertices and as many again as its Euler characteristic says.
+        // A closed surface with F triangles and Euler characteristic chi has V = F / 2 + chi vertices.
         double triangles = MeshMeasure.area(mesh) / (Math.sqrt(3) / 4 * edgeMm * edgeMm);
         return toVertexCount(
                 mesh, (int) Math.max(LEAST_VERTICES, Math.min(MOST_VERTICES, Math.rint(triangles / 2 + 2))));
@@ -116,9 +119,7 @@ public final class Remesher {
         return restoreVolume(mesh.toMesh());
     }
 
-    /**
-     * The edge of the equilateral triangles that cover the area, F = 2 (V - euler) - B with B vertices on the boundary.
-     */
+    /** Edge length of the equilateral triangles that cover the area: F = 2 (V - euler) - B with B boundary vertices. */
     private double targetLength() {
         double area = MeshMeasure.area(original);
         double boundary = 0;
@@ -187,7 +188,7 @@ public final class Remesher {
         }
     }
 
-    /** Splits edges longer than {@code above} in the middle, longest first, up to a number of vertices. */
+    /** Splits edges longer than {@code above} at their midpoints, longest first, up to a number of vertices. */
     private int splitLongest(double above, int mostVertices) {
         long[] queue = mesh.sortedEdges(above * above, Double.POSITIVE_INFINITY, true);
         int done = 0;
@@ -222,7 +223,7 @@ public final class Remesher {
     private void meetCount() {
         for (int sweep = 0; sweep < MOST_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
             if (mesh.vertexCount() < vertices) {
-                // A few at a time, so that neighbours of a split edge are split first.
+                // The threshold falls gradually, so that neighbours of a split edge are split first.
                 splitLongest(length * Math.max(0, 1.2 - 0.1 * sweep), vertices);
             } else {
                 double reach = 1 + 0.25 * sweep;

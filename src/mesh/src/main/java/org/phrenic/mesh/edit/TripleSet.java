@@ -2,7 +2,7 @@ package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
 
-/** Unordered triples of vertices seen so far: an open-addressing hash set in flat arrays, of fixed capacity. */
+/** A set of unordered vertex triples: an open-addressing hash set in flat arrays with fixed capacity. */
 final class TripleSet {
     private final int[] slots;
     private final int[] triples;
@@ -14,7 +14,7 @@ final class TripleSet {
         Arrays.fill(slots, -1);
     }
 
-    /** Adds the triple in any order; false if it was there. */
+    /** Adds the triple; returns false if the set already contains it in any order. */
     boolean add(int a, int b, int c) {
         int low = Math.min(a, Math.min(b, c));
         int high = Math.max(a, Math.max(b, c));

@@ -3,10 +3,10 @@ package org.phrenic.mesh.edit;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Tangential relaxation during remeshing: each vertex moves in its tangent plane to the area-weighted centroid of the
- * triangles about it and back onto the original surface, among those of the original's triangles that face its way. On
- * a boundary or a crease it slides along the original's; the corners of creases stay. A move that would turn or flatten
- * a triangle is not made.
+ * Tangential relaxation for remeshing. Each vertex moves in its tangent plane to the area-weighted centroid of its
+ * triangles and is then projected onto the triangles of the original surface that face the same way. On a boundary or a
+ * crease it slides along the original line; corners of creases do not move. A move that would flip or flatten a
+ * triangle is rejected.
  */
 final class VertexRelaxer {
     /**
@@ -48,7 +48,7 @@ final class VertexRelaxer {
         mesh.clearAllFlipChecked();
     }
 
-    /** Moves v halfway between its two neighbours on a line of the surface. */
+    /** Moves v to the midpoint of its two neighbours on a feature line, projected onto the original line. */
     private void relaxAlongLine(int v, double reach) {
         double[] p = mesh.position;
         int a = 3 * mesh.previousOnLine;
@@ -108,7 +108,7 @@ final class VertexRelaxer {
         nx /= length;
         ny /= length;
         nz /= length;
-        // A third of the sum of corners is each triangle's centroid, relative to v, whose own corner is 0.
+        // The centroid of each triangle relative to v is a third of the sum of its other two corners.
         gx /= 3 * area;
         gy /= 3 * area;
         gz /= 3 * area;
@@ -117,7 +117,7 @@ final class VertexRelaxer {
         moveOntoSurface(v, to, new double[] {nx, ny, nz}, reach);
     }
 
-    /** Moves v to the place of the surface nearest to a point, on the side that the normal shows. */
+    /** Moves v to the point nearest to {@code to} on the side of the surface that faces along the normal. */
     private void moveOntoSurface(int v, double[] to, double[] normal, double reach) {
         double[] p = mesh.position;
         double x = to[0];
@@ -129,8 +129,7 @@ final class VertexRelaxer {
         double nx = normal[0];
         double ny = normal[1];
         double nz = normal[2];
-        // A vertex that lay on the surface is no farther from it than it has moved: most searches end in that small
-        // ball.
+        // A vertex on the surface is no farther from it than it has moved, so most searches end in this small ball.
         double step = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
         boolean found = surface.closest(x, y, z, Math.min(reach, step), nx, ny, nz, SAME_SIDE, hit)
                 || surface.closest(x, y, z, reach, nx, ny, nz, SAME_SIDE, hit);

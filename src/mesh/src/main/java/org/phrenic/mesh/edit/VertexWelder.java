@@ -3,9 +3,9 @@ package org.phrenic.mesh.edit;
 import java.util.Arrays;
 import org.phrenic.mesh.Vectors;
 
-/** Finds, for each vertex in turn, the nearest earlier kept vertex within a distance, by a hashed grid. */
+/** Finds the nearest earlier kept vertex within a distance for each vertex in turn, with a hashed grid. */
 final class VertexWelder {
-    /** Edge of a cell in tolerances: a vertex then searches 3.4 cells on average instead of 27. */
+    /** Cell edge in tolerances; a vertex then searches 3.4 cells on average instead of 27. */
     private static final double CELL = 4;
     /** Search distance in tolerances, with a margin for rounding. */
     private static final double REACH = 1.01;
@@ -24,7 +24,7 @@ final class VertexWelder {
         Arrays.fill(head, -1);
     }
 
-    /** The vertex that replaces each vertex; itself if it is kept. */
+    /** The representative of each vertex; a kept vertex is its own representative. */
     int[] representatives() {
         int count = chain.length;
         int[] keeper = new int[count];
@@ -52,8 +52,8 @@ final class VertexWelder {
     }
 
     /**
-     * The vertex nearest to {@code v} within the tolerance among a candidate (v itself: none) and the chain from
-     * {@code first}.
+     * The nearest vertex to {@code v} within the tolerance, among a candidate and the chain that starts at
+     * {@code first}. A candidate equal to v means that none has been found.
      */
     private int nearest(int v, int candidate, int first) {
         int best = candidate;
@@ -68,7 +68,7 @@ final class VertexWelder {
         return best;
     }
 
-    /** The cell of a coordinate; without tolerance the bits of the number, those of 0 for -0. */
+    /** Cell index of a coordinate. Without a tolerance it is the bit pattern of the number, with -0 mapped to 0. */
     private long cellOf(double coordinate) {
         if (!(tolerance > 0)) {
             return Double.doubleToLongBits(coordinate + 0.0);

@@ -5,30 +5,30 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Smoothing of a surface by a low-pass filter (Taubin, Zhang and Golub 1996, Optimal Surface Smoothing as Filter
- * Design, doi 10.1007/BFb0015544), as VTK's {@code vtkWindowedSincPolyDataFilter} does it. With L the umbrella
- * operator, x - mean of the neighbours, whose eigenvalues k lie in 0 to 2, and T the Chebyshev polynomials,
+ * Surface smoothing by a windowed-sinc low-pass filter (Taubin, Zhang and Golub 1996, Optimal Surface Smoothing as
+ * Filter Design, doi 10.1007/BFb0015544), compatible with VTK's {@code vtkWindowedSincPolyDataFilter}. L is the
+ * umbrella operator, x - mean of the neighbours, with eigenvalues k in 0 to 2. T are the Chebyshev polynomials.
  *
  * <pre>
  * x' = sum over n = 0..N of w_n c_n T_n(1 - L / 2) x
  * c_0 = t / pi,   c_n = 2 sin(n t) / (n pi),   t = arccos(1 - k_pb / 2) + sigma
  * </pre>
  *
- * where k_pb is the pass band, w a {@link Window} and sigma chosen by Newton's method so that the filter lets k_pb
- * through. The surface does not shrink; detail of the size of single edges is removed.
+ * Here k_pb is the pass band and w a {@link Window}. Newton's method chooses sigma so that the filter passes k_pb. The
+ * filter removes detail at the scale of single edges without shrinking the surface.
  */
 public final class WindowedSincFilter {
     private static final int MOST_NEWTON_STEPS = 500;
-    /** As in VTK. */
+    /** Same value as in VTK. */
     private static final double NEWTON_TOLERANCE = 1e-3;
-    /** A vertex at which the boundary turns by more than 15 degrees stays. */
+    /** Cosine of 15 degrees. A boundary vertex where the boundary turns by more does not move. */
     private static final double STRAIGHT = StrictMath.cos(Math.toRadians(15));
 
     private WindowedSincFilter() {}
 
     /**
-     * What the series is cut off with. Of the four, Hamming's lets the size of the whole drift (by up to 1 % after few
-     * iterations); it was VTK's until version 9.4.
+     * Window function that truncates the series. Of the four, only Hamming's changes the overall size (by up to 1 %
+     * after few iterations). It was the default of VTK until version 9.4.
      */
     public enum Window {
         NUTTALL(0.355768, 0.487396, 0.144232, 0.012604),
@@ -53,18 +53,18 @@ public final class WindowedSincFilter {
         }
     }
 
-    /** As {@link #smooth(TriangleMesh, int, double, Window)} with Nuttall's window. */
+    /** Smooths with Nuttall's window; see {@link #smooth(TriangleMesh, int, double, Window)}. */
     public static TriangleMesh smooth(TriangleMesh mesh, int iterations, double passBand) {
         return smooth(mesh, iterations, passBand, Window.NUTTALL);
     }
 
     /**
-     * Moves the vertices. A vertex on a boundary moves along it where it is straight; one at an edge of three triangles
-     * or more stays.
+     * Smooths a mesh. A boundary vertex moves along the boundary where the boundary is straight and is fixed elsewhere.
+     * A vertex on an edge with three or more triangles is fixed.
      *
-     * @param iterations degree N, at least 1: the sharper the cut-off the more
-     * @param passBand above 0 and below 2; the less, the smoother
-     * @throws IllegalArgumentException if one of them lies outside
+     * @param iterations degree N of the filter, at least 1; a higher degree gives a sharper cut-off
+     * @param passBand above 0 and below 2; a smaller value gives a smoother surface
+     * @throws IllegalArgumentException if one of them is out of range
      */
     public static TriangleMesh smooth(TriangleMesh mesh, int iterations, double passBand, Window window) {
         double[] c = coefficients(iterations, passBand, window);
@@ -84,7 +84,7 @@ public final class WindowedSincFilter {
         return mesh.withPositions(filter(mesh.positions(), start, neighbours, c));
     }
 
-    /** Writes the vertices whose mean v is drawn to; returns how many, 0 if it stays. */
+    /** Writes the neighbours of v used for smoothing; returns their number, 0 if v is fixed. */
     private static int neighbours(TriangleMesh mesh, MeshTopology topology, int v, int[] out) {
         int boundary = 0;
         int count = 0;
@@ -114,7 +114,7 @@ public final class WindowedSincFilter {
         return dot >= STRAIGHT * MeshMeasure.distance(mesh, a, v) * MeshMeasure.distance(mesh, v, b);
     }
 
-    /** Factors of T_0 to T_N. */
+    /** Window-weighted coefficients of T_0 to T_N. */
     public static double[] coefficients(int iterations, double passBand, Window window) {
         if (iterations < 1 || !(passBand > 0 && passBand < 2)) {
             throw new IllegalArgumentException("smoothing with " + iterations + " iterations and a pass band of "
@@ -145,14 +145,14 @@ public final class WindowedSincFilter {
         return c;
     }
 
-    /** The derivative of the Chebyshev series by its argument, at cos(angle). */
+    /** Derivative of the Chebyshev series with respect to its argument, at cos(angle). */
     private static double slope(double[] c, double angle) {
         int last = c.length - 1;
         double[] d = new double[c.length];
         double sum = 0;
         for (int n = last - 1; n >= 0; n--) {
             double above = n + 2 <= last ? d[n + 2] : 0;
-            // VTK leaves out the highest term of the derivative, and sigma depends on it.
+            // VTK omits the highest term of the derivative, and sigma depends on it.
             d[n] = n == last - 1 ? 0 : above + 2.0 * (n + 1) * c[n + 1];
             sum += d[n] * StrictMath.cos(n * angle);
         }
@@ -160,15 +160,16 @@ public final class WindowedSincFilter {
     }
 
     /**
-     * The filter over any neighbourhood.
+     * Applies the filter with a given neighbourhood.
      *
-     * @param start neighbours of vertex v lie from start[v] to before start[v + 1]; a vertex without any stays
+     * @param start neighbours of vertex v are at start[v] to start[v + 1] - 1; a vertex without neighbours is fixed
      */
     public static double[] filter(double[] positions, int[] start, int[] neighbours, double[] c) {
         double[] centre = new TriangleMesh(positions, new int[0]).centre();
         double[] before = new double[positions.length];
         for (int i = 0; i < positions.length; i++) {
-            // Relative to the centre, so that factors that do not sum to exactly 1 do not move the mesh.
+            // Positions are relative to the centre, so coefficients that do not sum to exactly 1 do not translate the
+            // mesh.
             before[i] = positions[i] - centre[i % 3];
         }
         double[] now = new double[positions.length];

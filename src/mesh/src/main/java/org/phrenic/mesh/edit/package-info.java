@@ -1,5 +1,5 @@
 /**
- * Operations that make a new triangle mesh of another: repair, remeshing, decimation, smoothing, separation into
- * components. Half-edge structures stay in here.
+ * Operations that return a new triangle mesh: repair, remeshing, decimation, smoothing and splitting into connected
+ * components. The half-edge structures are internal to this package.
  */
 package org.phrenic.mesh.edit;

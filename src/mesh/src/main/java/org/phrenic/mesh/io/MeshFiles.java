@@ -10,27 +10,30 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Surface files; the extension, in upper or lower case, gives the format. Units and axes are those of the file. */
+/**
+ * Reads and writes surface files. The extension, in upper or lower case, gives the format. Units and axes are not
+ * converted.
+ */
 public final class MeshFiles {
-    /** Extensions that can be read. */
+    /** Extensions of the formats that can be read. */
     public static final List<String> READABLE = List.of("stl", "obj", "ply", "vtk", "vtp");
 
-    /** Extensions that can be written. */
+    /** Extensions of the formats that can be written. */
     public static final List<String> WRITABLE = List.of("stl", "ply", "vtp");
 
     private MeshFiles() {}
 
-    /** Whether the name of {@code file} says that it is a mesh; the file need not exist. */
+    /** Whether {@code file} has a mesh file extension; the file need not exist. */
     public static boolean isMesh(Path file) {
         return READABLE.contains(extension(file));
     }
 
     /**
-     * Reads a surface. Polygons and strips are cut into triangles in their order; the corners of an STL file with the
-     * same coordinates become one vertex; vertices no triangle uses are kept; degenerate triangles are passed on.
+     * Reads a surface. Polygons and strips are triangulated in file order. Corners of an STL file with the same
+     * coordinates become one vertex. Unused vertices and degenerate triangles are kept.
      *
-     * @throws BadInputException if the file cannot be read, is of another format, is cut short or damaged, holds
-     *     coordinates that are not finite or indices out of range, or no triangle
+     * @throws BadInputException if the file cannot be read, has another format, is truncated or damaged, has
+     *     coordinates that are not finite or indices out of range, or has no triangle
      */
     public static TriangleMesh read(Path file) {
         String extension = extension(file);
@@ -52,7 +55,7 @@ public final class MeshFiles {
     /**
      * Writes a surface as STL (binary), PLY (binary, little endian) or VTP (appended raw), by the extension.
      *
-     * @throws BadInputException if the extension is none of {@link #WRITABLE}
+     * @throws BadInputException if the extension is not in {@link #WRITABLE}
      * @throws OutputException if the file cannot be written
      */
     public static void write(Path file, TriangleMesh mesh) {

@@ -6,9 +6,10 @@ import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Wavefront OBJ: vertices ({@code v}) and polygons ({@code f} with v, v/vt, v//vn or v/vt/vn; negative indices count
- * back from the latest vertex; a backslash joins lines). Groups, materials, normals, textures, points and lines are
- * passed over. Coordinates are read in double precision, as written; vertices keep their order and number, used or not.
+ * Reader of Wavefront OBJ: vertices ({@code v}) and polygons ({@code f} with v, v/vt, v//vn or v/vt/vn). Negative
+ * indices count back from the latest vertex, and a backslash joins lines. Groups, materials, normals, textures, points
+ * and lines are ignored. Coordinates are read in double precision. All vertices keep their order and index, used or
+ * not.
  */
 final class ObjReader {
     private final ByteCursor cursor;
@@ -36,7 +37,7 @@ final class ObjReader {
                 case "v" -> readVertex(words);
                 case "f", "fo" -> readFace(words);
                 default -> {
-                    // No part of the surface.
+                    // Not part of the surface.
                 }
             }
         }
@@ -94,7 +95,7 @@ final class ObjReader {
                 return index;
             }
         } catch (NumberFormatException notWhole) {
-            // Reported below, like zero.
+            // Reported below, like index zero.
         }
         throw cursor.badInput("found face corner " + Numbers.quote(corner)
                 + ", expected vertex indices as v, v/vt, v//vn or v/vt/vn, counted from 1 or backwards from -1");

@@ -8,13 +8,13 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * The header of a PLY file (Turk 1994, "The PLY polygon file format"): which elements follow, how many, with which
- * properties. Reading it leaves the cursor at the first element, in the byte order of the file.
+ * The header of a PLY file (Turk 1994, "The PLY polygon file format"): the elements with their counts and properties.
+ * Reading it leaves the cursor at the first element, in the byte order of the file.
  */
 record PlyHeader(List<Element> elements) {
     /**
-     * {@code listCount} is the type of the length before a list, null for a single value; the last three are how a
-     * value, a list's length and a list are spoken of, made once and not for each row.
+     * A property of an element. {@code listCount} is the type of the list length, null for a single value. The last
+     * three components are descriptions for error messages, created once instead of per row.
      */
     record Property(
             String name, ScalarType listCount, ScalarType type, String valueText, String lengthText, String listText) {
@@ -33,9 +33,9 @@ record PlyHeader(List<Element> elements) {
         }
     }
 
-    /** {@code count} rows of {@code properties}. */
+    /** An element type with {@code count} rows of {@code properties}. */
     record Element(String name, int count, List<Property> properties) {
-        /** Bytes a row takes at least. */
+        /** Least number of bytes per row. */
         long smallestRow(boolean binary) {
             long size = 0;
             for (Property property : properties) {
@@ -58,7 +58,7 @@ record PlyHeader(List<Element> elements) {
             String[] words = line.trim().split("\\s+", -1);
             switch (words[0]) {
                 case "comment", "obj_info", "" -> {
-                    // Nothing a mesh is made of.
+                    // Not part of the mesh.
                 }
                 case "format" -> {
                     order = order(cursor, words);

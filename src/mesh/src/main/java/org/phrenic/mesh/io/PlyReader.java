@@ -7,8 +7,8 @@ import org.phrenic.mesh.io.PlyHeader.Element;
 import org.phrenic.mesh.io.PlyHeader.Property;
 
 /**
- * PLY, text or binary in either byte order: x, y, z of {@code vertex} and the index list of {@code face}; the rest is
- * skipped.
+ * Reader of PLY, text or binary in either byte order. It reads x, y, z of {@code vertex} and the index list of
+ * {@code face}; other data is skipped.
  */
 final class PlyReader {
     private static final int ABSENT = -1;

@@ -7,18 +7,17 @@ import org.phrenic.file.LittleEndianOutput;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 
-/** PLY, binary little endian, double precision. */
+/** Writer of PLY, binary little endian, in double precision. */
 public final class PlyWriter {
     private PlyWriter() {}
 
     /**
      * Writes {@code mesh} with values at its vertices.
      *
-     * @param scalars values per vertex by property name, in the order they are written; a name is one word and none of
-     *     x, y, z
+     * @param scalars values per vertex by property name, in output order; a name is one word other than x, y, z
      * @throws OutputException if the file cannot be written
-     * @throws IllegalArgumentException if a coordinate is not finite, an array is not as long as there are vertices, or
-     *     a name cannot stand in a PLY header
+     * @throws IllegalArgumentException if a coordinate is not finite, an array length differs from the vertex count, or
+     *     a name is not valid in a PLY header
      */
     public static void write(Path file, TriangleMesh mesh, Map<String, double[]> scalars) {
         LittleEndianOutput.requireFinite(mesh.positions());

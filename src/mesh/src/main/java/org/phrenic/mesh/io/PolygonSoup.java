@@ -7,9 +7,8 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Vertices and polygons collected by a reader, and the triangle mesh made of them. Refuses coordinates that are no
- * finite numbers, polygons of fewer than three corners, and corners that name no vertex. A polygon may come before its
- * vertices.
+ * Vertices and polygons collected by a reader, and the triangle mesh made from them. Rejects coordinates that are not
+ * finite, polygons of fewer than three corners, and vertex indices out of range. A polygon may precede its vertices.
  */
 final class PolygonSoup {
     private final DoubleList positions = new DoubleList();
@@ -30,7 +29,7 @@ final class PolygonSoup {
         positions.add(x, y, z);
     }
 
-    /** One more corner of the polygon that {@link #closePolygon} ends; {@code vertex} counts from 0. */
+    /** Adds a corner to the polygon that {@link #closePolygon} ends; {@code vertex} counts from 0. */
     void corner(InputLocator source, long vertex) {
         if (vertex < 0 || vertex > Integer.MAX_VALUE) {
             throw source.badInput("found vertex index " + vertex + ", expected 0 or more");
@@ -55,7 +54,7 @@ final class PolygonSoup {
         return polygon == 0 ? 0 : polygonEnds.get(polygon - 1);
     }
 
-    /** Triangle {@code a b c}. */
+    /** Adds triangle {@code a b c}. */
     void triangle(InputLocator source, long a, long b, long c) {
         corner(source, a);
         corner(source, b);
@@ -63,7 +62,7 @@ final class PolygonSoup {
         closePolygon(source);
     }
 
-    /** The polygon {@code points[from..to)}. */
+    /** Adds the polygon {@code points[from..to)}. */
     void polygon(InputLocator source, long[] points, int from, int to) {
         for (int i = from; i < to; i++) {
             corner(source, points[i]);
@@ -72,7 +71,8 @@ final class PolygonSoup {
     }
 
     /**
-     * The triangle strip {@code points[from..to)}; every second triangle is reversed, so that all face the same way.
+     * Adds the triangle strip {@code points[from..to)}. Every second triangle is reversed, so that all have the same
+     * orientation.
      */
     void strip(InputLocator source, long[] points, int from, int to) {
         if (to - from < 3) {
@@ -84,7 +84,7 @@ final class PolygonSoup {
         }
     }
 
-    /** The mesh, polygons cut into triangles in the order they came. */
+    /** The mesh with all polygons triangulated, in the order they were added. */
     TriangleMesh toMesh(String file) {
         if (highestCorner >= vertexCount()) {
             throw highestSource.badInput(

@@ -5,9 +5,10 @@ import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Cuts a polygon into triangles: a fan from its first corner where that covers it (any convex polygon), else ear
- * clipping (Meisters 1975, "Polygons have ears", doi 10.1080/00029890.1975.11993898) seen along the Newell normal. A
- * polygon with no ear left, degenerate or crossing itself, is finished as a fan: n corners always give n - 2 triangles.
+ * Triangulates polygons. A fan from the first corner is used where it covers the polygon (any convex polygon).
+ * Otherwise ears are clipped (Meisters 1975, "Polygons have ears", doi 10.1080/00029890.1975.11993898) in the
+ * projection along the Newell normal. A degenerate or self-intersecting polygon with no ear left is completed as a fan,
+ * so n corners always give n - 2 triangles.
  */
 final class PolygonTriangulator {
     private PolygonTriangulator() {}
@@ -17,7 +18,7 @@ final class PolygonTriangulator {
      *
      * @param positions x, y, z of each vertex
      * @param corners vertex indices; the polygon is {@code corners[from..to)}
-     * @param triangles where the triangles go, from index {@code at}
+     * @param triangles receives the triangles, from index {@code at}
      * @return the index after the last one written
      */
     static int triangulate(double[] positions, int[] corners, int from, int to, int[] triangles, int at) {
@@ -62,7 +63,10 @@ final class PolygonTriangulator {
         return normal;
     }
 
-    /** All triangles of the fan turn the way the polygon does: then it is star-shaped about its first corner. */
+    /**
+     * Whether all triangles of the fan have the orientation of the polygon. It is then star-shaped about its first
+     * corner.
+     */
     private static boolean fanCovers(double[] p, int[] corners, int count, double[] normal) {
         for (int i = 1; i + 1 < count; i++) {
             if (orientation(p, corners[0], corners[i], corners[i + 1], normal) <= 0) {
@@ -101,7 +105,7 @@ final class PolygonTriangulator {
         return true;
     }
 
-    /** Twice the signed area of triangle a b c seen against {@code normal}, times the length of the normal. */
+    /** Twice the signed area of triangle a b c projected along {@code normal}, times the length of the normal. */
     private static double orientation(double[] p, int a, int b, int c, double[] normal) {
         double[] cross = new double[3];
         Triangles.cross(p, 3 * a, 3 * b, 3 * c, cross);

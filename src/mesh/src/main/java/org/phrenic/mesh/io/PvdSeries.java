@@ -6,15 +6,15 @@ import java.util.List;
 import org.phrenic.file.AtomicFile;
 
 /**
- * The index of a series of mesh files over time, as ParaView opens it (.pvd, a VTK XML Collection). Files are named
- * relative to the folder of the index, so the folder can be moved as a whole.
+ * The index of a time series of mesh files for ParaView (.pvd, a VTK XML Collection). File names are relative to the
+ * folder of the index, so the folder can be moved as a whole.
  */
 public final class PvdSeries {
     private final Path index;
     private final List<String> entries = new ArrayList<>();
 
     /**
-     * A series without entries; no file is touched yet.
+     * Creates a series without entries; writes no file.
      *
      * @param index the .pvd file to be written
      */
@@ -22,15 +22,15 @@ public final class PvdSeries {
         this.index = index;
     }
 
-    /** One mesh at one time. */
+    /** Adds one mesh at one time. */
     public void add(double time_s, Path file) {
         add(time_s, 0, file);
     }
 
     /**
-     * One of several meshes at one time.
+     * Adds one of several meshes at one time.
      *
-     * @param part which one, the same number for the same structure at every time
+     * @param part number of the structure, the same at every time
      */
     public void add(double time_s, int part, Path file) {
         if (!Double.isFinite(time_s)) {
@@ -43,7 +43,7 @@ public final class PvdSeries {
                 + VtpWriter.escape(relative) + "\"/>");
     }
 
-    /** Writes the index with all entries so far; may be called again after more were added. */
+    /** Writes the index with all entries so far; may be called repeatedly. */
     public void write() {
         StringBuilder xml = new StringBuilder(
                 """

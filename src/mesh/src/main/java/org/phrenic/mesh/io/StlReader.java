@@ -11,10 +11,10 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshRepair;
 
 /**
- * STL, text or binary (3D Systems, "StereoLithography Interface Specification", 1989). A file is binary if its length
- * is what the count at byte 80 says, whatever its first word is: some programs begin the 80 free bytes of a binary file
- * with "solid" too. Corners with equal coordinates become one vertex. Normals are not read, the order of the corners
- * tells them.
+ * Reader of STL, text or binary (3D Systems, "StereoLithography Interface Specification", 1989). A file is binary if
+ * its length matches the triangle count at byte 80. The first word is not used, because some programs begin the 80-byte
+ * header of a binary file with "solid". Corners with equal coordinates become one vertex. Normals follow from the
+ * corner order and are not read.
  */
 final class StlReader {
     private static final int HEADER_BYTES = 80;
@@ -36,7 +36,7 @@ final class StlReader {
         } else {
             reader.readBinary();
         }
-        // STL writes every corner out, and corners of one vertex are written alike.
+        // STL repeats the coordinates of a vertex in every triangle, so equal coordinates are one vertex.
         return MeshRepair.weld(reader.soup.toMesh(file), 0).mesh();
     }
 

@@ -7,10 +7,7 @@ import org.phrenic.file.LittleEndianOutput;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 
-/**
- * Binary STL. Coordinates are rounded to single precision, as the format has them; the normal of a degenerate triangle
- * is 0.
- */
+/** Writer of binary STL. The format has single-precision coordinates; the normal of a degenerate triangle is 0. */
 public final class StlWriter {
     private static final String HEADER = "binary STL, mm, LPS axes; written by Phrenic";
     private static final int HEADER_BYTES = 80;

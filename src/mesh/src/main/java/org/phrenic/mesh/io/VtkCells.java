@@ -6,11 +6,11 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * The cell sections of a legacy VTK file, in both layouts: classic (each cell its length and its points) and, from
- * version 5.1, OFFSETS and CONNECTIVITY.
+ * Reader of the cell sections of a legacy VTK file in both layouts. In the classic layout each cell is its length
+ * followed by its points. From version 5.1 a section has OFFSETS and CONNECTIVITY.
  */
 final class VtkCells {
-    /** Takes the points of one cell, {@code points[from..to)}. */
+    /** Receives the points of one cell, {@code points[from..to)}. */
     interface Cells {
         void add(InputLocator source, long[] points, int from, int to);
     }

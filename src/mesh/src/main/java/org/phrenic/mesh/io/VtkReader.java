@@ -8,9 +8,9 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Legacy VTK files of POLYDATA, text or binary (big endian), as described in "VTK File Formats"
- * (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html): POINTS, POLYGONS and TRIANGLE_STRIPS;
- * vertices, lines, fields and metadata are skipped, and data on points and cells is not looked at.
+ * Reader of legacy VTK files with POLYDATA, text or binary (big endian), as specified in "VTK File Formats"
+ * (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html). It reads POINTS, POLYGONS and TRIANGLE_STRIPS.
+ * Vertices, lines, fields, metadata, point data and cell data are ignored.
  */
 final class VtkReader {
     private static final String MAGIC = "# vtk DataFile Version ";
@@ -69,7 +69,7 @@ final class VtkReader {
                 case "TRIANGLE_STRIPS" -> cells.read(soup::strip);
                 case "VERTICES", "LINES" ->
                     cells.read((source, points, from, to) -> {
-                        // No part of a surface.
+                        // Not part of the surface.
                     });
                 case "FIELD" -> skipField(cursor);
                 case "METADATA" -> skipMetadata(cursor);
@@ -109,7 +109,7 @@ final class VtkReader {
             case "unsigned_char", "vtktypeuint8" -> ScalarType.UINT8;
             case "short", "vtktypeint16" -> ScalarType.INT16;
             case "unsigned_short", "vtktypeuint16" -> ScalarType.UINT16;
-            // VTK writes a vtkIdType as a 32-bit number into legacy files, whatever its size in memory.
+            // VTK writes vtkIdType as a 32-bit number to legacy files, whatever its size in memory.
             case "int", "vtkidtype", "vtktypeint32" -> ScalarType.INT32;
             case "unsigned_int", "vtktypeuint32" -> ScalarType.UINT32;
             case "long", "vtktypeint64" -> ScalarType.INT64;
@@ -121,7 +121,7 @@ final class VtkReader {
         };
     }
 
-    /** Skips the arrays of a field; the cursor is behind the word FIELD. */
+    /** Skips the arrays of a field; the cursor is after the word FIELD. */
     private static void skipField(ByteCursor cursor) {
         cursor.word("the name of the field");
         int arrays = cursor.count("the number of arrays in the field");
@@ -157,7 +157,8 @@ final class VtkReader {
     }
 
     /**
-     * A text is a line; in a binary file it follows its length, which takes as many bytes as its first two bits tell.
+     * Skips strings. In a text file a string is a line. In a binary file it follows its length, whose size in bytes is
+     * encoded in the first two bits.
      */
     private static void skipTexts(ByteCursor cursor, long values, String what) {
         cursor.require(values, what);
@@ -176,7 +177,7 @@ final class VtkReader {
         }
     }
 
-    /** Metadata ends with an empty line. */
+    /** Skips metadata, which ends with an empty line. */
     private static void skipMetadata(ByteCursor cursor) {
         cursor.lineOrNull();
         String line = cursor.lineOrNull();

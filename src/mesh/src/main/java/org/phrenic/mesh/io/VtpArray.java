@@ -13,9 +13,9 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputLocator;
 import org.phrenic.file.Numbers;
 
-/** The values of one DataArray of a VTP file, decoded from any of its formats; a location is the index of a value. */
+/** The decoded values of one DataArray of a VTP file, in any of its formats; a location is the index of a value. */
 final class VtpArray implements InputLocator {
-    /** Deflate compresses data at most this far (zlib.net, "Technical details"). */
+    /** Greatest compression ratio of deflate (zlib.net, "Technical details"). */
     private static final long LARGEST_RATIO = 1032;
 
     private final String file;
@@ -48,7 +48,7 @@ final class VtpArray implements InputLocator {
         return BadInputException.at(file, "line " + array.line() + ", array " + array.name(), problem);
     }
 
-    /** The values as real numbers; those from binary data may be NaN. */
+    /** The values as real numbers; binary values may be NaN. */
     double[] doubles(byte[] bytes) {
         if (array.format().equals("ascii")) {
             String[] words = words();
@@ -125,7 +125,10 @@ final class VtpArray implements InputLocator {
                 : base64(bytes, (int) from);
     }
 
-    /** zlib blocks: their number, the size of each, that of the last or 0, their compressed sizes, then the blocks. */
+    /**
+     * Decompresses zlib blocks. The header has the number of blocks, the block size, the size of the last partial block
+     * or 0, and the compressed sizes.
+     */
     private byte[] inflated(ByteBuffer encoded) {
         long blocks = headerNumber(encoded);
         long blockSize = headerNumber(encoded);
@@ -173,7 +176,7 @@ final class VtpArray implements InputLocator {
                 }
                 got += more;
             }
-            // One more call lets the inflater meet the checksum at the end of the block.
+            // Another call makes the inflater verify the checksum at the end of the block.
             boolean whole = got == expected && (inflater.inflate(new byte[1]) == 0) && inflater.finished();
             if (!whole) {
                 throw badArray("found a compressed block of " + got + " bytes, expected " + expected);
@@ -203,9 +206,9 @@ final class VtpArray implements InputLocator {
     }
 
     /**
-     * Decodes base64 (RFC 4648) from a place on, up to the first character that is not part of it; white space is
-     * skipped. Padding does not end the content: VTK encodes the header of compressed data separately from the data
-     * that follows it.
+     * Decodes base64 (RFC 4648) from an index to the first character outside its alphabet; white space is skipped.
+     * Decoding continues after padding, because VTK encodes the header of compressed data separately from the data
+     * after it.
      */
     private static ByteBuffer base64(byte[] content, int from) {
         ByteArrayOutputStream decoded = new ByteArrayOutputStream();

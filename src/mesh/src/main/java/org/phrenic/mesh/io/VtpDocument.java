@@ -19,8 +19,8 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * The XML part of a VTP file: how numbers are stored, the pieces with their arrays, and where appended data begins. Raw
- * appended data is no XML, so it is cut off before the parser sees it.
+ * The XML part of a VTP file: number formats, pieces with their arrays, and the start of appended data. Raw appended
+ * data is not XML, so it is removed before parsing.
  */
 final class VtpDocument {
     private static final String TAIL = "</AppendedData></VTKFile>";
@@ -35,13 +35,13 @@ final class VtpDocument {
 
     /** Byte order of all binary numbers. */
     ByteOrder order = ByteOrder.LITTLE_ENDIAN;
-    /** UINT32 or UINT64, the type of the lengths before binary data. */
+    /** Type of the lengths before binary data: UINT32 or UINT64. */
     ScalarType headerType = ScalarType.UINT32;
-    /** Whether binary data is in zlib blocks. */
+    /** Whether binary data is compressed in zlib blocks. */
     boolean compressed;
-    /** Bytes of the file up to and including the underscore of AppendedData, -1 without any. */
+    /** Number of bytes up to and including the underscore of AppendedData; -1 without appended data. */
     int appended = -1;
-    /** Whether appended data is raw, not base64. */
+    /** Whether appended data is raw instead of base64. */
     boolean appendedRaw;
 
     final List<Piece> pieces = new ArrayList<>();
@@ -50,13 +50,13 @@ final class VtpDocument {
      * One DataArray element.
      *
      * @param text its content, for the formats ascii and binary
-     * @param offset where it begins in the appended data, for the format appended
+     * @param offset its start in the appended data, for the format appended
      */
     record DataArray(String name, ScalarType type, String format, long offset, String text, int line) {}
 
     /**
-     * One Piece; {@code arrays} by "Points", "Polys/connectivity", "Polys/offsets", "Strips/connectivity",
-     * "Strips/offsets".
+     * One Piece element. The keys of {@code arrays} are "Points", "Polys/connectivity", "Polys/offsets",
+     * "Strips/connectivity" and "Strips/offsets".
      */
     record Piece(int line, long points, long polys, long strips, Map<String, DataArray> arrays) {}
 
@@ -69,7 +69,7 @@ final class VtpDocument {
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         int length = appendedTagEnd < 0 ? bytes.length : appendedTagEnd;
         String tail = appendedTagEnd < 0 ? "" : TAIL;
-        // Bytes that are no UTF-8 become replacement characters: the parser would print about them.
+        // The reader replaces bytes that are not UTF-8, because the parser would print messages about them.
         this.xml = factory.createXMLStreamReader(new InputStreamReader(
                 new SequenceInputStream(
                         new ByteArrayInputStream(bytes, 0, length),
@@ -140,7 +140,7 @@ final class VtpDocument {
             }
             case "AppendedData" -> startAppended();
             default -> {
-                // Elements that later versions may add.
+                // Later versions may add elements.
             }
         }
     }
@@ -192,7 +192,7 @@ final class VtpDocument {
         piece.arrays().put(key, new DataArray(key, type, format, offset, ownText(), line));
     }
 
-    /** The text directly inside the element, without that of elements within (VTK puts InformationKey there). */
+    /** The text of the element without that of its child elements (VTK adds InformationKey elements). */
     private String ownText() throws XMLStreamException {
         StringBuilder text = new StringBuilder();
         int depth = 1;

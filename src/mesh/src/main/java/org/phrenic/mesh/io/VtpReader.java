@@ -4,8 +4,8 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * VTK XML PolyData (docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html): text, base64 or appended arrays,
- * raw or base64, plain or zlib, in either byte order; the pieces are put together in their order.
+ * Reader of VTK XML PolyData (docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html). Arrays may be text,
+ * base64 or appended (raw or base64), uncompressed or zlib, in either byte order. Pieces are concatenated in order.
  */
 final class VtpReader {
     private final String file;

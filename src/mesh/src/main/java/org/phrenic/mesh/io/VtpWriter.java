@@ -8,8 +8,8 @@ import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * VTK XML PolyData for ParaView and other VTK programs: one piece, double precision, arrays appended as raw
- * little-endian bytes behind 64-bit lengths.
+ * Writer of VTK XML PolyData for ParaView and other VTK programs: one piece in double precision. Arrays are appended as
+ * raw little-endian bytes with 64-bit lengths.
  */
 public final class VtpWriter {
     private VtpWriter() {}
@@ -17,8 +17,8 @@ public final class VtpWriter {
     /**
      * Writes {@code mesh} with values at its vertices.
      *
-     * @param pointData values per vertex by name, in the order they are written: as many as vertices (scalars) or three
-     *     times as many (vectors, x y z in turn); NaN marks a value that is not known
+     * @param pointData values per vertex by name, in output order; the length is the vertex count (scalars) or three
+     *     times it (vectors, x y z in turn), and NaN is a missing value
      * @throws OutputException if the file cannot be written
      * @throws IllegalArgumentException if a coordinate is not finite or an array has another length
      */
@@ -73,7 +73,7 @@ public final class VtpWriter {
         return offset + 8 + bytes;
     }
 
-    /** {@code text} as the value of an XML attribute in double quotes. */
+    /** Escapes {@code text} for an XML attribute in double quotes. */
     static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")

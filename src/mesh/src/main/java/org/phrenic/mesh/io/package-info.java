@@ -1,6 +1,6 @@
 /**
- * Readers and writers of surface files (STL, OBJ, PLY, legacy VTK, VTP, PVD) behind
- * {@link org.phrenic.mesh.io.MeshFiles}. A file that cannot be used is refused with a
- * {@link org.phrenic.file.BadInputException} of one sentence.
+ * Readers and writers of surface files (STL, OBJ, PLY, legacy VTK, VTP, PVD). The entry point is
+ * {@link org.phrenic.mesh.io.MeshFiles}. An invalid file gives a {@link org.phrenic.file.BadInputException} with a
+ * message of one sentence.
  */
 package org.phrenic.mesh.io;

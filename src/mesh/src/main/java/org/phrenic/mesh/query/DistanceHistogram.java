@@ -1,16 +1,16 @@
 package org.phrenic.mesh.query;
 
 /**
- * How distances spread over bins of equal width from 0 to the largest.
+ * Weighted histogram of absolute distances with bins of equal width from 0 to the maximum.
  *
- * @param edgesMm bounds of the bins, rising, one more than there are bins
- * @param shares part of the weight in each bin; a distance on a bound counts in the bin above it, the largest in the
- *     last
+ * @param edgesMm bin edges, mm, ascending; one more than there are bins
+ * @param shares fraction of the weight in each bin; a distance on an edge belongs to the bin above, the maximum to the
+ *     last bin
  */
 public record DistanceHistogram(double[] edgesMm, double[] shares) {
     /**
-     * @param distances absolute values count
-     * @param weights one each, not negative
+     * @param distances distances, mm; their absolute values are used
+     * @param weights one per distance, not negative
      * @param bins at least 1
      */
     public static DistanceHistogram of(double[] distances, double[] weights, int bins) {

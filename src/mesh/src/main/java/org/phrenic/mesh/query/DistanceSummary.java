@@ -5,28 +5,28 @@ import java.util.stream.IntStream;
 import org.phrenic.engine.math.ArgSort;
 
 /**
- * Weighted statistics of distances, mm. A quantile is the smallest distance up to which that share of the weight lies.
+ * Weighted statistics of distances, mm. The p-quantile is the smallest distance whose cumulative weight reaches p.
  *
- * @param points distances with a weight above 0
+ * @param points number of distances with a weight above 0
  * @param mean weighted mean
- * @param deviation standard deviation about the mean, of the population
- * @param rms root of the mean square
- * @param median half of the weight lies at or below it
- * @param percentile95 95 % of the weight lie at or below it
+ * @param deviation population standard deviation
+ * @param rms root mean square
+ * @param median 50 % quantile
+ * @param percentile95 95 % quantile
  * @param maximum largest distance
  */
 public record DistanceSummary(
         int points, double mean, double deviation, double rms, double median, double percentile95, double maximum) {
     private static final double MOST = 0.95;
 
-    /** All figures 0: of no distances. */
+    /** Summary of no distances: all values are 0. */
     public static final DistanceSummary NONE = new DistanceSummary(0, 0, 0, 0, 0, 0, 0);
 
     /**
      * Statistics of absolute distances.
      *
-     * @param weights one each, not negative; those of weight 0 do not count
-     * @throws IllegalArgumentException if there are not as many weights as distances
+     * @param weights one per distance, not negative; distances with weight 0 are ignored
+     * @throws IllegalArgumentException if the numbers of weights and distances differ
      */
     public static DistanceSummary of(double[] distances, double[] weights) {
         if (distances.length != weights.length) {
@@ -62,18 +62,18 @@ public record DistanceSummary(
                 d[d.length - 1]);
     }
 
-    /** As {@link #of(double[], double[])}, every distance with the same weight. */
+    /** Statistics of absolute distances with equal weights. */
     public static DistanceSummary of(double[] distances) {
         double[] weights = new double[distances.length];
         Arrays.fill(weights, 1);
         return of(distances, weights);
     }
 
-    /** Sizes of the distances that have a weight, rising, and their weights. */
+    /** Absolute distances with a positive weight, ascending, and their weights. */
     private static double[][] sorted(double[] distances, double[] weights) {
         int[] kept =
                 IntStream.range(0, distances.length).filter(i -> weights[i] > 0).toArray();
-        // The bits of a non-negative number sort as the number does.
+        // The bits of a non-negative number sort like its value.
         int[] order = ArgSort.of(IntStream.of(kept)
                 .mapToLong(i -> Double.doubleToRawLongBits(Math.abs(distances[i])))
                 .toArray());

@@ -8,8 +8,8 @@ import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The curves in which a plane cuts a triangle mesh. A vertex in the plane counts as above it, so each cut edge is met
- * once and a closed mesh gives closed curves.
+ * Intersection curves of a plane with a triangle mesh. A vertex in the plane counts as above it. Each intersected edge
+ * therefore occurs once, and a closed mesh gives closed curves.
  */
 public final class PlaneCut {
     private static final int EDGE_BITS = 32;
@@ -20,9 +20,9 @@ public final class PlaneCut {
     private final double[] normal;
 
     /**
-     * @param origin of the plane's coordinates
-     * @param across unit vector of its first axis
-     * @param upward unit vector of its second axis, at a right angle to the first
+     * @param origin of the plane's coordinates, mm
+     * @param across unit vector of the first axis
+     * @param upward unit vector of the second axis, orthogonal to the first
      */
     public PlaneCut(double[] origin, double[] across, double[] upward) {
         this.origin = origin.clone();
@@ -31,7 +31,7 @@ public final class PlaneCut {
         normal = Vectors.cross(across, upward);
     }
 
-    /** A point in the plane's coordinates; its distance from the plane is left out. */
+    /** Projects a point onto the plane; returns its plane coordinates. */
     public double[] project(double[] point) {
         double[] d = Vectors.subtract(point, origin);
         return new double[] {Vectors.dot(d, across), Vectors.dot(d, upward)};
@@ -43,11 +43,11 @@ public final class PlaneCut {
     }
 
     /**
-     * Cuts a mesh.
+     * Intersects a mesh.
      *
-     * @param positions three numbers a vertex
-     * @param triangles three vertices a triangle
-     * @return curves of pairs of plane coordinates; a closed one ends where it begins
+     * @param positions three numbers per vertex
+     * @param triangles three vertex indices per triangle
+     * @return curves as pairs of plane coordinates; a closed curve repeats its first point at the end
      */
     public List<double[]> intersect(double[] positions, int[] triangles) {
         int n = positions.length / 3;
@@ -59,7 +59,7 @@ public final class PlaneCut {
                     + normal[2] * positions[3 * i + 2]
                     - offset;
         }
-        // From the edge at which the plane enters a triangle to the edge at which it leaves.
+        // Maps the edge at which the plane enters a triangle to the edge at which it leaves.
         Map<Long, Long> next = new HashMap<>();
         List<Long> order = new ArrayList<>();
         for (int t = 0; t < triangles.length; t += 3) {
@@ -86,7 +86,7 @@ public final class PlaneCut {
         List<double[]> curves = new ArrayList<>();
         Map<Long, Integer> arrivals = new HashMap<>();
         next.values().forEach(edge -> arrivals.merge(edge, 1, Integer::sum));
-        // Open curves first, from their beginnings; what is left is closed.
+        // Open curves are traced first, from their start edges. The remaining curves are closed.
         for (boolean open : new boolean[] {true, false}) {
             for (long start : order) {
                 if (next.containsKey(start) && (!open || !arrivals.containsKey(start))) {

@@ -1,16 +1,16 @@
 package org.phrenic.mesh.query;
 
 /**
- * The nearest point of a triangle to a point, after Ericson, Real-Time Collision Detection (2005), section 5.1.5,
- * extended to degenerate triangles, whose three sides are searched.
+ * The nearest point of a triangle to a point (Ericson, Real-Time Collision Detection, 2005, section 5.1.5). For
+ * degenerate triangles the three sides are searched as well.
  */
 final class PointTriangleDistance {
-    /** Squared area over squared longest side to the fourth power, below which the barycentric quotients are noise. */
+    /** A triangle is degenerate if its squared double area over the fourth power of its longest side is below this. */
     private static final double FLAT = 1e-12;
 
     private PointTriangleDistance() {}
 
-    /** True if the sides' search must back up the region search for the triangle at {@code c[o..o+8]}. */
+    /** Whether the triangle at {@code c[o..o+8]} is so thin that its sides must be searched as well. */
     static boolean isDegenerate(double[] c, int o) {
         double abx = c[o + 3] - c[o];
         double aby = c[o + 4] - c[o + 1];
@@ -28,8 +28,8 @@ final class PointTriangleDistance {
     }
 
     /**
-     * Squared distance from (x, y, z) to the triangle whose corners are {@code c[o..o+8]}; the weights of its second
-     * and third corner go to {@code weights[0..1]}.
+     * Squared distance from (x, y, z) to the triangle with corners {@code c[o..o+8]}. The barycentric weights of the
+     * second and third corner are written to {@code weights[0..1]}.
      */
     static double squaredDistance(double[] c, int o, double x, double y, double z, double[] weights) {
         double ax = c[o];
@@ -55,7 +55,7 @@ final class PointTriangleDistance {
             double ab2 = abx * abx + aby * aby + abz * abz;
             double ac2 = acx * acx + acy * acy + acz * acz;
             double abac = abx * acx + aby * acy + abz * acz;
-            // The book's d3 to d6: the same products about corners b and c.
+            // d3 to d6 as in the book: the same products for corners b and c.
             double d3 = d1 - ab2;
             double d4 = d2 - abac;
             double d5 = d1 - abac;
@@ -93,7 +93,7 @@ final class PointTriangleDistance {
     }
 
     /**
-     * As {@link #squaredDistance} for a flat triangle: the best of the three sides and, where it is a valid answer, the
+     * {@link #squaredDistance} for a degenerate triangle: the minimum over the three sides and, where valid, the
      * interior.
      */
     static double squaredDistanceToDegenerate(double[] c, int o, double x, double y, double z, double[] weights) {

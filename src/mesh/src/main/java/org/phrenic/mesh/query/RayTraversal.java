@@ -3,7 +3,7 @@ package org.phrenic.mesh.query;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * A ray through the boxes and triangles of a {@link TriangleTree} (Moeller and Trumbore 1997, doi
+ * Ray traversal of the boxes and triangles of a {@link TriangleTree} (Moeller and Trumbore 1997, doi
  * 10.1080/10867651.1997.10487468). Allocates nothing.
  */
 final class RayTraversal {
@@ -12,12 +12,12 @@ final class RayTraversal {
     private RayTraversal() {}
 
     /**
-     * Follows the ray of a hit.
+     * Traces the ray stored in a hit.
      *
-     * @param out its {@code rayParameter} limits the ray, in lengths of the direction; receives the first triangle met
+     * @param out its {@code rayParameter} limits the ray, in lengths of the direction; receives the first triangle hit
      *     unless {@code counting}
-     * @param counting whether all triangles on the way are counted
-     * @return how many were met; where not counting, how often a nearer one was found
+     * @param counting whether to count all triangles along the ray
+     * @return number of triangles hit; if not counting, how often a nearer one was found
      */
     static int traverse(TriangleTree tree, TriangleTree.Hit out, boolean counting) {
         int[] stack = out.stack;
@@ -28,7 +28,7 @@ final class RayTraversal {
         }
         while (depth > 0) {
             int node = stack[--depth];
-            // Quotients round, and a flat box must not lose the triangle in it.
+            // The padding covers rounding of the quotients, so that the triangle in a flat box is not missed.
             if (!BoundingBoxes.meetsRay(
                     tree.boxes, 6 * node, out.origin, out.direction, out.rayParameter, 0, RELATIVE_SLACK)) {
                 continue;
@@ -61,8 +61,8 @@ final class RayTraversal {
     }
 
     /**
-     * The ray parameter at which a triangle is met, infinite if it is not; the weights of its second and third corner
-     * come with it.
+     * The ray parameter at the intersection with a triangle, infinite if there is none. Also sets the barycentric
+     * weights of the second and third corner.
      */
     private static double intersectTriangle(TriangleTree tree, int place, TriangleTree.Hit out) {
         double[] corners = tree.corners;

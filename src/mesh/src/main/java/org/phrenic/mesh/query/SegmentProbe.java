@@ -4,16 +4,16 @@ import java.util.Arrays;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * Intersections of a straight segment with surfaces, and its distance from them.
+ * Intersections of a straight segment with surfaces, and the distance between them.
  *
- * <p>Piercing is decided as by Woop, Benthin and Wald 2013 (JCGT 2:65): corners are sheared so that the segment runs
- * along an axis through 0, and the signs of the three edges' determinants say whether 0 lies within the triangle. The
- * signs are exact for the sheared corners, and a zero is broken by shifting the segment by an infinitesimal
- * (Edelsbrunner and Muecke 1990, doi 10.1145/77635.77639), so that two triangles never disagree on the edge they share:
- * through an edge or a corner of a closed surface the segment passes once, and entries and exits come in pairs.
+ * <p>The intersection test is that of Woop, Benthin and Wald 2013 (JCGT 2:65). Corners are sheared so that the segment
+ * runs along an axis through 0. The signs of the three edge determinants show whether 0 is inside the triangle. The
+ * signs are exact for the sheared corners. A zero determinant is resolved by an infinitesimal shift of the segment
+ * (Edelsbrunner and Muecke 1990, doi 10.1145/77635.77639), so two triangles always agree on their shared edge. A
+ * segment through an edge or a corner of a closed surface therefore crosses once, and entries and exits come in pairs.
  *
- * <p>Working memory is kept: make one a thread and use it again. Queries may run on several threads beside each other,
- * but not beside {@link TriangleTree#refit}.
+ * <p>An instance holds working memory: use one per thread and reuse it. Queries may run concurrently on several
+ * threads, but not concurrently with {@link TriangleTree#refit}.
  */
 public final class SegmentProbe {
     private static final double BOX_SLACK_MM = 1e-7;
@@ -41,7 +41,7 @@ public final class SegmentProbe {
     private double nearestDepth;
     private double depthOfPair;
 
-    /** The segment, mm. */
+    /** Sets the end points of the segment, mm. */
     public void set(double fx, double fy, double fz, double tx, double ty, double tz) {
         from[0] = fx;
         from[1] = fy;
@@ -72,7 +72,7 @@ public final class SegmentProbe {
         return length;
     }
 
-    /** Finds all places where the segment pierces a surface, in order of depth; returns how many. */
+    /** Finds all intersections with a surface, in order of depth; returns their number. */
     public int intersect(TriangleTree tree) {
         found = 0;
         int depth = 0;
@@ -100,17 +100,17 @@ public final class SegmentProbe {
         return found;
     }
 
-    /** Depth of the i-th piercing from the start of the segment, mm. */
+    /** Depth of the i-th intersection from the start of the segment, mm. */
     public double depth(int i) {
         return depths[i];
     }
 
-    /** 1 where the segment goes in at the i-th piercing (against the outward normal), -1 where it comes out. */
+    /** 1 if the segment enters the surface at the i-th intersection (against the outward normal), -1 if it leaves. */
     public int facing(int i) {
         return facings[i];
     }
 
-    /** Triangle of the i-th piercing. */
+    /** Triangle of the i-th intersection. */
     public int triangle(int i) {
         return triangles[i];
     }
@@ -122,7 +122,7 @@ public final class SegmentProbe {
             triangles = Arrays.copyOf(triangles, 2 * found);
         }
         int i = found++;
-        // Of equal depths the lower triangle comes first, so that the order does not depend on the tree.
+        // Equal depths are ordered by triangle index, so the order does not depend on the tree.
         while (i > 0 && (depths[i - 1] > depth || (depths[i - 1] == depth && triangles[i - 1] > triangle))) {
             depths[i] = depths[i - 1];
             facings[i] = facings[i - 1];
@@ -134,10 +134,7 @@ public final class SegmentProbe {
         triangles[i] = triangle;
     }
 
-    /**
-     * 1 where the segment enters through the triangle, -1 where it leaves, 0 where it passes by; the depth goes to
-     * {@code depthOfPair}.
-     */
+    /** 1 if the segment enters through the triangle, -1 if it leaves, 0 if it misses. Sets {@code depthOfPair}. */
     private int pierces(double[] corners, int o) {
         for (int k = 0; k < 9; k += 3) {
             double z = corners[o + k + kz] - from[kz];
@@ -163,7 +160,7 @@ public final class SegmentProbe {
         return -u;
     }
 
-    /** Sign of the determinant of two sheared corners, exact; never 0. */
+    /** Exact sign of the determinant of two sheared corners; never 0. */
     private int side(int p, int q) {
         double px = sheared[p];
         double py = sheared[p + 1];
@@ -178,7 +175,7 @@ public final class SegmentProbe {
         if (rest != 0) {
             return rest > 0 ? 1 : -1;
         }
-        // The segment meets the edge: it is shifted by (e, e²), e without end smaller than anything.
+        // The segment meets the edge: it is shifted by (e, e²) with an infinitesimal e.
         if (qy != py) {
             return qy < py ? 1 : -1;
         }
@@ -186,9 +183,9 @@ public final class SegmentProbe {
     }
 
     /**
-     * Smallest distance between the segment and a surface, 0 where it is pierced; see {@link #nearestDepth}.
+     * Smallest distance between the segment and a surface, mm; 0 if they intersect. See {@link #nearestDepth}.
      *
-     * @param limit mm; a surface farther than this counts as this far, and costs less
+     * @param limit upper bound of the result, mm; a smaller limit makes the query faster
      */
     public double distance(TriangleTree tree, double limit) {
         nearestDepth = Double.NaN;
@@ -228,7 +225,7 @@ public final class SegmentProbe {
     }
 
     /**
-     * How deep along the segment the place is that the last {@link #distance} was taken at, mm; NaN if the surface lay
+     * Depth along the segment of its nearest point in the last {@link #distance} query, mm; NaN if the surface is
      * beyond the limit.
      */
     public double nearestDepth() {
@@ -236,7 +233,8 @@ public final class SegmentProbe {
     }
 
     /**
-     * No more than the squared distance to a box: that to its bounding sphere, or between boxes, whichever is greater.
+     * Lower bound of the squared distance to a box: the larger of the bounds from its bounding sphere and from the box
+     * of the segment.
      */
     private double boxBound(double[] boxes, int o) {
         double along = 0;
@@ -261,7 +259,7 @@ public final class SegmentProbe {
         return Math.max(beyond > 0 ? beyond * beyond : 0, apart * (1 - 1e-12));
     }
 
-    /** Squared distance to a triangle; the depth of the nearest place goes to {@code depthOfPair}. */
+    /** Squared distance to a triangle. Sets {@code depthOfPair} to the depth of the nearest point. */
     private double toTriangle(double[] c, int o) {
         if (pierces(c, o) != 0) {
             return 0;

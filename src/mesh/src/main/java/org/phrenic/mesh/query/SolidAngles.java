@@ -4,7 +4,10 @@ package org.phrenic.mesh.query;
 final class SolidAngles {
     private SolidAngles() {}
 
-    /** Half the sum of the signed solid angles in which the triangles of an array of corners appear from a point. */
+    /**
+     * Half the sum of the triangles' signed solid angles seen from a point. {@code corners} has nine numbers per
+     * triangle.
+     */
     static double sum(double[] corners, double x, double y, double z) {
         double sum = 0;
         for (int o = 0; o < corners.length; o += 9) {

@@ -6,16 +6,16 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * How far two surfaces lie apart: from the vertices of each to the other, exactly ({@link SurfaceDistance}), after
+ * Distances between two surfaces, from the vertices of each to the other surface ({@link SurfaceDistance}). After
  * Aspert et al. 2002, MESH (doi 10.1109/ICME.2002.1035879), and Roy, Foufou and Truchetet 2004, Mesh Comparison Using
- * Attribute Deviation Metric. Distances to nearest points do not see motion along the surface; distances of
- * corresponding vertices do, where both have the same triangles.
+ * Attribute Deviation Metric. Nearest-point distances do not measure motion along the surface. Distances between
+ * corresponding vertices do; they are available if both meshes have the same triangles.
  *
- * @param aToB from the vertices of the first to the second surface
- * @param bToA from the vertices of the second to the first
- * @param perVertex of both directions together, every vertex counting the same
- * @param byArea of both directions together, a vertex counting as the area about it
- * @param corresponding of the distances between vertices of one number; empty if the triangles differ
+ * @param aToB from the vertices of the first surface to the second surface
+ * @param bToA from the vertices of the second surface to the first surface
+ * @param perVertex statistics of both directions with equal vertex weights
+ * @param byArea statistics of both directions, weighted by vertex area
+ * @param corresponding statistics of the distances between vertices of the same index; empty if the triangles differ
  */
 public record SurfaceComparison(
         DirectedDistances aToB,
@@ -25,14 +25,15 @@ public record SurfaceComparison(
         Optional<DistanceSummary> corresponding) {
 
     /**
-     * One direction.
+     * Distances in one direction.
      *
-     * @param distances one a vertex, mm; with a sign, positive outside, where the other surface is closed
-     * @param weights area about each vertex, mm^2; 0 for one that no triangle uses, which counts nowhere
-     * @param signed whether distances have a sign
-     * @param perVertex figures of the sizes, every vertex counting the same
-     * @param byArea figures of the sizes, a vertex counting as the area about it
-     * @param signedMean area-weighted mean signed distance, mm; NaN without signs
+     * @param distances one per vertex, mm; signed, positive outside, if the other surface is closed, manifold and
+     *     oriented
+     * @param weights vertex areas, mm^2; 0 for an unused vertex, which is excluded
+     * @param signed whether distances are signed
+     * @param perVertex statistics of absolute distances with equal vertex weights
+     * @param byArea statistics of absolute distances, weighted by vertex area
+     * @param signedMean area-weighted mean signed distance, mm; NaN if distances are unsigned
      */
     public record DirectedDistances(
             double[] distances,
@@ -42,7 +43,7 @@ public record SurfaceComparison(
             DistanceSummary byArea,
             double signedMean) {
 
-        /** Figures of the vertices of {@code mesh}. */
+        /** Distances from the vertices of {@code mesh} to the other surface. */
         static DirectedDistances of(TriangleMesh mesh, SurfaceDistance other) {
             double[] p = mesh.positions();
             double[] distances = other.isSigned() ? other.signedDistance(p) : other.unsignedDistance(p);
@@ -56,7 +57,7 @@ public record SurfaceComparison(
                     other.isSigned() ? mean(distances, areas) : Double.NaN);
         }
 
-        /** How the sizes spread, weighted by area. */
+        /** Area-weighted histogram of the absolute distances. */
         public DistanceHistogram histogram(int bins) {
             return DistanceHistogram.of(distances, weights, bins);
         }
@@ -73,10 +74,10 @@ public record SurfaceComparison(
     }
 
     /**
-     * Compares two surfaces as they lie.
+     * Compares two surfaces without registering them.
      *
      * @param a mm, with at least one triangle
-     * @param b in the same axes
+     * @param b mm, in the same axes
      * @throws IllegalArgumentException if one has no triangle
      */
     public static SurfaceComparison of(TriangleMesh a, TriangleMesh b) {
@@ -96,19 +97,19 @@ public record SurfaceComparison(
                         : Optional.empty());
     }
 
-    /** What {@link #byArea()} says, for a part of the work. */
+    /** Computes only {@link #byArea()}, which is faster. */
     public static DistanceSummary summaryByArea(TriangleMesh a, TriangleMesh b) {
         return DistanceSummary.of(
                 join(new TriangleTree(b).distances(a.positions()), new TriangleTree(a).distances(b.positions())),
                 join(MeshMeasure.vertexAreas(a), MeshMeasure.vertexAreas(b)));
     }
 
-    /** The larger of the largest distances of the two directions, mm; taken at vertices. */
+    /** Symmetric Hausdorff distance, mm, taken at the vertices: the larger maximum of the two directions. */
     public double hausdorff() {
         return perVertex.maximum();
     }
 
-    /** How far each vertex of one surface lies from the vertex of the same number of another, mm. */
+    /** Distance between the vertices of the same index, mm. */
     public static double[] displacements(TriangleMesh a, TriangleMesh b) {
         double[] out = new double[a.vertexCount()];
         for (int v = 0; v < out.length; v++) {

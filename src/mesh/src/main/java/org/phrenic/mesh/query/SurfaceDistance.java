@@ -6,14 +6,14 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Exact distances of points from a surface, mm: to the nearest point of the nearest triangle. Where the surface is
- * closed, manifold and consistently oriented they have a sign, positive outside, by the angle-weighted pseudonormal of
- * the face, edge or vertex on which the nearest point lies (Baerentzen and Aanaes 2005, doi 10.1109/TVCG.2005.49).
+ * Exact distances from points to a surface, mm. They are signed, positive outside, if the surface is closed, manifold
+ * and consistently oriented. The sign is that of the angle-weighted pseudonormal of the face, edge or vertex that
+ * contains the nearest point (Baerentzen and Aanaes 2005, doi 10.1109/TVCG.2005.49).
  *
- * <p>Used by one thread at a time; the reference may be moved with {@link #refit}.
+ * <p>Not thread-safe. {@link #refit} moves the vertices of the reference surface.
  */
 public final class SurfaceDistance {
-    /** A weight below this puts the nearest point on the opposite side of its triangle. */
+    /** If a barycentric weight is below this, the nearest point is on the opposite side of its triangle. */
     private static final double ON_SIDE = 1e-12;
 
     private final TriangleTree tree;
@@ -32,13 +32,13 @@ public final class SurfaceDistance {
         findNormals(reference);
     }
 
-    /** Moves the vertices of the reference, whose triangles stay. */
+    /** Moves the vertices of the reference surface; the triangles remain. */
     public void refit(double[] positions) {
         tree.refit(positions);
         findNormals(tree.mesh().withPositions(positions));
     }
 
-    /** Each edge is run along once in each direction. */
+    /** Whether each edge is traversed once in each direction. */
     private boolean isOriented(TriangleMesh mesh) {
         int[] t = mesh.triangles();
         int[] sides = topology.edgeOfSide();
@@ -64,29 +64,29 @@ public final class SurfaceDistance {
         }
     }
 
-    /** Whether distances have a sign. */
+    /** Whether distances are signed. */
     public boolean isSigned() {
         return signed;
     }
 
     /**
-     * Distances of points, without signs; infinite if the reference has no triangle.
+     * Unsigned distances of points; infinite if the reference has no triangle.
      *
      * @param points x, y, z in turn
-     * @return one a point
+     * @return one distance per point, mm
      */
     public double[] unsignedDistance(double[] points) {
         return tree.distances(points);
     }
 
-    /** Distance of one point, without sign. */
+    /** Unsigned distance of one point, mm. */
     public double unsignedDistance(double x, double y, double z) {
         tree.closest(x, y, z, hit);
         return Math.sqrt(hit.distanceSquared);
     }
 
     /**
-     * Distances of points, negative inside.
+     * Signed distances of points, negative inside.
      *
      * @throws IllegalStateException if the reference is not closed, manifold and oriented, see {@link #isSigned}
      */
@@ -105,7 +105,7 @@ public final class SurfaceDistance {
         return out;
     }
 
-    /** Above 0 outside, below 0 inside, for the point whose nearest is the hit. */
+    /** Positive outside, negative inside, for the query point of the last hit. */
     private double side(double x, double y, double z) {
         int t = hit.triangle;
         int sideOfA = 3 * t;
@@ -113,7 +113,7 @@ public final class SurfaceDistance {
         double dy = y - hit.y;
         double dz = z - hit.z;
         if (isZero(faceNormals, t)) {
-            // A triangle without area has no sides.
+            // A degenerate triangle has no normal.
             return tree.isInside(x, y, z) ? -1 : 1;
         }
         boolean a = hit.weightA > ON_SIDE;

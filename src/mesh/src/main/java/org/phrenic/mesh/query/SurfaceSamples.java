@@ -5,7 +5,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Points on surfaces at no more than a given spacing: a regular barycentric grid on each triangle. Points on shared
+ * Sample points on surfaces with a maximum spacing: a regular barycentric grid on each triangle. Points on shared
  * corners and edges are repeated.
  */
 public final class SurfaceSamples {
@@ -13,7 +13,7 @@ public final class SurfaceSamples {
     private final DoubleList points = new DoubleList();
 
     /**
-     * @param spacing greatest distance of neighbouring points, mm
+     * @param spacing greatest distance between neighbouring points, mm
      * @throws IllegalArgumentException if it is not positive
      */
     public SurfaceSamples(double spacing) {
@@ -23,14 +23,14 @@ public final class SurfaceSamples {
         this.spacing = spacing;
     }
 
-    /** Adds points on a whole surface. */
+    /** Adds samples on a whole surface. */
     public void add(TriangleMesh mesh) {
         for (int t = 0; t < mesh.triangleCount(); t++) {
             add(mesh, t);
         }
     }
 
-    /** Adds points on one triangle of a surface. */
+    /** Adds samples on one triangle of a surface. */
     public void add(TriangleMesh mesh, int triangle) {
         int[] t = mesh.triangles();
         double[] p = mesh.positions();
@@ -52,7 +52,7 @@ public final class SurfaceSamples {
         }
     }
 
-    /** All points so far, three numbers each, mm; a copy. */
+    /** A copy of all samples, three numbers each, mm. */
     public double[] points() {
         return points.toArray();
     }

@@ -6,27 +6,27 @@ import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * A bounding volume hierarchy: axis-aligned boxes over the triangles of a mesh. Boxes are halved at the median centroid
- * along their longest axis, down to four triangles; nodes are in flat arrays, the left child after its parent. The
- * corners are copied in leaf order, so that a query reads memory in a row.
+ * A bounding volume hierarchy of axis-aligned boxes over the triangles of a mesh. Nodes are split at the median
+ * centroid along their longest axis, down to four triangles. They are stored in flat arrays, with the left child
+ * directly after its parent. Corners are copied in leaf order for sequential memory access.
  */
 abstract class TriangleBoxes {
     private static final int LEAF_TRIANGLES = 4;
 
     private final TriangleMesh mesh;
-    /** Triangle numbers in leaf order. */
+    /** Triangle indices in leaf order. */
     final int[] order;
-    /** Nine corner coordinates a triangle, in leaf order. */
+    /** Nine corner coordinates per triangle, in leaf order. */
     final double[] corners;
-    /** Unit normal a triangle, in leaf order. */
+    /** Unit normal per triangle, in leaf order. */
     final double[] normals;
     /** Whether a triangle is degenerate, in leaf order. */
     final boolean[] flat;
-    /** Six numbers a node: minimum, then maximum. */
+    /** Six numbers per node: minimum, then maximum. */
     final double[] boxes;
-    /** Right child of an inner node; -1 - (first place in leaf order) of a leaf. */
+    /** Right child of an inner node; -1 - (first leaf-order index) for a leaf. */
     final int[] child;
-    /** Triangles below the node, counted from its first place. */
+    /** Number of triangles in the subtree of the node. */
     final int[] count;
 
     int nodes;
@@ -38,7 +38,7 @@ abstract class TriangleBoxes {
         int n = mesh.triangleCount();
         order = new int[n];
         Arrays.setAll(order, i -> i);
-        // Halving down to the leaf size makes leaves of more than half of it.
+        // Median splits leave each leaf more than half full.
         int most = Math.max(1, 4 * n / LEAF_TRIANGLES + 2);
         child = new int[most];
         count = new int[most];
@@ -69,7 +69,7 @@ abstract class TriangleBoxes {
         return mesh;
     }
 
-    /** Moves the vertices: boxes are drawn again about the same triangles, in one pass. */
+    /** Moves the vertices and updates the boxes in one pass; the tree structure remains. */
     public void refit(double[] positions) {
         if (positions.length != 3 * mesh.vertexCount()) {
             throw new IllegalArgumentException(
@@ -144,7 +144,10 @@ abstract class TriangleBoxes {
         return longest;
     }
 
-    /** Hoare's selection: afterwards no centroid before {@code k} lies beyond one from {@code k} on. */
+    /**
+     * Quickselect with Hoare partitioning. Afterwards no centroid before {@code k} is greater than one from {@code k}
+     * on.
+     */
     private void select(int first, int last, int k, int axis, double[] centroids) {
         int from = first;
         int to = last;

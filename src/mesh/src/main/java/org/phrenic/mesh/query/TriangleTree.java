@@ -4,46 +4,45 @@ import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Nearest points, rays and inside or outside of a surface, by a tree of axis-aligned boxes (bounding volume hierarchy,
- * {@link TriangleBoxes}).
+ * Nearest-point, ray and inside-outside queries of a surface with a bounding volume hierarchy ({@link TriangleBoxes}).
  *
- * <p>Queries allocate nothing and may run on several threads, each with a {@link Hit} of its own; {@link #refit} may
- * not run beside them.
+ * <p>Queries allocate nothing and may run on several threads, each with its own {@link Hit}. {@link #refit} must not
+ * run concurrently with queries.
  */
 public final class TriangleTree extends TriangleBoxes {
     private static final int NONE = -1;
 
-    /** The answer to a query, and its working memory: make one a thread and use it again. */
+    /** Result and working memory of a query; reuse one per thread. */
     public static final class Hit {
         /** Triangle found, -1 if none. */
         public int triangle = -1;
-        /** Weights of the triangle's three corners, which sum to 1. */
+        /** Barycentric weights of the triangle's three corners; they sum to 1. */
         public double weightA;
 
         public double weightB;
         public double weightC;
-        /** The point on the triangle, mm. */
+        /** Nearest point or ray intersection, mm. */
         public double x;
 
         public double y;
         public double z;
-        /** Squared distance to the point asked about, mm^2; infinite if none was found. */
+        /** Squared distance to the query point, mm^2; infinite if nothing was found. */
         public double distanceSquared = Double.POSITIVE_INFINITY;
-        /** For a ray: the multiple of its direction at which it meets the triangle. */
+        /** For a ray, the distance to the triangle in lengths of the direction. */
         public double rayParameter = Double.POSITIVE_INFINITY;
 
-        /** Nodes that remain to be searched, with their squared distances. */
+        /** Stack of nodes still to be searched, with their squared distances. */
         final int[] stack = new int[64];
 
         final double[] stackDistance = new double[64];
         int depth;
-        /** Weights of the second and third corner at the nearest point of the triangle looked at last. */
+        /** Weights of the second and third corner at the nearest point of the last tested triangle. */
         final double[] weights = new double[2];
-        /** Where the triangle found is among the tree's leaves. */
+        /** Index of the found triangle in leaf order. */
         int leafPlace;
 
         final double[] origin = new double[3];
-        /** Of a ray; or the normal that triangles have to face along, where {@code leastCosine} is a number. */
+        /** Direction of the ray, or reference normal for {@code leastCosine} if that is not NaN. */
         final double[] direction = new double[3];
 
         double leastCosine;
@@ -66,22 +65,19 @@ public final class TriangleTree extends TriangleBoxes {
         super(mesh);
     }
 
-    /** The point of the surface nearest to (x, y, z). True if the mesh has a triangle. */
+    /** Finds the point of the surface nearest to (x, y, z). True if the mesh has a triangle. */
     public boolean closest(double x, double y, double z, Hit out) {
         return closest(x, y, z, Double.POSITIVE_INFINITY, out);
     }
 
-    /**
-     * As {@link #closest(double, double, double, Hit)} within {@code maximumDistance} mm; false if nothing is that
-     * near.
-     */
+    /** Finds the nearest point within {@code maximumDistance} mm; false if there is none. */
     public boolean closest(double x, double y, double z, double maximumDistance, Hit out) {
         return closest(x, y, z, maximumDistance, 0, 0, 0, Double.NaN, out);
     }
 
     /**
-     * As {@link #closest(double, double, double, double, Hit)}, among triangles whose unit normal n has n . (nx, ny,
-     * nz) &gt; {@code minimumCosine}: on a thin sheet this keeps to the side that faces along the normal.
+     * Finds the nearest point within a distance on triangles whose unit normal n satisfies n . (nx, ny, nz) &gt;
+     * {@code minimumCosine}. On a thin sheet this excludes the opposite side.
      *
      * @param minimumCosine NaN for all triangles
      */
@@ -97,7 +93,7 @@ public final class TriangleTree extends TriangleBoxes {
             Hit out) {
         out.start(x, y, z, nx, ny, nz);
         out.leastCosine = minimumCosine;
-        // One step above the limit, so that a point exactly at the maximum distance is found.
+        // One unit in the last place above the limit, so that a point at exactly the maximum distance is found.
         double best = Math.nextUp(maximumDistance * maximumDistance);
         int node = nodes > 0 ? 0 : NONE;
         while (node >= 0) {
@@ -116,7 +112,9 @@ public final class TriangleTree extends TriangleBoxes {
         return true;
     }
 
-    /** Distance of each point, three numbers each, from the surface, mm; infinite if the mesh has no triangle. */
+    /**
+     * Distance of each point from the surface, mm; infinite if the mesh has no triangle. Points are three numbers each.
+     */
     public double[] distances(double[] points) {
         Hit hit = new Hit();
         double[] distances = new double[points.length / 3];
@@ -127,7 +125,7 @@ public final class TriangleTree extends TriangleBoxes {
         return distances;
     }
 
-    /** Looks for a nearer triangle in a leaf; returns the least squared distance then. */
+    /** Searches a leaf for a nearer triangle; returns the updated least squared distance. */
     private double closestInLeaf(int node, double limit, Hit out) {
         double best = limit;
         double x = out.origin[0];
@@ -139,7 +137,7 @@ public final class TriangleTree extends TriangleBoxes {
                 continue;
             }
             double square = squaredDistance(place, x, y, z, out.weights);
-            // Among equals the lowest triangle wins, so the answer does not depend on the tree's shape.
+            // Equal distances are resolved by the lowest triangle index, so the answer does not depend on the tree.
             if (square < best || (square == best && out.triangle >= 0 && order[place] < out.triangle)) {
                 best = square;
                 out.leafPlace = place;
@@ -158,8 +156,7 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /**
-     * The nearer child of a node, or the next node on the stack; the farther child goes onto the stack if it is within
-     * the limit.
+     * The nearer child of a node, or the next node on the stack. The farther child is pushed if it is within the limit.
      */
     private int descend(int node, double limit, Hit out) {
         int near = node + 1;
@@ -193,10 +190,10 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /**
-     * Whether a point of the surface lies within {@code distance} mm, as {@link #closest(double, double, double,
-     * double, Hit)} answers, but the first triangle so near is enough; the one of the previous query is tried first.
+     * Whether a point of the surface is within {@code distance} mm. Stops at the first such triangle; the one found by
+     * the previous query is tested first.
      *
-     * @param working memory between queries; receives no answer
+     * @param working working memory kept between queries; its result fields are not set
      */
     public boolean isWithin(double x, double y, double z, double distance, Hit working) {
         double limit = distance * distance;
@@ -222,7 +219,7 @@ public final class TriangleTree extends TriangleBoxes {
         return false;
     }
 
-    /** Squared distance of a point from one triangle; the weights of its nearest place come with it. */
+    /** Squared distance from a point to one triangle. Also writes the weights of the nearest point. */
     private double squaredDistance(int place, double x, double y, double z, double[] weights) {
         return flat[place]
                 ? PointTriangleDistance.squaredDistanceToDegenerate(corners, 9 * place, x, y, z, weights)
@@ -248,9 +245,9 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /**
-     * The first triangle that the ray from (ox, oy, oz) along (dx, dy, dz) meets, from either side (Moeller and
-     * Trumbore 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.rayParameter} is in lengths of the
-     * direction.
+     * Finds the first intersection of the ray from (ox, oy, oz) along (dx, dy, dz), from either side of a triangle
+     * (Moeller and Trumbore 1997, doi 10.1080/10867651.1997.10487468); false if none. {@code out.rayParameter} is in
+     * lengths of the direction.
      */
     public boolean nearestAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit out) {
         out.start(ox, oy, oz, dx, dy, dz);
@@ -264,8 +261,8 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /**
-     * How many triangles the ray meets. A ray through an edge may count both its triangles: for inside or outside ask
-     * {@link #isInside}.
+     * Number of triangles that the ray intersects. A ray through an edge may count both its triangles; use
+     * {@link #isInside} for inside-outside tests.
      */
     public int countAlongRay(double ox, double oy, double oz, double dx, double dy, double dz, Hit working) {
         working.start(ox, oy, oz, dx, dy, dz);
@@ -273,17 +270,17 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /**
-     * Generalized winding number at (x, y, z): the sum of the triangles' solid angles over 4 pi, exact, over all
-     * triangles (Jacobson et al. 2013, doi 10.1145/2461912.2461916). 1 inside and 0 outside a closed surface that faces
-     * outward; in between near the holes of an open one.
+     * Generalized winding number at (x, y, z): the sum of the solid angles of all triangles over 4 pi, exact (Jacobson
+     * et al. 2013, doi 10.1145/2461912.2461916). It is 1 inside and 0 outside a closed surface that faces outward, and
+     * takes values in between near the holes of an open surface.
      */
     public double windingNumber(double x, double y, double z) {
         return SolidAngles.sum(corners, x, y, z) / (2 * Math.PI);
     }
 
     /**
-     * Whether (x, y, z) lies inside the closed surface: the winding number rounds to other than 0. Points beyond the
-     * bounding box are answered at once. The cost is one pass over all triangles.
+     * Whether (x, y, z) is inside the closed surface: the rounded winding number is not 0. Points outside the bounding
+     * box return at once; otherwise the cost is one pass over all triangles.
      */
     public boolean isInside(double x, double y, double z) {
         return nodes > 0

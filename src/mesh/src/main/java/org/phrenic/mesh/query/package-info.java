@@ -1,5 +1,5 @@
 /**
- * Geometric queries of triangle meshes: nearest points, rays, segments, plane cuts, distances between surfaces and
- * their statistics. Nothing here changes a mesh.
+ * Geometric queries on triangle meshes: nearest points, ray and segment intersections, plane cuts, and distances
+ * between surfaces with their statistics. Queries do not modify meshes.
  */
 package org.phrenic.mesh.query;

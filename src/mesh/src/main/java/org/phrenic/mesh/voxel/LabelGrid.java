@@ -3,14 +3,14 @@ package org.phrenic.mesh.voxel;
 import java.util.Arrays;
 
 /**
- * A box of voxels, each with a label from 0 to 65535; 0 is background. Voxel (i, j, k) is number {@code i + columns (j
- * + rows k)}, and its centre lies at
+ * A box of voxels with labels from 0 (background) to 65535. Voxel (i, j, k) has the index {@code i + columns (j + rows
+ * k)}, and its centre is at
  *
  * <pre>
  * x = m0 i + m1 j + m2 k + m3,   y = m4 i + m5 j + m6 k + m7,   z = m8 i + m9 j + m10 k + m11   (mm)
  * </pre>
  *
- * A label takes a byte, or two where one is above 255. Arrays are shared, not copied, and are not to be written to.
+ * A label takes one byte, or two if any label is above 255. Arrays are shared, not copied, and must not be modified.
  */
 public final class LabelGrid {
     /** The largest label. */
@@ -46,19 +46,19 @@ public final class LabelGrid {
     /**
      * A grid of labels up to 255.
      *
-     * @param toMm three rows of four numbers, as above
-     * @throws IllegalArgumentException if sizes do not fit
+     * @param toMm affine matrix m0 to m11, three rows of four numbers, as above
+     * @throws IllegalArgumentException if sizes do not match
      */
     public static LabelGrid of(int columns, int rows, int slices, byte[] labels, double[] toMm) {
         return new LabelGrid(columns, rows, slices, labels, new short[0], toMm);
     }
 
-    /** A grid of labels up to 65535, read without sign. */
+    /** A grid of labels up to 65535; the shorts are unsigned. */
     public static LabelGrid of(int columns, int rows, int slices, short[] labels, double[] toMm) {
         return new LabelGrid(columns, rows, slices, new byte[0], labels, toMm);
     }
 
-    /** The same voxels in another place. */
+    /** The same voxels with another affine matrix. */
     public LabelGrid withAffine(double[] otherToMm) {
         return new LabelGrid(columns, rows, slices, bytes, shorts, otherToMm);
     }
@@ -79,25 +79,25 @@ public final class LabelGrid {
         return Math.max(bytes.length, shorts.length);
     }
 
-    /** Label of a voxel by its number. */
+    /** Label of a voxel by its index. */
     public int label(int voxel) {
         return bytes.length > 0 ? bytes[voxel] & MAX_BYTE_LABEL : shorts[voxel] & MAX_LABEL;
     }
 
-    /** Label of a voxel by its place; 0 outside the box. */
+    /** Label of voxel (i, j, k); 0 outside the box. */
     public int label(int i, int j, int k) {
         boolean inside = i >= 0 && i < columns && j >= 0 && j < rows && k >= 0 && k < slices;
         return inside ? label(i + columns * (j + rows * k)) : 0;
     }
 
-    /** Writes the position of a point given in voxel coordinates, mm. */
+    /** Converts voxel coordinates to a position in mm, written to {@code out}. */
     public void voxelToMm(double i, double j, double k, double[] out) {
         for (int row = 0; row < 3; row++) {
             out[row] = toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
         }
     }
 
-    /** Distance of neighbours along a direction of the grid (0 columns, 1 rows, 2 slices), mm. */
+    /** Spacing of voxel centres along a grid direction (0 columns, 1 rows, 2 slices), mm. */
     public double spacing(int direction) {
         double x = toMm[direction];
         double y = toMm[4 + direction];
@@ -124,7 +124,7 @@ public final class LabelGrid {
                 + m[2] * (m[4] * m[9] - m[5] * m[8]);
     }
 
-    /** How many voxels each label has, by label; as long as the largest label needs. */
+    /** Number of voxels of each label, indexed by label up to the largest label present. */
     public int[] counts() {
         int[] counts = new int[(bytes.length > 0 ? MAX_BYTE_LABEL : MAX_LABEL) + 1];
         for (byte label : bytes) {

@@ -8,9 +8,9 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Triangulates the faces of one part's voxels to a closed manifold. At an edge of four faces those of the same voxel
- * are joined; at a vertex each fan of joined faces gets a vertex of its own. Where both pairs at an edge still have the
- * same two ends, one pair gets another vertex in its middle.
+ * Triangulates the voxel faces of one part to a closed manifold. At an edge with four faces, the faces of the same
+ * voxel are joined. Each fan of joined faces at a vertex gets its own vertex. If two pairs of faces at an edge still
+ * share both ends, one pair gets an additional vertex at the edge midpoint.
  */
 final class QuadStitcher {
     private static final int NONE = -1;
@@ -19,22 +19,22 @@ final class QuadStitcher {
     private final int[] quads;
     private final long[] voxels;
     private final EdgeTable edges;
-    /** The side that each side is joined with. */
+    /** The joined side of each side. */
     private final int[] mate;
-    /** Corners of one fan lead to one corner. */
+    /** Union-find parents of corners; the corners of one fan are one set. */
     private final int[] fan;
 
     private final int[] vertexOfFan;
     private final DoubleList positions = new DoubleList();
-    /** Vertex in the middle of a side, where it has one. */
+    /** Midpoint vertex of a side, if it has one. */
     private final int[] middle;
 
     private final IntList triangles = new IntList();
 
     /**
-     * @param given positions that the quadrilaterals name
-     * @param quads four corners each
-     * @param voxels the voxel whose face each is
+     * @param given positions of the quadrilaterals' vertices
+     * @param quads four corners per face
+     * @param voxels the voxel of each face
      */
     QuadStitcher(double[] given, int[] quads, long[] voxels) {
         this.given = given;
@@ -90,7 +90,7 @@ final class QuadStitcher {
         return EdgeTable.next(side, 4);
     }
 
-    /** Where two joined sides name one vertex, their corners are one. */
+    /** Merges the corners of two joined sides that have the same vertex. */
     private void unite(int corner, int side) {
         DisjointSets.unionToLower(fan, corner, quads[corner] == quads[side] ? side : next(side));
     }
@@ -99,7 +99,7 @@ final class QuadStitcher {
         return vertexOfFan[DisjointSets.find(fan, corner)];
     }
 
-    /** Two pairs of faces on one edge that still share both ends: the later pair gets a vertex between them. */
+    /** Adds a midpoint vertex to the later of two pairs of faces at an edge that share both ends. */
     private void separate(int from, int to) {
         int first = edges.sides()[from];
         for (int i = from + 1; i < to; i++) {
@@ -119,7 +119,7 @@ final class QuadStitcher {
         }
     }
 
-    /** A quadrilateral along its shorter diagonal; one with vertices in its sides as a fan about the first of these. */
+    /** Splits a quadrilateral along its shorter diagonal, or as a fan from its first midpoint vertex if it has one. */
     private void cut(int q) {
         int[] ring = new int[8];
         int size = 0;

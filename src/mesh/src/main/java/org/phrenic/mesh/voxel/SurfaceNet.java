@@ -4,28 +4,28 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.WindowedSincFilter;
 
 /**
- * The surfaces between the parts of a volume of labels, as one net whose vertices neighbours share, so that their
- * surfaces meet (Gibson 1998, Constrained Elastic Surface Nets, doi 10.1007/BFb0056277; Frisken 2022, SurfaceNets for
- * Multi-Label Segmentations, https://jcgt.org/published/0011/01/03/). Each face of a voxel between two parts is a
- * quadrilateral; its corners are one vertex for each cube of eight voxel centres that holds several parts, in the
- * middle of the crossings on the cube's edges.
+ * Surface nets of a label volume: the surfaces between its parts, with shared vertices where parts are adjacent (Gibson
+ * 1998, Constrained Elastic Surface Nets, doi 10.1007/BFb0056277; Frisken 2022, SurfaceNets for Multi-Label
+ * Segmentations, https://jcgt.org/published/0011/01/03/). Each voxel face between two parts is a quadrilateral. Each
+ * cube of eight voxel centres that contains several parts has one vertex, the mean of the crossings on the cube's
+ * edges.
  *
- * <p>The surface of one part is closed, manifold and faces outward. Voxels of it that touch at an edge or a corner
- * alone are apart: there the surface has several vertices in one place. Beyond the box lies background, so what the box
- * cuts is closed flat.
+ * <p>The surface of one part is a closed manifold that faces outward. Voxels of a part that touch only at an edge or a
+ * corner are separate: the surface has several vertices at the same position there. Outside the box is background, so a
+ * part that reaches the boundary of the box is closed there.
  */
 public final class SurfaceNet {
     /** Vertices, mm. */
     private final double[] positions;
-    /** Four vertices a face of a voxel, anticlockwise seen from the voxel of the larger number, in mm. */
+    /** Four vertices per voxel face, anticlockwise in mm seen from the voxel with the larger index. */
     private final int[] quads;
-    /** Parts on both sides of a face: of the voxel of the smaller number, then the other. */
+    /** Parts on both sides of a face: that of the voxel with the smaller index, then the other. */
     private final short[] sides;
-    /** Three times the number of the first voxel, padded by one all round, plus the face's direction. */
+    /** Three times the index of the first voxel in the grid padded by one voxel, plus the direction of the face. */
     private final long[] faces;
-    /** What a step along each direction adds to the number of a padded voxel. */
+    /** Index increment of a padded voxel along each direction. */
     private final long[] strides;
-    /** Faces of part p are those of {@code facesOfParts} from startOfPart[p] to before startOfPart[p + 1], in order. */
+    /** The faces of part p are {@code facesOfParts} from startOfPart[p] to startOfPart[p + 1] - 1, in order. */
     private final int[] startOfPart;
 
     private final int[] facesOfParts;
@@ -58,7 +58,7 @@ public final class SurfaceNet {
         }
     }
 
-    /** The same net with its vertices elsewhere. */
+    /** The same net with other vertex positions. */
     private SurfaceNet(SurfaceNet net, double[] positions) {
         this.positions = positions;
         quads = net.quads;
@@ -70,10 +70,10 @@ public final class SurfaceNet {
     }
 
     /**
-     * The net of a volume.
+     * Builds the net of a volume.
      *
-     * @param partOfLabel number of the part that each label belongs to, 0 for background and for labels beyond its end;
-     *     at most 32,767
+     * @param partOfLabel part of each label, at most 32,767; 0 for background and for labels beyond the end of the
+     *     array
      */
     public static SurfaceNet of(LabelGrid grid, int[] partOfLabel) {
         return new SurfaceNetBuilder(grid, partOfLabel).build();
@@ -84,8 +84,8 @@ public final class SurfaceNet {
     }
 
     /**
-     * The same net with smooth vertices, see {@link WindowedSincFilter}. Where three parts or more meet, vertices are
-     * smoothed along the line at which they do.
+     * The same net smoothed by {@link WindowedSincFilter}. Vertices where three or more parts meet are smoothed only
+     * along the line between the parts.
      *
      * @param iterations degree of the filter
      * @param passBand above 0, below 2
@@ -97,7 +97,7 @@ public final class SurfaceNet {
                 this, WindowedSincFilter.filter(positions, neighbours.start(), neighbours.neighbours(), c));
     }
 
-    /** The surface of one part, closed and facing outward; without triangles if there is no such part. */
+    /** The surface of one part, closed and facing outward; empty if there is no such part. */
     public TriangleMesh surface(int part) {
         boolean known = part > 0 && part + 1 < startOfPart.length;
         int from = known ? startOfPart[part] : 0;
@@ -122,8 +122,8 @@ public final class SurfaceNet {
     }
 
     /**
-     * Positions of the vertices that are named, in their order; from then on they are named by their places there. A
-     * net may have millions of vertices, of which a rib has a few thousand.
+     * Positions of the vertices in {@code own}, in ascending order; replaces the indices in {@code own} by indices into
+     * the result. A net may have millions of vertices, while a rib has a few thousand.
      */
     private double[] ownPositions(int[] own, int least, int most) {
         int[] place = new int[Math.max(0, most - least + 1)];

@@ -5,18 +5,18 @@ import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.IntList;
 
 /**
- * Finds vertices and faces of a {@link SurfaceNet}, slice by slice. Cell (i, j, k) lies between voxels (i - 1, j - 1, k
- * - 1) and (i, j, k).
+ * Builds the vertices and faces of a {@link SurfaceNet} slice by slice. Cell (i, j, k) is between the centres of voxels
+ * (i - 1, j - 1, k - 1) and (i, j, k).
  */
 final class SurfaceNetBuilder {
-    /** Corners of a cell by bits: 1 column, 2 row, 4 slice. */
+    /** Edges of a cell as pairs of corners. The bits of a corner are 1 column, 2 row, 4 slice. */
     private static final int[] EDGES = {0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7};
 
     private static final int START = 1 << 12;
 
     private final LabelGrid grid;
     private final short[] partOfLabel;
-    /** Cells along columns and rows; a slice of voxels padded by one has one more. */
+    /** Cells along columns and rows. A padded slice of voxels has one more in each direction. */
     private final int wide;
 
     private final int high;
@@ -68,7 +68,7 @@ final class SurfaceNetBuilder {
                 new long[] {1, wide + 1, (long) (wide + 1) * (high + 1)});
     }
 
-    /** Parts of voxel slice k, padded; nothing beyond the last. */
+    /** Reads the parts of voxel slice k, padded; all background beyond the last slice. */
     private void readSlice(int k) {
         if (k == grid.slices()) {
             Arrays.fill(above, (short) 0);
@@ -129,7 +129,7 @@ final class SurfaceNetBuilder {
         positions.add(at[0], at[1], at[2]);
     }
 
-    /** Faces between voxel slices k - 1 and k, and within slice k - 1. */
+    /** Adds the faces between voxel slices k - 1 and k, and those within slice k - 1. */
     private void addFaces(int k) {
         int row = wide + 1;
         long slice = (long) row * (high + 1) * k;

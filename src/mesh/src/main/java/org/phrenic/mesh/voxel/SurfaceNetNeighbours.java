@@ -3,17 +3,17 @@ package org.phrenic.mesh.voxel;
 import org.phrenic.mesh.EdgeTable;
 
 /**
- * Neighbours for smoothing a {@link SurfaceNet}, in compressed rows: the ends of a vertex's edges; of a vertex on a
- * line where three parts or more meet, only those along the line.
+ * Neighbours for smoothing a {@link SurfaceNet}, in compressed rows. They are the vertices joined by an edge. A vertex
+ * on a line where three or more parts meet has only its neighbours along that line.
  *
  * @param start neighbours of vertex v are {@code neighbours[start[v]]} to {@code neighbours[start[v + 1] - 1]}
  */
 record SurfaceNetNeighbours(int[] start, int[] neighbours) {
     /**
-     * Neighbours in a net.
+     * Finds the neighbours in a net.
      *
-     * @param quads four vertices a face
-     * @param parts two a face, those on its sides
+     * @param quads four vertices per face
+     * @param parts two parts per face, one for each side
      */
     static SurfaceNetNeighbours of(int vertices, int[] quads, short[] parts) {
         EdgeTable table = new EdgeTable(vertices, quads, 4);
@@ -40,7 +40,7 @@ record SurfaceNetNeighbours(int[] start, int[] neighbours) {
         return new SurfaceNetNeighbours(start, neighbours);
     }
 
-    /** Whether three parts or more meet at an edge. */
+    /** Whether three or more parts meet at an edge. */
     private static boolean isLine(EdgeTable table, int edge, short[] parts) {
         int first = 2 * table.face(edge, 0);
         for (int i = 1; i < table.faceCount(edge); i++) {

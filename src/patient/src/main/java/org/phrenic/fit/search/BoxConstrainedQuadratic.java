@@ -1,6 +1,6 @@
 package org.phrenic.fit.search;
 
-/** Minimum of the convex quadratic {@code 1/2 s' A s + b' s} within a box, by coordinate descent. */
+/** Minimises the convex quadratic {@code 1/2 s' A s + b' s} within a box by coordinate descent. */
 public final class BoxConstrainedQuadratic {
     private static final int MAX_SWEEPS = 500;
     private static final double TOLERANCE = 1e-10;
@@ -8,11 +8,11 @@ public final class BoxConstrainedQuadratic {
     private BoxConstrainedQuadratic() {}
 
     /**
-     * The minimiser.
+     * Returns the minimiser.
      *
-     * @param a symmetric, positive definite
-     * @param low lower bounds, not above 0
-     * @param high upper bounds, not below 0
+     * @param a symmetric, positive definite matrix A
+     * @param low lower bounds, at most 0
+     * @param high upper bounds, at least 0
      */
     public static double[] minimize(double[][] a, double[] b, double[] low, double[] high) {
         double[] s = new double[b.length];

@@ -12,13 +12,13 @@ import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.CMAESOptimizer;
 import org.apache.commons.math3.random.MersenneTwister;
 
 /**
- * Covariance matrix adaptation (CMA-ES; Hansen 2006, doi 10.1007/3-540-32494-1_4) by Commons Math, one generation at a
- * time.
+ * Covariance matrix adaptation evolution strategy (CMA-ES; Hansen 2006, doi 10.1007/3-540-32494-1_4). It runs the
+ * implementation of Commons Math one generation at a time.
  *
- * <p>The optimiser takes one value after the other. Its points are a function of the seed and of the values of earlier
- * generations, so each generation is found by running the optimiser on the known values with a budget of one generation
- * more. The points of that generation can be evaluated in parallel, and an interrupted search resumes from its known
- * values. Path and result are those of a single run of the optimiser.
+ * <p>The optimiser of Commons Math requests one value at a time, but its points depend only on the seed and on the
+ * values of earlier generations. To find the next generation, the optimiser is rerun on the known values with a budget
+ * of one more generation. The points of that generation can then be evaluated in parallel, and an interrupted search
+ * can resume from its known values. Path and result are identical to a single run of the optimiser.
  */
 public final class CmaEsSearch {
     private final double[] start;
@@ -27,7 +27,7 @@ public final class CmaEsSearch {
     private final long seed;
 
     /**
-     * A search in the unit cube.
+     * Creates a search in the unit cube.
      *
      * @param start initial mean, each coordinate from 0 to 1
      * @param population points per generation
@@ -40,12 +40,12 @@ public final class CmaEsSearch {
         this.seed = seed;
     }
 
-    /** The usual population for a dimension, 4 + 3 ln n. */
+    /** Default population size for n dimensions, 4 + 3 ln n. */
     public static int defaultPopulation(int dimension) {
         return 4 + (int) (3 * StrictMath.log(dimension));
     }
 
-    /** All evaluations in order: the start, then one generation after the other. */
+    /** Runs the search. Returns all evaluations in order: the start, then each generation. */
     List<Evaluation> run(BatchEvaluator evaluator) {
         List<Evaluation> known = new ArrayList<>();
         while (true) {
@@ -60,7 +60,7 @@ public final class CmaEsSearch {
         }
     }
 
-    /** The points of the generation after the known evaluations; none if the optimiser has converged. */
+    /** Points of the next generation, given the known evaluations; empty if the optimiser has converged. */
     private List<double[]> nextGeneration(List<Evaluation> known) {
         int size = known.isEmpty() ? 1 : population;
         List<double[]> points = new ArrayList<>();
@@ -69,7 +69,7 @@ public final class CmaEsSearch {
         Arrays.fill(upper, 1);
         new CMAESOptimizer(Integer.MAX_VALUE, 0, true, 0, 0, new MersenneTwister(seed), false, null)
                 .optimize(
-                        // The optimiser returns when the budget is used up.
+                        // The optimiser returns when the evaluation budget is exhausted.
                         new MaxEval(known.size() + size),
                         new ObjectiveFunction(point -> {
                             int number = count[0]++;

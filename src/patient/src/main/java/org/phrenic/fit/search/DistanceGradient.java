@@ -7,25 +7,25 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Gradient of the mean symmetric distance between a part of the body and its target: each weighted distance, the
- * direction in which it grows, and the vertices that move it. At most {@value #MAX_POINTS} vertices of the target,
- * evenly spaced in their order, stand for all.
+ * Gradient of the mean symmetric distance between a part of the body and its target. It consists of each weighted
+ * distance, the direction in which the distance increases, and the vertices that affect it. At most
+ * {@value #MAX_POINTS} target vertices, evenly spaced by index, represent the whole target.
  *
  * <p>Not thread-safe.
  */
 public final class DistanceGradient {
     private static final int MAX_POINTS = 800;
 
-    /** Receives the distances one by one. */
+    /** Receives distances one at a time. */
     public interface Visitor {
         /**
-         * Receives one distance; the arrays are valid during the call.
+         * Receives one distance. The arrays are only valid during the call.
          *
-         * @param weight in the mean; all weights together are 1
-         * @param distance mm
-         * @param direction unit vector in which the point of the part moves away
-         * @param vertices three of the part
-         * @param shares weight of each of them in the point
+         * @param weight weight in the mean; all weights sum to 1
+         * @param distance distance, mm
+         * @param direction unit vector; the distance increases if the point of the part moves along it
+         * @param vertices three vertices of the part
+         * @param shares barycentric weight of each vertex in the point
          */
         void accept(double weight, double distance, double[] direction, int[] vertices, double[] shares);
     }
@@ -41,10 +41,10 @@ public final class DistanceGradient {
     private final double[] direction = new double[3];
 
     /**
-     * @param rest the part
-     * @param modelCounts 1 for each vertex of the part that counts, else 0
-     * @param target where it should be
-     * @param targetWeights area about each vertex of the target, 0 where it does not count
+     * @param rest mesh of the part at rest
+     * @param modelCounts 1 for each vertex of the part that is included, 0 otherwise
+     * @param target target position of the part
+     * @param targetWeights area associated with each vertex of the target; 0 for excluded vertices
      */
     public DistanceGradient(TriangleMesh rest, double[] modelCounts, TriangleMesh target, double[] targetWeights) {
         this.rest = rest;
@@ -68,7 +68,7 @@ public final class DistanceGradient {
         Arrays.setAll(pointWeights, i -> pointWeights[i] * (targetArea / sampled / all));
     }
 
-    /** Added in order; a stream's sum compensates and gives other bits. */
+    /** Sums in order. The compensated summation of a stream would give different bits. */
     private static double sum(double[] values) {
         double sum = 0;
         for (double value : values) {
@@ -77,7 +77,7 @@ public final class DistanceGradient {
         return sum;
     }
 
-    /** Visits all distances of the part with these vertex positions. */
+    /** Visits all distances for the given vertex positions of the part. */
     public void visit(double[] positions, Visitor visitor) {
         fromModel.refit(positions);
         double[] alone = {1, 0, 0};

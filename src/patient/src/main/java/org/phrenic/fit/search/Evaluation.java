@@ -3,9 +3,9 @@ package org.phrenic.fit.search;
 /**
  * One evaluation of the objective.
  *
- * @param point where: parameter values, or coordinates in the unit cube
- * @param value of the objective, smaller is better
- * @param shape positions of all vertices that the objective compares, x, y, z in turn, mm; empty where the simulation
+ * @param point evaluated parameter values, or coordinates in the unit cube
+ * @param value objective value; smaller is better
+ * @param shape positions of all vertices that the objective compares, as x, y, z triples, mm; empty if the simulation
  *     diverged or the shape is not kept
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared

@@ -14,8 +14,9 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
 
 /**
- * The evaluations of a fit, one line each, written as each is done, so that an interrupted fit resumes. A line carries
- * the fingerprint of its fit; an incomplete last line is dropped. Shapes are in a {@link ShapeFile} beside it.
+ * Log of the evaluations of a fit, one per line. Each line is written as soon as its evaluation is done, so an
+ * interrupted fit can resume. A line contains the fingerprint of its fit. An incomplete last line is ignored. Shapes
+ * are stored in a {@link ShapeFile} next to the journal.
  */
 public final class FitJournal {
     private final Path file;
@@ -26,11 +27,11 @@ public final class FitJournal {
     private boolean written;
 
     /**
-     * Reads an existing journal; writes nothing.
+     * Reads an existing journal without modifying it.
      *
-     * @param fingerprint of the fit: fits with other inputs have another
-     * @param parameters whose values stand in the columns
-     * @throws BadInputException if the file is of another fit
+     * @param fingerprint identifies the inputs of the fit
+     * @param parameters parameters whose values are stored in the columns
+     * @throws BadInputException if the file belongs to another fit
      */
     public FitJournal(Path file, String fingerprint, List<FitParameter> parameters) {
         this.file = file;
@@ -71,17 +72,17 @@ public final class FitJournal {
         }
     }
 
-    /** An evaluation without its shape; null if it is not in the journal. */
+    /** The evaluation with this number, without its shape; null if it is not in the journal. */
     synchronized Evaluation known(int number) {
         return known.get(number);
     }
 
-    /** Shape of an evaluation; null if it is not kept. */
+    /** Shape of an evaluation, or null if it is not stored. */
     float[] shape(int number) {
         return shapes.shape(number);
     }
 
-    /** Writes an evaluation, after its shape if that is kept. */
+    /** Writes an evaluation. Its shape, if stored, is written first. */
     void add(int number, Evaluation evaluation, boolean withShape) {
         if (withShape) {
             shapes.add(number, evaluation.shape());
@@ -92,7 +93,7 @@ public final class FitJournal {
                 if (written) {
                     Files.writeString(file, line(number), StandardOpenOption.APPEND);
                 } else {
-                    // Rewritten once, without an incomplete last line.
+                    // The file is rewritten once to remove an incomplete last line.
                     StringBuilder text = new StringBuilder(String.join(",", columns)).append('\n');
                     known.keySet().forEach(k -> text.append(line(k)));
                     AtomicFile.write(file, text.toString());

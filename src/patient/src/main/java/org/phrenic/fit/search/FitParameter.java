@@ -16,13 +16,13 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
 /**
- * A parameter that a fit tunes, with bounds. The search uses a coordinate from 0 to 1 between the bounds, logarithmic
- * where they are far apart.
+ * A parameter to fit, with bounds. The search uses a coordinate from 0 to 1 between the bounds. The coordinate is
+ * logarithmic if the bounds are far apart.
  *
- * @param start value at which the search begins
+ * @param start initial value of the search
  */
 public record FitParameter(Parameter parameter, double minimum, double maximum, double start) {
-    /** Ratio of the bounds from which the coordinate is logarithmic. */
+    /** The coordinate is logarithmic if the ratio of the bounds is at least this value. */
     private static final double WIDE = 4;
 
     public FitParameter {
@@ -35,9 +35,9 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     }
 
     /**
-     * A parameter with its usual bounds, starting at its value in a scenario.
+     * Returns a parameter with its default bounds. The search starts at its value in a scenario.
      *
-     * @throws BadInputException if the held breath does not use it
+     * @throws BadInputException if the held breath does not use the parameter
      */
     public static FitParameter of(Parameter parameter, Scenario scenario) {
         double start = scenario.get(parameter);
@@ -50,9 +50,9 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     }
 
     /**
-     * Reads {@code key} or {@code key=min:max}.
+     * Parses {@code key} or {@code key=min:max}.
      *
-     * @throws BadInputException with one sentence
+     * @throws BadInputException if the text is invalid
      */
     public static FitParameter parse(String text, Scenario scenario) {
         int equals = text.indexOf('=');
@@ -78,7 +78,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         }
     }
 
-    /** The default parameters: drives of muscle, pressure and ribs, their distribution, and stiffness. */
+    /** Default parameters: drives of muscle, pressure and ribs, their distribution, and stiffness. */
     public static List<FitParameter> defaults(Scenario scenario) {
         return Stream.of(
                         Muscle.MUSCLE_ACTIVATION,
@@ -101,8 +101,8 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
     }
 
     /**
-     * Initial standard deviation relative to others: the main drives are searched more widely than parameters that only
-     * modify them, whose scatter would dominate the first generations.
+     * Initial standard deviation relative to other parameters. The main drives are searched more widely than parameters
+     * that only modify them. A wide scatter of the latter would dominate the first generations.
      */
     public double relativeSigma() {
         return parameter.fitRange().spread();
@@ -112,7 +112,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         return minimum > 0 && maximum / minimum >= WIDE;
     }
 
-    /** The value at a coordinate from 0 to 1. */
+    /** Converts a coordinate from 0 to 1 to a value. */
     public double fromUnit(double unit) {
         double u = Math.max(0, Math.min(1, unit));
         double value = isLogarithmic()
@@ -121,7 +121,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         return Math.max(minimum, Math.min(maximum, value));
     }
 
-    /** The coordinate of a value, 0 to 1. */
+    /** Converts a value to a coordinate from 0 to 1. */
     public double toUnit(double value) {
         return isLogarithmic()
                 ? StrictMath.log(value / minimum) / StrictMath.log(maximum / minimum)

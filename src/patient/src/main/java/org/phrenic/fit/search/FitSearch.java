@@ -8,17 +8,21 @@ import java.util.function.Function;
 import org.phrenic.engine.parallel.BatchRunner;
 
 /**
- * Searches parameters within bounds: {@link GaussNewtonSearch} from the start, then {@link CmaEsSearch} about the best
- * point. Evaluations run in parallel, are kept in a journal, and are bounded in number and time. A search is run once.
+ * Searches parameters within bounds. {@link GaussNewtonSearch} runs from the start, then {@link CmaEsSearch} around the
+ * best point. Evaluations run in parallel and are stored in a journal. Their number and the search time are limited.
+ * Each instance runs one search.
  */
 public final class FitSearch {
-    /** The search ends when it gains less than this in {@link #PATIENCE} generations. */
+    /** The search ends when the objective improves by less than this in {@link #PATIENCE} generations, mm. */
     private static final double MIN_GAIN_MM = 0.005;
 
     private static final int PATIENCE = 12;
     private static final int PATIENCE_AFTER_DESCENT = 2;
 
-    /** Standard deviation of the first generation after a descent, as a share of the bounds. */
+    /**
+     * Standard deviation of the first generation after the Gauss-Newton descent, as a fraction of the range of the
+     * bounds.
+     */
     private static final double SIGMA_AFTER_DESCENT = 0.03;
 
     private enum Ending {
@@ -35,13 +39,13 @@ public final class FitSearch {
     }
 
     /**
-     * Settings of CMA-ES, and the budget.
+     * Settings of CMA-ES and limits of the search.
      *
-     * @param seed of CMA-ES
+     * @param seed random seed of CMA-ES
      * @param population points per generation; 0 for {@link CmaEsSearch#defaultPopulation}
-     * @param sigma standard deviation of the first generation, as a share of the bounds
-     * @param maxEvaluations at least 1
-     * @param budgetS no batch is begun after this time, s; infinite for no bound; the start is always evaluated
+     * @param sigma standard deviation of the first generation, as a fraction of the range of the bounds
+     * @param maxEvaluations maximum number of evaluations, at least 1
+     * @param budgetS time after which no batch is started, s; may be infinite; the start is always evaluated
      */
     public record Settings(long seed, int population, double sigma, int maxEvaluations, double budgetS) {
         private static final double SIGMA = 0.2;
@@ -53,12 +57,12 @@ public final class FitSearch {
             }
         }
 
-        /** The usual standard deviation. */
+        /** Settings with the default standard deviation. */
         public Settings(long seed, int population, int maxEvaluations, double budgetS) {
             this(seed, population, SIGMA, maxEvaluations, budgetS);
         }
 
-        /** The usual population and standard deviation, without a bound in time. */
+        /** Settings with the default population and standard deviation, and no time limit. */
         public Settings(long seed, int maxEvaluations) {
             this(seed, 0, maxEvaluations, Double.POSITIVE_INFINITY);
         }
@@ -69,7 +73,7 @@ public final class FitSearch {
         }
     }
 
-    /** Receives each evaluation, one at a time. */
+    /** Receives evaluations one at a time. */
     public interface Listener {
         void evaluated(int count, double best);
     }
@@ -77,11 +81,11 @@ public final class FitSearch {
     /**
      * The result of a search.
      *
-     * @param trials all evaluations in order, points in the unit cube, without shapes
-     * @param ended why it ended, in words
+     * @param trials all evaluations in order, with points in the unit cube and without shapes
+     * @param ended why the search ended, as text
      */
     public record Result(List<Evaluation> trials, String ended) {
-        /** The best evaluation, the first if several are equal. */
+        /** The best evaluation; the first one if several are equal. */
         public Evaluation best() {
             return FitSearch.best(trials);
         }
@@ -98,7 +102,7 @@ public final class FitSearch {
     private double best = Double.POSITIVE_INFINITY;
     private int done;
 
-    /** @param objective of parameter values; called from several threads */
+    /** @param objective maps parameter values to an evaluation; called from several threads */
     public FitSearch(
             List<FitParameter> parameters,
             FitJournal journal,
@@ -115,9 +119,9 @@ public final class FitSearch {
     }
 
     /**
-     * Searches from the start of the parameters.
+     * Runs the search from the start values of the parameters.
      *
-     * @param solver of the Gauss-Newton subproblem; null for CMA-ES alone
+     * @param solver solver of the Gauss-Newton subproblem; null to use CMA-ES only
      */
     public Result run(GaussNewtonSearch.SubproblemSolver solver) {
         List<Evaluation> trials = solver == null
@@ -134,7 +138,7 @@ public final class FitSearch {
         return new Result(trials, ending.label);
     }
 
-    /** Appends a CMA-ES search; its first point is the best of the descent, whose value is known. */
+    /** Continues with CMA-ES. Its first point is the best of the descent, whose value is already known. */
     private void refine(List<Evaluation> trials) {
         boolean descended = !trials.isEmpty();
         int offset = descended ? trials.size() - 1 : 0;
@@ -174,7 +178,7 @@ public final class FitSearch {
             ending = Ending.EVALUATIONS;
             return false;
         }
-        // Evaluations in the journal cost no time.
+        // Evaluations from the journal take no time.
         if (first > 0 && journal.known(first) == null && (System.nanoTime() - begunNs) * 1e-9 > settings.budgetS) {
             ending = Ending.TIME;
             return false;
@@ -188,7 +192,7 @@ public final class FitSearch {
                 .orElseThrow();
     }
 
-    /** Evaluates a batch, or takes it from the journal. */
+    /** Evaluates a batch, or reads it from the journal. */
     private List<Evaluation> evaluate(int first, List<double[]> points, boolean shapes) {
         List<BatchRunner.Job<Evaluation>> jobs = new ArrayList<>();
         for (int i = 0; i < points.size(); i++) {

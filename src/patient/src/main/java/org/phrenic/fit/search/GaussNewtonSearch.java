@@ -6,35 +6,36 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Gauss-Newton search in a trust region for the least mean distance (iteratively reweighted least squares). Finite
- * differences, one evaluation per parameter, give the {@link LinearShapeModel}. On that model the subproblem is solved
- * for several trust regions and dampings; the solutions are evaluated as one batch, and each updates the model. When a
- * round gains too little, the finite differences are repeated in the opposite direction.
+ * Gauss-Newton search with a trust region for the smallest mean distance (iteratively reweighted least squares). Finite
+ * differences, with one evaluation per parameter, give the {@link LinearShapeModel}. The subproblem on that model is
+ * solved for several trust regions and dampings. The solutions are evaluated as one batch, and each evaluation updates
+ * the model. If a round improves the objective too little, the finite differences are repeated in the opposite
+ * direction.
  *
- * <p>Each batch is a function of the results of the batches before it.
+ * <p>Each batch depends only on the results of earlier batches.
  */
 public final class GaussNewtonSearch {
-    /** Step of the finite differences: a share of the cube that moves the shape by more than its unevenness. */
+    /** Finite difference step in the unit cube. It is large enough to change the shape by more than its roughness. */
     private static final double DIFFERENCE_STEP = 0.08;
 
     private static final double INITIAL_RADIUS = 0.3;
     private static final double MAX_RADIUS = 0.6;
     private static final double MIN_RADIUS = 0.01;
 
-    /** Share of the trust-region radius, and damping, of each point of a batch. */
+    /** Points of a batch, each given by a fraction of the trust region radius and a damping. */
     private static final double[][] TRIES = {{1, 1e-3}, {1, 3e-2}, {0.5, 1e-3}, {0.25, 1e-2}};
 
     private static final double RADIUS_GROWTH = 1.5;
     private static final double RADIUS_SHRINKAGE = 0.3;
 
-    /** Smallest relative gain of a round worth continuing. */
+    /** Minimum relative improvement of a round; smaller improvements end the round. */
     private static final double MIN_GAIN = 0.01;
 
     private static final int MAX_LINEARISATIONS = 5;
 
     /** Solves the trust-region subproblem on a linear model. */
     public interface SubproblemSolver {
-        /** One point for each pair of a share of the radius and a damping. */
+        /** Returns one point for each pair of radius fraction and damping. */
         List<double[]> candidates(LinearShapeModel model, double radius, double[][] tries);
     }
 
@@ -52,7 +53,7 @@ public final class GaussNewtonSearch {
         model = new LinearShapeModel(dimension);
     }
 
-    /** All evaluations in order, without shapes; the start alone if it has no shape. */
+    /** Runs the search. Returns all evaluations in order, without shapes, or only the start if it has no shape. */
     List<Evaluation> run(double[] start) {
         List<Evaluation> first = evaluate(List.of(start));
         if (first.isEmpty() || !first.get(0).hasShape()) {
@@ -77,7 +78,9 @@ public final class GaussNewtonSearch {
         return before - best.value() < MIN_GAIN * before;
     }
 
-    /** Moves each parameter alone, toward the larger room; in odd rounds the other way where there is room. */
+    /**
+     * Moves each parameter alone toward the more distant bound. Odd rounds use the opposite direction if there is room.
+     */
     private boolean finiteDifferences(int round) {
         model.recentre(best.point(), best.shape());
         List<double[]> points = new ArrayList<>();
@@ -101,7 +104,7 @@ public final class GaussNewtonSearch {
         return !batch.isEmpty();
     }
 
-    /** Descends batch by batch; the radius it ended with, -1 if the search is to end. */
+    /** Descends batch by batch. Returns the final radius, or -1 to end the search. */
     private double iterate(double initialRadius) {
         double radius = initialRadius;
         while (radius > MIN_RADIUS) {
@@ -122,7 +125,7 @@ public final class GaussNewtonSearch {
         return radius;
     }
 
-    /** Recentres the model at the best of a batch if it improves on all before; its index, else -1. */
+    /** Recentres the model at the best point of a batch if it is the best so far. Returns its index, or -1. */
     private int accept(List<Evaluation> batch) {
         int winner = IntStream.range(0, batch.size())
                 .boxed()

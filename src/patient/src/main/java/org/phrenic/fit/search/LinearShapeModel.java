@@ -1,12 +1,14 @@
 package org.phrenic.fit.search;
 
 /**
- * Linear model of the shape near a point of the unit cube: the shape there and its derivative by each parameter, from
- * finite differences, updated by Broyden's rank-one formula (1965, doi 10.1090/S0025-5718-1965-0198670-6) with one row
- * per vertex coordinate.
+ * Linear model of the shape near a point of the unit cube. It consists of the shape at that point and its derivative
+ * with respect to each parameter. The derivatives come from finite differences and are updated by Broyden's rank-one
+ * formula (1965, doi 10.1090/S0025-5718-1965-0198670-6), with one row per vertex coordinate.
  */
 public final class LinearShapeModel {
-    /** Shapes nearer to the centre than this do not update the derivatives, for they are mostly noise. */
+    /**
+     * Points closer to the centre than this do not update the derivatives because their differences are mostly noise.
+     */
     private static final double MIN_UPDATE_DISTANCE = 0.01;
 
     private final double[][] derivative;
@@ -17,12 +19,12 @@ public final class LinearShapeModel {
         derivative = new double[dimension][];
     }
 
-    /** The point about which the model is linear. */
+    /** Point around which the model is linearised. */
     public double[] centre() {
         return centre;
     }
 
-    /** Derivative of the shape by a parameter, mm per unit of the cube. */
+    /** Derivative of the shape with respect to a parameter, mm per unit of the cube. */
     public double[] derivative(int parameter) {
         return derivative[parameter];
     }
@@ -32,7 +34,7 @@ public final class LinearShapeModel {
         return shape.length;
     }
 
-    /** Moves the centre to a point of known shape; the derivatives stay. */
+    /** Moves the centre to a point of known shape. The derivatives are unchanged. */
     void recentre(double[] point, float[] known) {
         centre = point.clone();
         shape = new double[known.length];
@@ -53,7 +55,7 @@ public final class LinearShapeModel {
         }
     }
 
-    /** Writes the predicted shape at a point. */
+    /** Computes the predicted shape at a point. */
     public void predict(double[] point, double[] out) {
         System.arraycopy(shape, 0, out, 0, shape.length);
         for (int k = 0; k < point.length; k++) {
@@ -61,7 +63,7 @@ public final class LinearShapeModel {
         }
     }
 
-    /** Changes the derivatives by the least amount that makes the model exact at another point. */
+    /** Applies the smallest change of the derivatives that makes the model exact at another point. */
     void broydenUpdate(double[] point, float[] other) {
         double squared = 0;
         for (int k = 0; k < point.length; k++) {

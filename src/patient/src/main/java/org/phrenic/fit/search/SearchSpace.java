@@ -8,13 +8,14 @@ import org.phrenic.model.material.TransdiaphragmaticPressure;
 import org.phrenic.parameter.Parameter;
 
 /**
- * The unit cube that is searched, and the parameter values at its points, each within its bounds
- * ({@link FitParameter}). A scenario gives a drive for the stronger side and a ratio for the other, so its effect has a
- * kink where the sides are equal. Where both are tuned, the coordinate u of a drive stands for the geometric mean of
- * the sides: {@code value = fromUnit(u) prod sqrt(max(q, 1/q))} over its ratios q, within the bounds.
+ * The unit cube that is searched, and the mapping from its points to parameter values within their bounds
+ * ({@link FitParameter}). A scenario defines a drive for the stronger side and a ratio for the other side. The effect
+ * of the ratio therefore has a kink where both sides are equal. To avoid it, if both are fitted, the coordinate u of a
+ * drive represents the geometric mean of the sides: {@code value = fromUnit(u) prod sqrt(max(q, 1/q))} over its ratios
+ * q, limited to the bounds.
  */
 public record SearchSpace(List<FitParameter> parameters) {
-    /** Ratios that distribute a drive. */
+    /** Ratios that distribute each drive. */
     private static final Map<Parameter, List<Parameter>> SHARED = Map.of(
             Muscle.MUSCLE_ACTIVATION, List.of(Muscle.LEFT_OVER_RIGHT, Muscle.FRONT_OVER_BACK),
             TransdiaphragmaticPressure.GREATEST_PRESSURE, List.of(TransdiaphragmaticPressure.PRESSURE_LEFT_OVER_RIGHT),
@@ -24,7 +25,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         parameters = List.copyOf(parameters);
     }
 
-    /** The start of the search. */
+    /** Start point of the search. */
     double[] startPoint() {
         double[] values = parameters.stream().mapToDouble(FitParameter::start).toArray();
         double[] unit = new double[values.length];
@@ -49,7 +50,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         return shared;
     }
 
-    /** The stronger side over the geometric mean of both, for all tuned ratios of a drive; 1 if there are none. */
+    /** Ratio of the stronger side to the geometric mean, over all fitted ratios of a drive; 1 if there are none. */
     private double strongerSideOverMean(FitParameter strength, double[] values) {
         double product = 1;
         for (Parameter ratio : SHARED.getOrDefault(strength.parameter(), List.of())) {

@@ -13,9 +13,9 @@ import java.util.TreeMap;
 import org.phrenic.file.OutputException;
 
 /**
- * Shapes beside a journal: the fit's fingerprint, then for each shape the number of its evaluation, its length and its
- * coordinates (big-endian, 4 bytes each). An incomplete last shape, and a file of another fit, are ignored and
- * overwritten.
+ * File of shapes stored next to a journal. It contains the fingerprint of the fit, followed by one entry per shape:
+ * number of the evaluation, length and coordinates (big-endian, 4 bytes each). An incomplete last entry is ignored and
+ * overwritten, as is a file of another fit.
  */
 final class ShapeFile {
     private static final int HEADER_BYTES = 2 * Integer.BYTES;
@@ -56,7 +56,7 @@ final class ShapeFile {
         }
     }
 
-    /** The shape of an evaluation; null if there is none. */
+    /** Shape of an evaluation, or null if there is none. */
     synchronized float[] shape(int number) {
         Long offset = offsets.get(number);
         if (offset == null) {
@@ -74,7 +74,7 @@ final class ShapeFile {
         }
     }
 
-    /** Appends a shape, unless the file has it. */
+    /** Appends a shape unless it is already in the file. */
     synchronized void add(int number, float[] shape) {
         if (offsets.containsKey(number)) {
             return;

@@ -1,6 +1,6 @@
 /**
- * Search of a unit cube for the smallest value of an objective: Gauss-Newton in a trust region, CMA-ES, the linear
- * shape model, the tuned parameters and the journal of evaluations. Knows no body, scan or report; those are in
- * {@link org.phrenic.fit}.
+ * Minimisation of an objective over the unit cube: Gauss-Newton with a trust region, CMA-ES, the linear shape model,
+ * the fitted parameters and the journal of evaluations. The code is independent of bodies, scans and reports, which are
+ * in {@link org.phrenic.fit}.
  */
 package org.phrenic.fit.search;

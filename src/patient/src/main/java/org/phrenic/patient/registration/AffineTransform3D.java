@@ -2,16 +2,16 @@ package org.phrenic.patient.registration;
 
 import org.phrenic.engine.kinematics.RigidMotion;
 
-/** An affine transform {@code x' = A x + t}, by least squares from pairs of points. */
+/** An affine transform {@code x' = A x + t}, fitted to point pairs by least squares. */
 final class AffineTransform3D implements PointTransform {
-    /** Three rows of four numbers. */
+    /** The 3 x 4 matrix [A t] in row-major order. */
     private final double[] m;
 
     AffineTransform3D(double[] rows) {
         m = rows.clone();
     }
 
-    /** Maps one box to another: centre to centre, each axis scaled by the sizes. */
+    /** Maps one box to another by translating the centre and scaling each axis. */
     static AffineTransform3D betweenBoxes(double[] from, double[] to) {
         double[] rows = new double[12];
         for (int k = 0; k < 3; k++) {
@@ -22,7 +22,9 @@ final class AffineTransform3D implements PointTransform {
         return new AffineTransform3D(rows);
     }
 
-    /** The nearest similarity: rotation of {@link RigidMotion#fit}, scale after Umeyama 1991 (doi 10.1109/34.88573). */
+    /**
+     * Best fitting similarity: rotation from {@link RigidMotion#fit}, scale after Umeyama 1991 (doi 10.1109/34.88573).
+     */
     static AffineTransform3D similarity(double[] from, double[] to) {
         RigidMotion turn = RigidMotion.fit(from, to);
         double[] p = centroid(from);
@@ -52,9 +54,9 @@ final class AffineTransform3D implements PointTransform {
     }
 
     /**
-     * The nearest scaling in the transverse plane with a translation, {@code x' = diag(s1, s2, 1) x + t}. The height
-     * stays, for nearest points say little of it along a wall; a shear is excluded, for lungs hardly distinguish the
-     * slope of ribs from that of their own fronts.
+     * Best fitting scaling in the transverse plane with a translation, {@code x' = diag(s1, s2, 1) x + t}. The height
+     * is not scaled because nearest points along a wall contain little information about it. Shear is excluded because
+     * lungs hardly distinguish the slope of the ribs from the slope of their own anterior surface.
      */
     static AffineTransform3D horizontalScaling(double[] from, double[] to) {
         double[] p = centroid(from);

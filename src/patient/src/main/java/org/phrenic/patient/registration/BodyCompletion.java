@@ -18,18 +18,19 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
 /**
- * Completes a body with the structures that its scan lacks or cuts off. A template thorax is registered to the
- * structures that both have: by their bounding box, then by scaling in the transverse plane, then by displacement
- * fields of decreasing radius ({@link DisplacementField}), each found from nearest points of the two surfaces.
+ * Completes a body with the structures that are missing from its scan or truncated. A template thorax is registered to
+ * the structures that both have. The registration has three stages: bounding boxes, scaling in the transverse plane,
+ * and displacement fields of decreasing radius ({@link DisplacementField}). The last two use nearest points of both
+ * surfaces.
  */
 public final class BodyCompletion {
     private static final int SCALING_STEPS = 20;
-    /** Radii of the displacement fields of all structures, then of soft organs alone. */
+    /** Radii of the displacement fields, mm: first for all structures, then for soft organs only. */
     private static final double[] BONE_RADII_MM = {160, 120, 90};
 
     private static final double[] SOFT_RADII_MM = {120, 90, 60, 40, 30, 22};
     private static final int STEPS_PER_RADIUS = 5;
-    /** Number of points of bone that are fixed while soft organs are displaced. */
+    /** Number of bone points that are kept fixed while soft organs are displaced. */
     private static final int FIXED_POINTS = 1200;
 
     private static final Set<StructureKind> BONES = EnumSet.of(
@@ -39,7 +40,7 @@ public final class BodyCompletion {
             StructureKind.VERTEBRA,
             StructureKind.DISC);
 
-    /** Structures that are transformed by a similarity; cartilages, which join them, deform. */
+    /** Structures transformed by a similarity. Cartilages connect them and may deform. */
     private static final Set<StructureKind> KEEPING_SHAPE =
             EnumSet.of(StructureKind.RIB, StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
 
@@ -73,7 +74,7 @@ public final class BodyCompletion {
         }
     }
 
-    /** The structure of the template that corresponds to one of the body, in its current position. */
+    /** The structure of the template that corresponds to a structure of the body, in its current position. */
     private Optional<TriangleMesh> templateOf(PatientStructure s) {
         return PatientBody.merged(template.stream().filter(t -> isSame(t, s.structure())));
     }
@@ -83,9 +84,10 @@ public final class BodyCompletion {
     }
 
     /**
-     * The completed body; the same body, with a note, if the scan has no complete lung.
+     * Returns the completed body. If the scan has no complete lung, the body is returned with a note and is not
+     * completed.
      *
-     * @param template LPS, mm, at end-expiration
+     * @param template template thorax, LPS, mm, at end-expiration
      */
     public static PatientBody complete(PatientBody body, Thorax template) {
         boolean lung = body.structures().stream()
@@ -135,7 +137,10 @@ public final class BodyCompletion {
         }
     }
 
-    /** Points of the template and of the scan: of pairs that guide bones, or of all pairs with fixed points of bone. */
+    /**
+     * Corresponding points of template and scan. For bones, only pairs that guide bones; otherwise all pairs plus fixed
+     * bone points.
+     */
     private double[][] correspondences(boolean bones) {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
@@ -170,7 +175,7 @@ public final class BodyCompletion {
         return all;
     }
 
-    /** Transforms the template, all of it or its soft structures. */
+    /** Transforms the whole template, or only its soft structures. */
     private void transform(PointTransform map, boolean bones) {
         pairs.parallelStream()
                 .filter(pair -> bones || !BONES.contains(pair.kind()))

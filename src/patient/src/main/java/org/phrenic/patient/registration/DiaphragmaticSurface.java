@@ -7,34 +7,38 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The diaphragmatic surface of a lung, its base, by shape alone, so that scans and simulations are treated alike: faces
- * that look down (with the lung scaled to be as tall as deep, the smoothed outward normal has a z component below
- * {@value #MAX_NORMAL_Z}) and have no lung below them; of these the connected region with the largest area, and what it
- * surrounds. Faces of hilum and fissures that look down have lung below them or are separate regions.
+ * The diaphragmatic surface (base) of a lung. It is found from the shape alone, so scans and simulations are treated in
+ * the same way.
+ *
+ * <p>Candidate faces are downward facing: with the lung scaled to equal height and depth, the z component of the
+ * smoothed outward normal is below {@value #MAX_NORMAL_Z}. They must also have no lung below them. The result is the
+ * connected region of candidates with the largest area, including the faces that it encloses. Downward facing parts of
+ * hilum and fissures have lung below them or form separate regions.
  */
 public final class DiaphragmaticSurface {
     /**
-     * 33 degrees from the vertical; steeper faces are costal or mediastinal (the heart undercuts lungs by up to 30).
+     * Corresponds to 33 degrees from the vertical. Steeper faces are costal or mediastinal; the heart undercuts the
+     * lungs by up to 30 degrees.
      */
     static final double MAX_NORMAL_Z = -0.55;
 
     private static final int SMOOTHINGS = 3;
-    /** Start of a ray below its triangle, mm. */
+    /** Offset of a ray's origin below its triangle, mm. */
     private static final double CLEAR_MM = 0.5;
 
     private DiaphragmaticSurface() {}
 
     /**
-     * The diaphragmatic surface as a mesh.
+     * Returns the diaphragmatic surface as a mesh.
      *
-     * @param lung one lung, closed, LPS, mm
-     * @return without triangles if no face looks down
+     * @param lung closed mesh of one lung, LPS, mm
+     * @return mesh without triangles if no face is downward facing
      */
     public static TriangleMesh of(TriangleMesh lung) {
         return part(lung, triangleMask(lung), true);
     }
 
-    /** The rest of the lung. */
+    /** The lung surface without its diaphragmatic surface. */
     static TriangleMesh complement(TriangleMesh lung) {
         return part(lung, triangleMask(lung), false);
     }
@@ -91,7 +95,7 @@ public final class DiaphragmaticSurface {
         }
         MeshTopology topology = new MeshTopology(lung);
         keepLargest(lung, topology, down);
-        // Steep faces that the region surrounds belong to it.
+        // Includes steep faces that are enclosed by the region.
         invert(down);
         keepLargest(lung, topology, down);
         invert(down);
@@ -104,7 +108,7 @@ public final class DiaphragmaticSurface {
         }
     }
 
-    /** The lung scaled to be as tall as deep, so that its proportions and a wrong voxel height do not matter. */
+    /** Scales the lung to equal height and depth, so that its proportions and a wrong slice spacing have no effect. */
     private static TriangleMesh inProportion(TriangleMesh lung) {
         double[] box = lung.bounds();
         double[] p = lung.positions().clone();
@@ -114,7 +118,7 @@ public final class DiaphragmaticSurface {
         return lung.withPositions(p);
     }
 
-    /** Unit vertex normals, averaged repeatedly with those of the neighbours. */
+    /** Unit vertex normals, smoothed by repeated averaging with the neighbours. */
     private static double[] smoothed(TriangleMesh lung) {
         double[] normals = MeshMeasure.vertexNormals(inProportion(lung));
         int[] t = lung.triangles();
@@ -123,7 +127,7 @@ public final class DiaphragmaticSurface {
             for (int i = 0; i < t.length; i++) {
                 int other = i % 3 == 2 ? t[i - 2] : t[i + 1];
                 for (int k = 0; k < 3; k++) {
-                    // Each edge is visited from both sides, once for each of its ends.
+                    // Each edge is visited from both adjacent triangles, once for each of its ends.
                     sum[3 * t[i] + k] += normals[3 * t[i] + k] + normals[3 * other + k];
                 }
             }

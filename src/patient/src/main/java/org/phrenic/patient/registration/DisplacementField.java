@@ -3,14 +3,16 @@ package org.phrenic.patient.registration;
 import java.util.stream.IntStream;
 
 /**
- * A smooth displacement field from pairs of points: at x, the weighted mean of the displacements within a radius r,
- * with {@code w = (1 - d^2 / r^2)^2}, attenuated to zero where no point is near,
+ * A smooth displacement field fitted to point pairs. The field at x is the weighted mean of the displacements of all
+ * points within the radius r. The weights are {@code w = (1 - d^2 / r^2)^2}, where d is the distance from x. The field
+ * decays to zero where no point is near:
  *
  * <pre>
  * u(x) = sum w (to - from) / (sum w + a),   a = 0.3
  * </pre>
  *
- * on a grid of a third of the radius with trilinear interpolation.
+ * The field is evaluated on a grid with a spacing of one third of the radius. Between nodes it is interpolated
+ * trilinearly.
  */
 final class DisplacementField implements PointTransform {
     private static final double ATTENUATION = 0.3;
@@ -22,9 +24,9 @@ final class DisplacementField implements PointTransform {
     private final double[] shift;
 
     /**
-     * @param from points, x, y, z in turn, mm
-     * @param to their targets
-     * @param bounds of the points to be transformed: {@code {minX, minY, minZ, maxX, maxY, maxZ}}
+     * @param from source points as x, y, z triples, mm
+     * @param to target points in the same order
+     * @param bounds bounding box of the points to transform: {@code {minX, minY, minZ, maxX, maxY, maxZ}}
      */
     DisplacementField(double[] from, double[] to, double radius, double[] bounds) {
         spacing = radius / CELLS_PER_RADIUS;
@@ -36,7 +38,7 @@ final class DisplacementField implements PointTransform {
         }
         shift = new double[3 * nodes];
         double[] weights = new double[nodes];
-        // Each layer adds the points in order, so the bits do not depend on the threads.
+        // Each layer adds the points in order, so the result is bit-identical for any number of threads.
         IntStream.range(0, size[2]).parallel().forEach(c -> layer(c, from, to, radius, weights));
     }
 
@@ -54,7 +56,7 @@ final class DisplacementField implements PointTransform {
         }
     }
 
-    /** First and last node along an axis within the radius of a point. */
+    /** Index of the first grid node along an axis within the radius of a point. */
     private int low(double[] from, int i, int axis, double radius) {
         return Math.max(0, (int) Math.ceil((from[i + axis] - radius - origin[axis]) / spacing));
     }

@@ -16,12 +16,13 @@ import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.patient.PatientBody;
 
 /**
- * Symmetric distances between the lungs of two bodies, weighted by area, mm: of the whole surfaces, and of the bases
- * ({@link DiaphragmaticSurface}) alone, so that a base is not measured from the costal surface beside it.
+ * Area-weighted symmetric distances between the lungs of two bodies, mm. They are given for the whole surfaces and for
+ * the bases ({@link DiaphragmaticSurface}) only. Bases are compared with bases, so that a base is not matched to the
+ * adjacent costal surface.
  */
 public record LungDistances(DistanceSummary whole, DistanceSummary base) {
     /**
-     * Pooled distances of lungs, each from the lung of the same index.
+     * Pooled distances between lungs with the same index.
      *
      * @throws IllegalArgumentException if a lung has no base
      */
@@ -50,13 +51,13 @@ public record LungDistances(DistanceSummary whole, DistanceSummary base) {
         return parts.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
-    /** The lung of a side with all its lobes; empty if the body has none. */
+    /** The lung of one side with all its lobes, or empty if the body has none. */
     public static Optional<TriangleMesh> lung(Thorax thorax, Side side) {
         return PatientBody.merged(
                 thorax.structuresOf(StructureKind.LUNG).stream().filter(s -> s.side() == side));
     }
 
-    /** Distances of each lung that both bodies have, and of {@code both} pooled, in the order right, left, both. */
+    /** Distances for each lung that both bodies have, and pooled under {@code both}. The order is right, left, both. */
     public static Map<String, LungDistances> between(Thorax a, Thorax b) {
         Map<String, LungDistances> all = new LinkedHashMap<>();
         List<TriangleMesh> ofA = new ArrayList<>();

@@ -17,20 +17,21 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.PatientBody;
 
 /**
- * Rigid alignment of a second scan of a body to the first, on what does not move with the breath: the spine where both
- * scans have it, else the apex of the lungs and their posterior medial surface, which lies on the spine and the necks
- * of the ribs. Found by trimmed iterative closest points, point to plane ({@link TrimmedIcp}).
+ * Rigid alignment of a second scan of a body to the first. It uses parts that do not move with the breath: the spine if
+ * both scans contain it, otherwise the apex and the posterior medial surface of the lungs, which lies against the spine
+ * and the necks of the ribs. The method is trimmed iterative closest points with point to plane distances
+ * ({@link TrimmedIcp}).
  *
- * @param motion from the axes of the second scan to those of the first
- * @param fixedPart on which it was found
- * @param residual distances of all points of the fixed part from the aligned second scan, by area, mm
- * @param inlierResidual distances of the points that were not trimmed
+ * @param motion rigid motion from the axes of the second scan to those of the first
+ * @param fixedPart part used for the alignment
+ * @param residual area-weighted distances from all points of the fixed part to the aligned second scan, mm
+ * @param inlierResidual area-weighted distances of the points that were not trimmed, mm
  */
 public record ScanAlignment(
         RigidMotion motion, FixedPart fixedPart, DistanceSummary residual, DistanceSummary inlierResidual) {
-    /** What an alignment is found on. */
+    /** Part of the body used for an alignment. */
     public enum FixedPart {
-        /** Vertebrae that both scans have. */
+        /** Vertebrae contained in both scans. */
         SPINE("the spine"),
         /** Apex and posterior medial surface of the lungs. */
         LUNGS("apex and posterior medial surface of the lungs");
@@ -48,21 +49,21 @@ public record ScanAlignment(
     }
 
     private static final int MIN_VERTEBRAE = 2;
-    /** Share of the height of a lung that is its apex. */
+    /** The apex is this upper fraction of the height of a lung. */
     private static final double APEX = 0.12;
-    /** Share of the height, from the top, at which the posterior medial surface ends. */
+    /** Lower end of the posterior medial surface, as a fraction of the height from the top. */
     private static final double ABOVE_BASE = 0.65;
-    /** Shares of depth and width of a lung that are posterior and medial. */
+    /** Posterior fraction of the depth and medial fraction of the width of a lung. */
     private static final double POSTERIOR = 0.35;
 
     private static final double MEDIAL = 0.5;
-    /** Least sum of the posterior and medial components of the normal of that surface. */
+    /** Minimum sum of the posterior and medial components of the normal on the posterior medial surface. */
     private static final double MIN_NORMAL = 0.5;
 
     /**
      * Aligns two scans.
      *
-     * @throws IllegalArgumentException if they share neither a spine nor a lung
+     * @throws IllegalArgumentException if the scans share neither a spine nor a lung
      */
     public static ScanAlignment of(Thorax first, Thorax second) {
         List<TriangleMesh> from = new ArrayList<>();
@@ -97,7 +98,7 @@ public record ScanAlignment(
         return new TrimmedIcp(lungs, fixed(from, lungs), MeshMerge.merge(to)).align(FixedPart.LUNGS, false);
     }
 
-    /** Vertices of lungs, one lung after the other, on apex or posterior medial surface. */
+    /** Marks the vertices on the apex or the posterior medial surface, one lung after the other. */
     private static boolean[] fixed(List<TriangleMesh> lungs, TriangleMesh merged) {
         double[] all = merged.bounds();
         double middle = (all[0] + all[3]) / 2;
@@ -106,7 +107,7 @@ public record ScanAlignment(
         for (TriangleMesh lung : lungs) {
             double[] box = lung.bounds();
             double[] normals = MeshMeasure.vertexNormals(lung);
-            // A single lung does not tell where the midline is: all of its back counts.
+            // A single lung does not determine the midline, so its entire posterior surface is used.
             double centre = (box[0] + box[3]) / 2;
             double toMiddle = lungs.size() == 1 ? 0 : Math.signum(middle - centre);
             for (int v = 0; v < lung.vertexCount(); v++) {
@@ -125,10 +126,10 @@ public record ScanAlignment(
     }
 
     /**
-     * The body of a second scan in the axes of the first, with notes on the alignment and on the distances of the
-     * lungs.
+     * Returns the body of a second scan in the axes of the first, with notes on the alignment and on the lung
+     * distances.
      *
-     * @throws IllegalArgumentException if they share neither a spine nor a lung
+     * @throws IllegalArgumentException if the scans share neither a spine nor a lung
      */
     public static PatientBody aligned(Thorax first, PatientBody second) {
         ScanAlignment alignment = of(first, second.thorax());
@@ -169,7 +170,7 @@ public record ScanAlignment(
                 d.percentile95());
     }
 
-    /** Angle of the rotation, degrees. */
+    /** Rotation angle, degrees. */
     public double rotationDeg() {
         double trace = motion.rotation(0, 0) + motion.rotation(1, 1) + motion.rotation(2, 2);
         return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, (trace - 1) / 2))));

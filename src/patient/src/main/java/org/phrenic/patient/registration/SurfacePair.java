@@ -11,11 +11,11 @@ import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientStructure;
 
-/** A surface of the scan and its counterpart of the template, with their nearest points. */
+/** A surface of the scan and the corresponding surface of the template, with their nearest points. */
 final class SurfacePair {
-    /** Number of points taken of each surface. */
+    /** Number of sample points on each surface. */
     private static final int POINTS = 500;
-    /** Vertices nearer than this to the end of the scan belong to the cut, mm. */
+    /** Vertices closer than this to the boundary of the scan belong to the cut, mm. */
     private static final double CUT_MM = 8;
 
     private final StructureKind kind;
@@ -31,9 +31,9 @@ final class SurfacePair {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
     /**
-     * A surface, or a part of one, and its counterpart.
+     * Pairs a surface, or a part of one, with its counterpart.
      *
-     * @param guidesBones whether bones follow the surface; they do not follow the base of a lung
+     * @param guidesBones whether bones follow the surface; false for the base of a lung
      */
     SurfacePair(PatientStructure organ, TriangleMesh scan, TriangleMesh template, boolean guidesBones) {
         kind = organ.structure().kind();
@@ -48,7 +48,10 @@ final class SurfacePair {
         atTemplateBorder = atBorder(template, guidesBones);
     }
 
-    /** Triangles at the border of an open surface; points nearest to them lie beyond it and have no counterpart. */
+    /**
+     * Marks triangles at the border of an open surface. Points nearest to these triangles lie beyond the surface and
+     * have no counterpart.
+     */
     private static boolean[] atBorder(TriangleMesh mesh, boolean counts) {
         boolean[] at = new boolean[mesh.triangleCount()];
         if (counts) {
@@ -65,7 +68,7 @@ final class SurfacePair {
         return at;
     }
 
-    /** Vertices at the end of the scan. */
+    /** Marks vertices at the boundary of the scan. */
     private static boolean[] atCut(PatientStructure organ, TriangleMesh part) {
         String cutAt = organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
         boolean[] atCut = new boolean[part.vertexCount()];
@@ -106,10 +109,10 @@ final class SurfacePair {
         templateTree.refit(template.positions());
     }
 
-    /** Points of the template and, in the same order, their counterparts on the scan. */
+    /** Points of the template and their counterparts on the scan, in the same order. */
     record Correspondences(List<double[]> from, List<double[]> to) {}
 
-    /** Nearest points, both ways; of a cut scan from its own points alone. */
+    /** Nearest points in both directions. For a truncated scan, only from its own points to the template. */
     Correspondences correspondences() {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
@@ -134,7 +137,7 @@ final class SurfacePair {
         return new Correspondences(from, to);
     }
 
-    /** Distances of the vertices of a structure of the scan from the template, by area, without the cut. */
+    /** Area-weighted distances from the vertices of a scanned structure to the template, excluding the cut. */
     static DistanceSummary distanceToScan(PatientStructure organ, TriangleMesh template) {
         TriangleMesh scan = organ.structure().mesh();
         boolean[] atCut = atCut(organ, scan);

@@ -11,18 +11,19 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Trimmed iterative closest points, point to plane (Chen and Medioni 1992, doi 10.1016/0262-8856(92)90066-C;
- * Chetverikov, Stepanov and Krsek 2005, doi 10.1016/j.imavis.2004.05.007). Points of the first scan move toward the
- * second. Each round takes the {@value #INLIER_FRACTION} of the points nearest to the surface and finds the small
- * rotation r and translation t about their centroid c that minimise {@code sum w (n . (p + r x (p - c) + t - q))^2},
- * with q the nearest point to p and n the normal there.
+ * Trimmed iterative closest points with point to plane distances (Chen and Medioni 1992, doi
+ * 10.1016/0262-8856(92)90066-C; Chetverikov, Stepanov and Krsek 2005, doi 10.1016/j.imavis.2004.05.007). Points of the
+ * first scan are moved toward the second. Each iteration selects the fraction {@value #INLIER_FRACTION} of the points
+ * that is nearest to the surface. It then finds the small rotation r and translation t around their centroid c that
+ * minimise {@code sum w (n . (p + r x (p - c) + t - q))^2}. Here q is the nearest surface point to p, and n is the
+ * normal at q.
  */
 final class TrimmedIcp {
     static final double INLIER_FRACTION = 0.7;
     private static final int ROUNDS = 80;
-    /** Least cosine between the normals of a point and of its nearest surface. */
+    /** Minimum cosine of the angle between the normals of a point and of its nearest surface point. */
     private static final double MIN_NORMAL_COSINE = 0.5;
-    /** Size of the body, mm, by which rotations are weighed against translations. */
+    /** Length scale that weighs rotations against translations, mm. It is about the size of the body. */
     private static final double ARM_MM = 100;
 
     private static final double DAMPING = 1e-6;
@@ -37,10 +38,13 @@ final class TrimmedIcp {
     private final double[] start;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
 
-    /** Nearest points of one round with their normals and distances, infinite where the normals differ too much. */
+    /**
+     * Nearest points of one iteration with normals and distances. A distance is infinite if the normals differ too
+     * much.
+     */
     private record Nearest(double[] points, double[] normals, double[] distances) {}
 
-    /** @param fixed vertices of the first scan that are used */
+    /** @param fixed marks the vertices of the first scan to use */
     TrimmedIcp(TriangleMesh first, boolean[] fixed, TriangleMesh second) {
         surface = second;
         tree = new TriangleTree(second);
@@ -53,7 +57,7 @@ final class TrimmedIcp {
         weights = Arrays.stream(used).mapToDouble(v -> areas[v]).toArray();
         double[] a = first.bounds();
         double[] b = second.bounds();
-        // Lungs differ in depth and at the base: tops and backs are matched, and centres in width.
+        // Lungs differ in depth and at the base. The start matches their tops, backs and lateral centres.
         start = new double[] {(b[0] + b[3] - a[0] - a[3]) / 2, b[4] - a[4], b[5] - a[5]};
     }
 
@@ -65,7 +69,7 @@ final class TrimmedIcp {
         return out;
     }
 
-    /** @param centred whether to start with the centroids matched, else with tops and backs */
+    /** @param centred whether to start with matched centroids instead of matched tops and backs */
     ScanAlignment align(ScanAlignment.FixedPart part, boolean centred) {
         RigidMotion motion = centred ? centroidTranslation() : RigidMotion.translation(start[0], start[1], start[2]);
         double[] p = points.clone();
@@ -136,7 +140,7 @@ final class TrimmedIcp {
         return inliers;
     }
 
-    /** The small motion that minimises the distances from the planes. */
+    /** Small motion that minimises the point to plane distances. */
     private RigidMotion gaussNewtonStep(double[] p, Nearest nearest, boolean[] inliers) {
         double[] c = new double[3];
         double total = 0;
@@ -159,7 +163,7 @@ final class TrimmedIcp {
             }
         }
         for (int a = 0; a < 6; a++) {
-            // Damps rotations that the points leave undetermined, such as those of a sphere.
+            // Damps rotations that the points do not determine, such as those of a sphere.
             normal.add(a, a, (a < 3 ? ARM_MM * ARM_MM : 1) * DAMPING * total);
         }
         DMatrixRMaj solution = new DMatrixRMaj(6, 1);
@@ -186,7 +190,7 @@ final class TrimmedIcp {
         }
     }
 
-    /** The rigid motion nearest to a small rotation and translation about c, fitted to four points. */
+    /** Rigid motion closest to a small rotation and translation around c, fitted to four points. */
     private static RigidMotion motion(DMatrixRMaj solution, double[] c) {
         double[] corners = new double[12];
         double[] moved = new double[12];

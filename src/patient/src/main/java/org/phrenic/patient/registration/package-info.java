@@ -1,7 +1,7 @@
 /**
- * Registration: transforms and correspondences, by which a template completes a body
- * ({@link org.phrenic.patient.registration.BodyCompletion}) and a second scan is aligned to a first
- * ({@link org.phrenic.patient.registration.ScanAlignment}), and distances between lungs. Label volumes are unknown
- * here.
+ * Registration of surfaces: completion of a body from a template
+ * ({@link org.phrenic.patient.registration.BodyCompletion}), alignment of a second scan to a first
+ * ({@link org.phrenic.patient.registration.ScanAlignment}), distances between lungs, and the underlying transforms and
+ * correspondences. The code is independent of label volumes.
  */
 package org.phrenic.patient.registration;

@@ -7,16 +7,17 @@ import java.util.Optional;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Splits costal cartilages under one label: each voxel belongs to the rib that is fewest steps through cartilage away.
+ * Splits costal cartilages that share one label. Each voxel is assigned to the rib with the shortest voxel path through
+ * cartilage.
  */
 public final class CartilageSplitter {
     private static final int CARTILAGES = 10;
-    /** Largest gap between rib and cartilage, in voxels. */
+    /** Maximum gap between rib and cartilage, in voxels. */
     private static final int GAP = 2;
 
     private CartilageSplitter() {}
 
-    /** Replaces the segment of all cartilages by one per rib; a sentence about voxels connected to no rib. */
+    /** Replaces the common cartilage segment by one per rib. Returns a note if some voxels are connected to no rib. */
     public static Optional<String> split(Segmentation segmentation) {
         int all = segmentation.find(LabelTable.COSTAL_CARTILAGES);
         List<String> names = new ArrayList<>();
@@ -62,7 +63,7 @@ public final class CartilageSplitter {
                         100.0 * lost / total));
     }
 
-    /** Mark of the first rib within the gap of a voxel, 0 for none. */
+    /** Mark of the first rib found within the gap of a voxel; 0 if there is none. */
     private static byte firstNearby(Segmentation segmentation, byte[] markOfSegment, int voxel) {
         int i = voxel % segmentation.columns;
         int j = voxel / segmentation.columns % segmentation.rows;

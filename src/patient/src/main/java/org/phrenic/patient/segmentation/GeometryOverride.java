@@ -5,7 +5,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** Axes or spacing given by the user in place of those of the file. The centre of the volume keeps its position. */
+/** Replaces the axes or spacing of a file by values given by the user. The centre of the volume keeps its position. */
 public final class GeometryOverride {
     private static final String SIDES = "LRPASI";
     private static final double MAX_SPACING_MM = 50;
@@ -13,11 +13,11 @@ public final class GeometryOverride {
     private GeometryOverride() {}
 
     /**
-     * The volume along other axes.
+     * Returns the volume with other axes.
      *
-     * @param letters sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I, such
-     *     as {@code LPS}
-     * @throws BadInputException for other letters
+     * @param letters sides of the body toward which columns, rows and slices run, such as {@code LPS}: one letter each
+     *     of L or R, P or A, S or I
+     * @throws BadInputException if the letters are invalid
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {
         String axes = letters.toUpperCase(Locale.ROOT);
@@ -37,10 +37,10 @@ public final class GeometryOverride {
     }
 
     /**
-     * The volume with voxels of another size.
+     * Returns the volume with another voxel size.
      *
-     * @param text sizes along columns, rows and slices in mm, such as {@code 1.75,1.75,1.25}
-     * @throws BadInputException for other text
+     * @param text voxel size along columns, rows and slices, mm, such as {@code 1.75,1.75,1.25}
+     * @throws BadInputException if the text is invalid
      */
     public static LabelVolume spacing(LabelVolume volume, String text) {
         LabelGrid grid = volume.grid();
@@ -74,7 +74,7 @@ public final class GeometryOverride {
         return new double[] {(grid.columns() - 1) / 2.0, (grid.rows() - 1) / 2.0, (grid.slices() - 1) / 2.0};
     }
 
-    /** Centre of the grid, or one voxel further along a direction, mm. */
+    /** Centre of the grid, or the position one voxel further along a direction, mm. */
     private static double[] place(LabelGrid grid, int direction) {
         double[] at = half(grid);
         if (direction >= 0) {

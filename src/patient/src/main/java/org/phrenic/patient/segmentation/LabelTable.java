@@ -16,19 +16,21 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
- * The structure of each label of a volume; several labels may be one structure, such as the lobes of a lung.
+ * Maps each label of a volume to a structure. Several labels may map to the same structure, such as the lobes of a
+ * lung.
  *
- * @param structures names by label: of a structure of a thorax folder, {@link #LUNGS} or {@link #COSTAL_CARTILAGES}
- * @param missing labels or names that a user's table has and the volume lacks
+ * @param structures structure name by label: a structure of a thorax folder, {@link #LUNGS} or
+ *     {@link #COSTAL_CARTILAGES}
+ * @param missing labels or names in a user's table that the volume does not contain
  */
 public record LabelTable(Map<Integer, String> structures, List<String> missing) {
-    /** Both lungs under one label, split by {@link LungSplitter}. */
+    /** Both lungs under one label; split by {@link LungSplitter}. */
     public static final String LUNGS = "lungs";
-    /** All costal cartilages under one label, split by {@link CartilageSplitter}. */
+    /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
     /**
-     * The built-in table: label numbers and names of TotalSegmentator's task {@code total} (Wasserthal et al. 2023, doi
-     * 10.1148/ryai.230024).
+     * The built-in table: label numbers and names of the task {@code total} of TotalSegmentator (Wasserthal et al.
+     * 2023, doi 10.1148/ryai.230024).
      */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
@@ -39,30 +41,31 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         missing = List.copyOf(missing);
     }
 
-    /** A table whose labels are all in the volume. */
+    /** Creates a table without missing labels. */
     public LabelTable(Map<Integer, String> structures) {
         this(structures, List.of());
     }
 
     /**
-     * Reads a table with the columns {@code label} or {@code name} (of the label in the volume) and {@code structure};
-     * with both, names are used where the volume has any.
+     * Reads a table with the columns {@code label} or {@code name} (label number or name in the volume) and
+     * {@code structure}. If both are present, names are used if the volume has any.
      *
-     * @throws BadInputException if it cannot be read, or has an unknown structure
+     * @throws BadInputException if the table cannot be read or contains an unknown structure
      */
     public static LabelTable read(Path file, LabelVolume volume) {
         return of(file.toString(), CsvTable.read(file), volume, true);
     }
 
-    /** TotalSegmentator's labels. */
+    /** The table for TotalSegmentator labels. */
     public static LabelTable totalSegmentator(LabelVolume volume) {
         return of("totalsegmentator.csv", shipped(), volume, false);
     }
 
     /**
-     * The table of the volume's own names, of structures of a thorax folder or of TotalSegmentator.
+     * Derives a table from the label names in the volume. Names of thorax folder structures and of TotalSegmentator are
+     * known.
      *
-     * @throws BadInputException if it has none of them
+     * @throws BadInputException if no name is known
      */
     public static LabelTable named(String file, LabelVolume volume) {
         CsvTable table = shipped();

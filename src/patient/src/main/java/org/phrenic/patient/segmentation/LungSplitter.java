@@ -3,18 +3,22 @@ package org.phrenic.patient.segmentation;
 import java.util.Optional;
 
 /**
- * Splits two lungs under one label: erodes the label until two large components remain, then grows these back, each
- * voxel to the nearer one. The component farther to the patient's right is the right lung.
+ * Splits two lungs that share one label. The label is eroded until it separates into two large components. These are
+ * then grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right
+ * lung.
  */
 public final class LungSplitter {
-    /** Least size of the smaller lung as a share of the larger; a left lung usually has 0.85 of the right. */
+    /**
+     * Minimum size of the smaller lung relative to the larger one. A left lung usually has 0.85 of the right lung's
+     * volume.
+     */
     private static final double MIN_SHARE = 0.3;
 
     private static final int MAX_EROSIONS = 60;
 
     private LungSplitter() {}
 
-    /** Replaces the segment of both lungs by one each; a sentence if they cannot be split. */
+    /** Replaces the common segment by one per lung. Returns a note if the lungs cannot be split. */
     public static Optional<String> split(Segmentation segmentation) {
         int both = segmentation.find(LabelTable.LUNGS);
         VoxelRegion region = new VoxelRegion(segmentation, both);
@@ -60,14 +64,14 @@ public final class LungSplitter {
             }
         }
         region.growRegions(piece);
-        // x runs to the patient's left.
+        // The x axis points to the patient's left.
         boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
         byte right = (byte) segmentation.segment("lung_R");
         byte left = (byte) segmentation.segment("lung_L");
         for (int cell = 0; cell < piece.length; cell++) {
             if (region.isMember(cell)) {
                 boolean isFirst = piece[cell] == first;
-                // Voxels connected to neither lung are left out.
+                // Voxels connected to neither lung are discarded.
                 segmentation.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
             }
         }

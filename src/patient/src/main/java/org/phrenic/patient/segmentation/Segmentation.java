@@ -10,8 +10,8 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * The voxels of the structures asked for, cropped to the box that holds them. The number of a segment is the index of
- * its structure's name plus 1.
+ * Voxels of the requested structures, cropped to their bounding box. The segment number of a structure is the index of
+ * its name plus 1.
  */
 public final class Segmentation {
     private static final int MAX_SEGMENTS = LabelGrid.MAX_BYTE_LABEL;
@@ -20,20 +20,20 @@ public final class Segmentation {
     final int columns;
     final int rows;
     final int slices;
-    /** Segment of each voxel, 0 for none. */
+    /** Segment number of each voxel; 0 for no segment. */
     byte[] voxels;
 
     private final double[] toMm;
     private final List<String> names = new ArrayList<>();
     /** Sides of the volume that each structure touches, as letters of LPS and RAI. */
     private final Map<String, String> cut = new TreeMap<>();
-    /** Labels that each structure was made of. */
+    /** Labels that each structure was built from. */
     private final Map<String, List<Integer>> labels = new LinkedHashMap<>();
 
     /**
      * Crops a volume to the structures of a table.
      *
-     * @throws BadInputException if it has none of them
+     * @throws BadInputException if the volume contains none of the structures
      */
     public Segmentation(LabelVolume volume, LabelTable map, String file) {
         LabelGrid all = volume.grid();
@@ -120,7 +120,7 @@ public final class Segmentation {
         return toMm;
     }
 
-    /** A structure that reaches the first or last voxel of the volume is cut there. */
+    /** Finds truncated structures: those that reach the first or last voxel of the volume. */
     private void findCuts(LabelGrid all, int[] box) {
         int[] last = {all.columns() - 1, all.rows() - 1, all.slices() - 1};
         int[] sizes = {columns, rows, slices};
@@ -152,7 +152,7 @@ public final class Segmentation {
         }
     }
 
-    /** The letter of the side of the body to which a direction of the grid runs. */
+    /** Letter of the side of the body toward which a grid direction runs. */
     private String side(int direction, boolean forward) {
         int row = 0;
         for (int k = 1; k < 3; k++) {
@@ -164,7 +164,7 @@ public final class Segmentation {
         return String.valueOf((positive ? "LPS" : "RAI").charAt(row));
     }
 
-    /** Number of the segment of a structure, which is added if there is none. */
+    /** Segment number of a structure. The segment is created if it does not exist. */
     int segment(String name) {
         if (!names.contains(name)) {
             if (names.size() == MAX_SEGMENTS) {
@@ -175,17 +175,17 @@ public final class Segmentation {
         return names.indexOf(name) + 1;
     }
 
-    /** Number of a segment, 0 if there is none. */
+    /** Segment number of a structure; 0 if there is none. */
     public int find(String name) {
         return names.indexOf(name) + 1;
     }
 
-    /** Names of the structures, by segment. */
+    /** Names of the structures, ordered by segment number. */
     public List<String> names() {
         return names;
     }
 
-    /** Copies labels and cut sides of the structure that another was split from. */
+    /** Copies labels and truncated sides from the structure that this one was split from. */
     void inheritFrom(String name, String from) {
         if (cut.containsKey(from)) {
             cut.put(name, cut.get(from));
@@ -193,29 +193,29 @@ public final class Segmentation {
         labels.put(name, labels.get(from));
     }
 
-    /** Letters of the sides at which the volume cuts a structure. */
+    /** Letters of the sides at which the volume truncates a structure. */
     public String cutAt(String name) {
         return cut.getOrDefault(name, "");
     }
 
-    /** Labels that a structure was made of. */
+    /** Labels that a structure was built from. */
     public List<Integer> labels(String name) {
         return labels.get(name);
     }
 
-    /** First, then last column, row and slice of a segment. */
+    /** Bounding box of a segment: first column, row and slice, then last column, row and slice. */
     int[] box(int segment) {
         byte[] wanted = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
         wanted[segment] = 1;
         return box(grid(), wanted);
     }
 
-    /** The union of all segments as label 1, in voxels larger by factors along columns, rows and slices. */
+    /** The union of all segments as label 1. Voxels are enlarged by one factor each for columns, rows and slices. */
     public LabelGrid bodyOutline(int[] times) {
         int[] sizes = {(columns - 1) / times[0] + 1, (rows - 1) / times[1] + 1, (slices - 1) / times[2] + 1};
         byte[] any = new byte[sizes[0] * sizes[1] * sizes[2]];
         for (int cell = 0; cell < any.length; cell++) {
-            // Sampled at the middle of each large voxel.
+            // Samples at the middle of each large voxel.
             int i = Math.min(columns - 1, times[0] * (cell % sizes[0]) + times[0] / 2);
             int j = Math.min(rows - 1, times[1] * (cell / sizes[0] % sizes[1]) + times[1] / 2);
             int k = Math.min(slices - 1, times[2] * (cell / sizes[0] / sizes[1]) + times[2] / 2);
@@ -232,12 +232,12 @@ public final class Segmentation {
         return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
     }
 
-    /** Frees the memory of the voxels. */
+    /** Releases the memory of the voxels. */
     public void releaseVoxels() {
         voxels = new byte[0];
     }
 
-    /** Number of voxels by segment. */
+    /** Number of voxels of each segment. */
     public int[] counts() {
         int[] counts = new int[names.size() + 1];
         for (byte voxel : voxels) {
@@ -246,7 +246,7 @@ public final class Segmentation {
         return counts;
     }
 
-    /** Coordinate x, y or z of the centre of a voxel, mm. */
+    /** One coordinate (x, y or z) of a voxel centre, mm. */
     double coordinate(int voxel, int row) {
         int i = voxel % columns;
         int j = voxel / columns % rows;
@@ -254,7 +254,7 @@ public final class Segmentation {
         return toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
     }
 
-    /** The voxels as a grid that shares them. */
+    /** The voxels as a grid that shares their memory. */
     public LabelGrid grid() {
         return LabelGrid.of(columns, rows, slices, voxels, toMm);
     }

@@ -3,25 +3,25 @@ package org.phrenic.patient.segmentation;
 import java.util.Arrays;
 
 /**
- * Face-connected region growing within one segment. Cells are the voxels of the segment's box with a border of one
- * voxel, so that a step across a face never leaves it; arrays are indexed by cell.
+ * Face-connected region growing within one segment. Cells are the voxels of the segment's bounding box plus a border of
+ * one voxel, so that a step to a neighbour never leaves the array. Arrays are indexed by cell.
  */
 final class VoxelRegion {
-    /** Mark of components that are too small to be numbered. */
+    /** Mark of components that are too small to receive a number. */
     static final byte SMALL_COMPONENT = 1;
 
     private static final short UNKNOWN = Short.MAX_VALUE;
-    /** Smaller components than one part in this many of the segment are not numbered, so a byte holds all numbers. */
+    /** Components smaller than the segment divided by this value are not numbered, so that numbers fit into a byte. */
     private static final int MAX_COMPONENTS = 100;
 
     private final Segmentation segmentation;
-    /** First voxel of the box along columns, rows and slices. */
+    /** First column, row and slice of the bounding box. */
     private final int[] low;
 
     private final int wide;
     private final int high;
     private final int[] steps;
-    /** Steps from each cell to the nearest one outside the segment; 0 outside, {@link #UNKNOWN} before counting. */
+    /** Steps from each cell to the nearest cell outside the segment; 0 outside, {@link #UNKNOWN} before computation. */
     private final short[] depth;
 
     private final int[] queue;
@@ -60,7 +60,7 @@ final class VoxelRegion {
         return depth[cell] != 0;
     }
 
-    /** The voxel of a cell of the segment. */
+    /** Voxel index of a cell of the segment. */
     int voxel(int cell) {
         int i = low[0] + cell % wide - 1;
         int j = low[1] + cell / wide % high - 1;
@@ -68,7 +68,7 @@ final class VoxelRegion {
         return i + segmentation.columns * (j + segmentation.rows * k);
     }
 
-    /** Computes the depth of each cell: its steps to the nearest one outside the segment. */
+    /** Computes the depth of each cell, which is the number of steps to the nearest cell outside the segment. */
     void computeDepths() {
         int length = 0;
         for (int cell = 0; cell < depth.length; cell++) {
@@ -95,11 +95,11 @@ final class VoxelRegion {
     }
 
     /**
-     * Connected components of the cells deeper than a bound.
+     * Finds connected components of the cells deeper than a bound.
      *
-     * @param marks receives the number of the component of each cell, from 2, {@link #SMALL_COMPONENT} for small ones,
-     *     0 elsewhere
-     * @return sizes by number
+     * @param marks receives the component number of each cell: from 2, {@link #SMALL_COMPONENT} for small components, 0
+     *     elsewhere
+     * @return component sizes by number
      */
     int[] connectedComponents(int deeperThan, byte[] marks) {
         Arrays.fill(marks, (byte) 0);
@@ -122,7 +122,7 @@ final class VoxelRegion {
         return Arrays.copyOf(sizes, count + 1);
     }
 
-    /** Gives each cell the mark of the marked cell that is fewest steps away; 0 stays where none is connected. */
+    /** Assigns each cell the mark of the nearest marked cell, in steps. Cells not connected to a marked cell keep 0. */
     void growRegions(byte[] marks) {
         int length = 0;
         for (int cell = 0; cell < marks.length; cell++) {
@@ -133,7 +133,7 @@ final class VoxelRegion {
         spread(length, 0, marks);
     }
 
-    /** Spreads marks from the queued cells to unmarked cells deeper than a bound; the final length of the queue. */
+    /** Spreads marks from queued cells to unmarked cells deeper than a bound. Returns the final length of the queue. */
     private int spread(int queued, int deeperThan, byte[] marks) {
         int length = queued;
         for (int at = 0; at < length; at++) {

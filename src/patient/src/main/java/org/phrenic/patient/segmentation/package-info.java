@@ -1,5 +1,5 @@
 /**
- * Label volumes: which structure each label is, the voxels of the structures, and how labels that hold several
- * structures are split. No meshes; those are made in {@link org.phrenic.patient}.
+ * Label volumes: assignment of labels to structures, the voxels of the structures, and splitting of labels that contain
+ * several structures. Meshes are created in {@link org.phrenic.patient}.
  */
 package org.phrenic.patient.segmentation;

@@ -13,14 +13,14 @@ import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 
 /**
- * What is written over a picture of the scene, on screen and off: orientation letters at the edges, a figure oriented
- * as the patient, a ruler in parallel projection, a colour bar, title and time, and the disclaimer.
+ * Annotations drawn over a picture of the scene: orientation letters at the edges, an orientation figure, a scale bar
+ * (parallel projection only), a colour bar, title and time, and the disclaimer.
  *
- * @param lightBackground whether the picture is light
- * @param title empty for none
- * @param timestamp time and phase; empty for none
- * @param quantityName quantity shown in colours, with {@code scale}
- * @param scale of a coloured surface
+ * @param lightBackground whether the background of the picture is light
+ * @param title title; empty for none
+ * @param timestamp time and breathing phase; empty for none
+ * @param quantityName name of the quantity that {@code scale} shows
+ * @param scale colour scale of the coloured surface
  */
 public record Annotations(
         boolean lightBackground, String title, String timestamp, String quantityName, Optional<ColourScale> scale) {
@@ -31,14 +31,14 @@ public record Annotations(
     private static final double SMALL_TEXT_SIZE = 10;
     private static final double MARGIN = 9;
     private static final double FIGURE_HEIGHT = 74;
-    /** The picture for which a unit is one pixel, pixels on its shorter side. */
+    /** Shorter side of the picture at which one unit is one pixel, pixels. */
     private static final double REFERENCE_SIDE = 720;
 
     private static final double MIN_UNIT = 0.62;
-    /** The longest ruler, a share of the width. */
+    /** Maximum length of the scale bar, as a fraction of the picture width. */
     private static final double MAX_RULER_SHARE = 0.25;
 
-    /** Annotations that fit a style, without title and time. */
+    /** Annotations for a style, without title and time. */
     public static Annotations of(SceneStyle style) {
         return new Annotations(
                 style.background() == SceneBackground.LIGHT,
@@ -48,27 +48,27 @@ public record Annotations(
                 style.field() == ColourField.NONE ? Optional.empty() : Optional.of(style.scale()));
     }
 
-    /** The same with a title. */
+    /** Copy with a title. */
     public Annotations withTitle(String text) {
         return new Annotations(lightBackground, text, timestamp, quantityName, scale);
     }
 
-    /** The same with a line about time and phase. */
+    /** Copy with a line of time and breathing phase. */
     public Annotations withTimestamp(String text) {
         return new Annotations(lightBackground, title, text, quantityName, scale);
     }
 
-    /** Time and phase of the breath: "1.25 s, inspiration". */
+    /** Formats time and breathing phase: "1.25 s, inspiration". */
     public static String timestamp(double timeS, String phase) {
         return String.format(Locale.ROOT, "%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
     }
 
-    /** Unit of letters and lines in a picture file, pixels; proportional to its shorter side. */
+    /** Unit of text and line sizes in a picture file, pixels; proportional to the shorter side. */
     private static double unitFor(int width, int height) {
         return Math.max(MIN_UNIT, Math.min(width, height) / REFERENCE_SIDE);
     }
 
-    /** Evaluated once: whether text can be drawn, which a Java without fonts cannot. */
+    /** Tests once whether this Java runtime has fonts, which text needs. */
     private static final class Fonts {
         private static final boolean AVAILABLE = available();
 
@@ -84,12 +84,12 @@ public record Annotations(
         }
     }
 
-    /** Whether this Java has fonts. */
+    /** Whether this Java runtime has fonts. */
     public static boolean hasFonts() {
         return Fonts.AVAILABLE;
     }
 
-    /** Draws over a picture; nothing in a Java without fonts. */
+    /** Draws over a picture. Does nothing in a Java runtime without fonts. */
     public void draw(BufferedImage picture, Camera camera) {
         if (hasFonts()) {
             Graphics2D g = picture.createGraphics();
@@ -101,17 +101,17 @@ public record Annotations(
     /**
      * Draws over a picture.
      *
-     * @param graphics with the origin at its top left corner
-     * @param width of the picture, in pixels of {@code graphics}
-     * @param height as above
-     * @param unit size of letters and lines, 1 for a window
+     * @param graphics graphics with the origin at the top left corner of the picture
+     * @param width width of the picture, in pixels of {@code graphics}
+     * @param height height of the picture, in pixels of {@code graphics}
+     * @param unit scale factor of text and lines, 1 for a window
      */
     public void draw(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         drawHeading(graphics, camera, width, height, unit);
         drawStatic(graphics, camera, width, height, unit);
     }
 
-    /** Draws title and time only, which change with every frame. */
+    /** Draws title and time, which change with every frame. */
     public void drawHeading(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         if (!title.isEmpty() || !timestamp.isEmpty()) {
             HaloGraphics ink = halo(graphics, width, height, unit);
@@ -120,7 +120,7 @@ public record Annotations(
         }
     }
 
-    /** Draws all but title and time: what stays the same while the camera does. */
+    /** Draws all annotations except title and time. They do not depend on the frame. */
     public void drawStatic(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         HaloGraphics ink = halo(graphics, width, height, unit);
         double margin = ink.toPixels(MARGIN);

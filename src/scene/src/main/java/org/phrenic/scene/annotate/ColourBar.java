@@ -8,23 +8,23 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.scene.style.ColourScale;
 
-/** A vertical colour bar with the ends of its range, round values between, name and unit. */
+/** A vertical colour bar with name, unit, and ticks at both ends and at round values. */
 final class ColourBar {
     private static final double WIDTH = 14;
     private static final double TEXT_SIZE = 11;
     private static final double GAP = 5;
     private static final int MAX_TICKS = 5;
-    /** Least distance of two numbers, in their heights. */
+    /** Minimum distance of two tick labels, in text heights. */
     private static final double MIN_TICK_SPACING = 1.9;
 
     private ColourBar() {}
 
     /**
-     * Draws it.
+     * Draws the colour bar.
      *
-     * @param right edge that its numbers reach, pixels
-     * @param top edge of the name above it, pixels
-     * @param bottom edge of the bar, pixels
+     * @param right right edge of the tick labels, pixels
+     * @param top upper edge of the name, pixels
+     * @param bottom lower edge of the bar, pixels
      */
     static void draw(HaloGraphics ink, String name, ColourScale scale, double right, double top, double bottom) {
         List<Double> values = tickValues(scale);
@@ -69,14 +69,14 @@ final class ColourBar {
         }
     }
 
-    /** Both ends of the range and the round values within. */
+    /** Tick values: both ends of the range and the round values between them. */
     static List<Double> tickValues(ColourScale scale) {
         double step = tickStep(scale.max() - scale.min());
         List<Double> values = new ArrayList<>();
         values.add(scale.min());
         for (double i = Math.ceil(scale.min() / step); i * step < scale.max(); i++) {
             if (i * step > scale.min()) {
-                // 0.0 and not -0.0.
+                // Adding 0.0 turns -0.0 into 0.0.
                 values.add(i * step + 0.0);
             }
         }
@@ -84,7 +84,7 @@ final class ColourBar {
         return values;
     }
 
-    /** 1, 2 or 5 times a power of ten, with at most five steps in a range. */
+    /** Tick distance: 1, 2 or 5 times a power of ten, with at most five steps in the range. */
     private static double tickStep(double range) {
         double power = Math.pow(10, Math.floor(Math.log10(range / MAX_TICKS)));
         for (double times : new double[] {1, 2, 5}) {
@@ -95,7 +95,7 @@ final class ColourBar {
         return 10 * power;
     }
 
-    /** A format with enough decimals to distinguish all values. */
+    /** Number format with enough decimals to distinguish all values. */
     private static String numberPattern(List<Double> values) {
         double largest = values.stream().mapToDouble(Math::abs).max().orElse(1);
         if (largest >= 1e6 || largest < 1e-4) {

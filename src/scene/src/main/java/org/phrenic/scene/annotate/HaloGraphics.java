@@ -10,15 +10,15 @@ import java.awt.font.GlyphVector;
 import java.awt.geom.Rectangle2D;
 
 /**
- * Draws text and lines with a halo, legible over any picture: dark with a light halo, or light with a dark one.
+ * Draws text and lines with a contrasting halo, which keeps them legible over any picture.
  *
- * @param graphics to draw with
- * @param foreground colour of letters and lines
+ * @param graphics target of the drawing
+ * @param foreground colour of text and lines
  * @param halo colour around them
- * @param unit pixels a unit of length; 1 on a screen
+ * @param unit pixels per unit of length; 1 on a screen
  */
 record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double unit) {
-    /** Smallest legible text, pixels. */
+    /** Smallest legible text size, pixels. */
     private static final float MIN_TEXT_PX = 7;
 
     static HaloGraphics over(Graphics2D graphics, boolean lightBackground, double unit) {
@@ -41,7 +41,7 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         return font.createGlyphVector(graphics.getFontRenderContext(), text);
     }
 
-    /** Width of a text and height of capitals, pixels. */
+    /** Width of a text and height of capital letters, pixels. */
     Rectangle2D measure(String text, double size, boolean bold) {
         return new Rectangle2D.Double(
                 0,
@@ -50,14 +50,14 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
                 glyphVector("H", size, bold).getVisualBounds().getHeight());
     }
 
-    /** The greatest size up to {@code size} at which a text is at most {@code width} pixels wide. */
+    /** The largest font size, at most {@code size}, at which a text is at most {@code width} pixels wide. */
     double fittingSize(String text, double size, double width) {
         double room = Math.max(0, width);
         double needed = measure(text, size, false).getWidth();
         return needed <= room ? size : size * room / needed;
     }
 
-    /** A text shortened to a width, ending in an ellipsis. */
+    /** Shortens a text to a width in pixels; a shortened text ends in an ellipsis. */
     String ellipsized(String text, double size, double width) {
         if (measure(text, size, false).getWidth() <= width) {
             return text;
@@ -73,8 +73,8 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
     /**
      * Draws a text.
      *
-     * @param x of its left end (align 0), centre (0.5) or right end (1), pixels
-     * @param baseline y, pixels
+     * @param x anchor, pixels: left end (align 0), centre (0.5) or right end (1)
+     * @param baseline y of the baseline, pixels
      */
     void drawText(String text, double x, double baseline, double align, double size, boolean bold) {
         GlyphVector glyphs = glyphVector(text, size, bold);
@@ -89,7 +89,7 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         graphics.fill(shape);
     }
 
-    /** Draws a line of this width in pixels with a halo. */
+    /** Draws a path with a line width in pixels and a halo. */
     void drawLine(Shape path, double width) {
         stroke(path, halo, 3 * width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         stroke(path, foreground, width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER);

@@ -13,13 +13,12 @@ import org.joml.Vector3d;
 import org.phrenic.scene.camera.Camera;
 
 /**
- * A small standing person, oriented as the patient. Limbs are rounded bars, drawn from the farthest to the nearest;
- * nose and feet point forward.
+ * A small standing figure with the orientation of the patient. Limbs are rounded bars, drawn back to front. Nose and
+ * feet point forward.
  */
 final class OrientationFigure {
     /**
-     * Bars in the body's frame (x to the person's left, y back, z up; the figure is 2 high, about the origin): ends,
-     * radius, shade.
+     * Bars in body coordinates (x left, y back, z up; height 2, centred at the origin): both end points, radius, shade.
      */
     private static final double[][] LIMBS = {
         {0, 0, 0.78, 0, 0, 0.80, 0.17, 1}, // head
@@ -45,7 +44,7 @@ final class OrientationFigure {
 
     private OrientationFigure() {}
 
-    /** A bar as the camera sees it, in units of half the height, y up; depth towards the viewer. */
+    /** A bar projected by the camera, in units of half the figure's height. y points up, depth towards the viewer. */
     private record Bar(Line2D axis, double width, double depth, double shade) {
         static Bar of(double[] limb, Matrix4d rotation) {
             Vector3d a = rotation.transformPosition(new Vector3d(limb[0], limb[1], limb[2]));
@@ -55,11 +54,11 @@ final class OrientationFigure {
     }
 
     /**
-     * Draws it.
+     * Draws the figure.
      *
-     * @param x its centre, pixels
-     * @param y its centre, pixels
-     * @param height of the standing figure, pixels
+     * @param x centre, pixels
+     * @param y centre, pixels
+     * @param height height of the figure when upright, pixels
      */
     static void draw(HaloGraphics ink, Camera camera, double x, double y, double height) {
         double scale = height / 2;

@@ -4,14 +4,14 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 
-/** Letters of a direction in the body: L R for left and right, A P for front and back, S I for above and below. */
+/** Letters of an anatomical direction: L left, R right, A anterior, P posterior, S superior, I inferior. */
 public final class PatientOrientation {
-    /** A letter is left out below this share of the direction, the sine of 22.5 degrees. */
+    /** Minimum absolute component of a unit vector for its letter: the sine of 22.5 degrees. */
     private static final double THRESHOLD = 0.3827;
 
     private PatientOrientation() {}
 
-    /** Letters of a unit vector in LPS, the largest component first: {@code S}, {@code LA}. */
+    /** Letters of a unit vector in LPS, largest component first: {@code S}, {@code LA}. */
     public static String letters(Vector3d direction) {
         return IntStream.range(0, 3)
                 .boxed()

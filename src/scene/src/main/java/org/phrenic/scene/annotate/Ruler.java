@@ -2,14 +2,14 @@ package org.phrenic.scene.annotate;
 
 import java.awt.geom.Path2D;
 
-/** A scale bar of a round length in millimetres, for parallel projection. */
+/** A scale bar with a round length in millimetres, for parallel projection. */
 final class Ruler {
     private static final double[] ROUND_LENGTHS_MM = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
     private static final double TEXT_SIZE = 11.5;
 
     private Ruler() {}
 
-    /** The longest round length that takes at most {@code pixels}, mm; 0 if none does. */
+    /** The longest round length that fits into {@code pixels}, mm; 0 if none fits. */
     static double roundLength(double mmPerPixel, double pixels) {
         double found = 0;
         for (double length : ROUND_LENGTHS_MM) {
@@ -21,11 +21,11 @@ final class Ruler {
     }
 
     /**
-     * Draws it.
+     * Draws the scale bar.
      *
-     * @param left where it begins, pixels
-     * @param bottom its lower edge, pixels
-     * @param most its greatest width, pixels
+     * @param left left end, pixels
+     * @param bottom lower edge, pixels
+     * @param most maximum width, pixels
      */
     static void draw(HaloGraphics ink, double mmPerPixel, double left, double bottom, double most) {
         double length = roundLength(mmPerPixel, most);

@@ -1,2 +1,2 @@
-/** What is written over a picture: orientation, ruler, colour bar, text. Java 2D only. */
+/** Annotations over a picture: orientation, scale bar, colour bar, text. Uses Java 2D only. */
 package org.phrenic.scene.annotate;

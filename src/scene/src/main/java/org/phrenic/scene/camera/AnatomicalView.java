@@ -3,10 +3,10 @@ package org.phrenic.scene.camera;
 import java.util.Locale;
 
 /**
- * The standard anatomical views, named by the side of the patient that is looked at. None is mirrored. From the front
- * the patient's right is on the left of the picture. From above ({@link #SUPERIOR}) the patient's front is at the
- * bottom and the left at the right; from below ({@link #INFERIOR}) the front is at the top and the left at the right,
- * as in an axial CT slice.
+ * The standard anatomical views, named by the visible side of the patient. None is mirrored. From the front, the
+ * patient's right is on the left of the picture. From above ({@link #SUPERIOR}), the patient's front is at the bottom
+ * and the patient's left at the right. From below ({@link #INFERIOR}), the front is at the top and the patient's left
+ * at the right, as in an axial CT slice.
  */
 public enum AnatomicalView {
     ANTERIOR(0, 0),
@@ -29,12 +29,12 @@ public enum AnatomicalView {
         return azimuthDeg;
     }
 
-    /** Elevation of the viewer, degrees: 90 is straight above. */
+    /** Elevation of the viewer, degrees: 90 is directly above. */
     public double elevationDeg() {
         return elevationDeg;
     }
 
-    /** Its name in a command or a file name: {@code anterior}. */
+    /** Name in commands and file names, such as {@code anterior}. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
     }

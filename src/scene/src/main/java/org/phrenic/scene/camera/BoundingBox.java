@@ -13,11 +13,11 @@ import org.phrenic.scene.style.ClipPlane;
 /**
  * The axis-aligned bounding box of a surface at rest, mm.
  *
- * @param low least x, y, z
- * @param high greatest x, y, z
+ * @param low minimum x, y, z
+ * @param high maximum x, y, z
  */
 public record BoundingBox(Vector3d low, Vector3d high) {
-    /** How far a surface may leave its box in a breath, mm. */
+    /** Maximum distance by which a surface leaves its box during a breath, mm. */
     private static final double MOTION_MARGIN_MM = 40;
 
     public static BoundingBox of(TriangleMesh mesh) {
@@ -30,7 +30,7 @@ public record BoundingBox(Vector3d low, Vector3d high) {
         return size.get(size.maxComponent());
     }
 
-    /** Distance of the nearest corner in front of the eye, mm. */
+    /** Depth of the nearest corner in eye coordinates, mm; negative behind the eye. */
     public double nearestDepth(ViewTransform transform) {
         Vector3d farthest = new Vector3d();
         Vector3d nearest = new Vector3d();
@@ -38,7 +38,7 @@ public record BoundingBox(Vector3d low, Vector3d high) {
         return -nearest.z;
     }
 
-    /** Whether a plane may cut what is in the box, with a margin for motion. */
+    /** Whether a plane intersects the box enlarged by the motion margin. */
     public boolean mayIntersect(ClipPlane plane) {
         BoundingBox box = enlarged();
         return Intersectiond.testAabPlane(box.low, box.high, plane.nx(), plane.ny(), plane.nz(), -plane.offsetMm());
@@ -50,8 +50,8 @@ public record BoundingBox(Vector3d low, Vector3d high) {
     }
 
     /**
-     * Corners of a square in a plane that covers the section of the box, with a margin for motion, as a triangle strip
-     * in eye coordinates.
+     * Corners of a square in a plane that covers the section of the box with a margin for motion. Triangle strip in eye
+     * coordinates, mm.
      */
     public float[] sectionQuad(ClipPlane plane, ViewTransform transform) {
         Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());
@@ -75,8 +75,8 @@ public record BoundingBox(Vector3d low, Vector3d high) {
     }
 
     /**
-     * The pixels that boxes may cover, with a margin for motion: left, bottom, width, height. All of the picture if a
-     * box reaches behind the eye.
+     * Pixel rectangle (left, bottom, width, height) that encloses the boxes with a margin for motion. The whole picture
+     * if a box reaches behind the eye.
      */
     public static int[] screenRectangle(List<BoundingBox> boxes, ViewTransform transform) {
         Matrix4d toClip = transform.projection().mul(transform.view(), new Matrix4d());

@@ -7,22 +7,24 @@ import org.joml.Vector3dc;
 
 /**
  * A turntable camera in LPS, mm. It looks at a target from an azimuth a about the patient's long axis and an elevation
- * e above the axial plane; superior stays up. The viewer stands along
+ * e above the axial plane. The superior direction points up in the picture. The unit vector d from the target to the
+ * viewer is
  *
  * <pre>
  * d = (sin a cos e, -cos a cos e, sin e),   right r = (cos a, sin a, 0),   up u = d x r
  * </pre>
  *
- * so that no view is mirrored, at the poles too. Both projections show the same extent at the target. Pixels count from
- * the top left corner of the picture, x to the right and y down; the centre of the first pixel is (0.5, 0.5).
+ * No view is mirrored, and the axes are also defined at the poles. Both projections show the same extent at the target.
+ * Pixel coordinates start at the top left corner of the picture, x to the right and y down; the centre of the first
+ * pixel is (0.5, 0.5).
  *
- * @param target point that the camera looks at and turns about, mm
- * @param azimuthDeg 0 in front of the patient, 90 at the patient's left; within -180 to 180
- * @param elevationDeg -90 below to 90 above
+ * @param target point that the camera looks at and rotates about, mm
+ * @param azimuthDeg azimuth, degrees, -180 to 180: 0 in front of the patient, 90 at the patient's left
+ * @param elevationDeg elevation, degrees, -90 (from below) to 90 (from above)
  * @param heightMm height of the picture in the plane of the target, mm
- * @param orthographic parallel projection; else perspective
+ * @param orthographic whether the projection is parallel instead of perspective
  * @param centre centre of the scene, mm; sets the near and far planes
- * @param radiusMm distance from the centre within which everything lies, mm
+ * @param radiusMm radius of a sphere about the centre that contains the scene, mm
  */
 public record Camera(
         Vector3dc target,
@@ -32,19 +34,19 @@ public record Camera(
         boolean orthographic,
         Vector3dc centre,
         double radiusMm) {
-    /** Vertical angle of view, degrees: that of a short telephoto lens. */
+    /** Vertical field of view, degrees; that of a short telephoto lens. */
     public static final double FIELD_OF_VIEW_DEG = 25;
 
     private static final double TAN_HALF_FOV = Math.tan(Math.toRadians(FIELD_OF_VIEW_DEG / 2));
-    /** Room left about the body, a share of the picture. */
+    /** Factor by which the visible extent exceeds the body. */
     private static final double MARGIN = 1.1;
 
     private static final double MIN_HEIGHT_MM = 2;
-    /** Largest height of a picture, in radii of the scene. */
+    /** Maximum picture height, in radii of the scene. */
     private static final double MAX_HEIGHT_RADII = 40;
-    /** Least distance of the near plane, a share of the distance to the target: keeps the depth buffer's resolution. */
+    /** Minimum near distance as a fraction of the target distance, which preserves depth buffer resolution. */
     private static final double MIN_NEAR_RATIO = 0.01;
-    /** Bodies move beyond the box in which they rest: the scene's radius is enlarged by this factor. */
+    /** Factor that enlarges the scene radius, because bodies move out of their box at rest. */
     private static final double MOTION_MARGIN = 1.25;
     /** Radius assumed for an empty scene, mm. */
     private static final double EMPTY_RADIUS_MM = 100;
@@ -56,7 +58,7 @@ public record Camera(
     }
 
     /**
-     * Looks at the centre of a box so that all of it fits into a square picture, in perspective.
+     * A perspective camera that looks at the centre of a box and fits it into a square picture.
      *
      * @param bounds {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm
      */
@@ -64,7 +66,7 @@ public record Camera(
         return of(view, bounds, 1);
     }
 
-    /** As {@link #of(AnatomicalView, double[])} for a picture that is {@code aspect} times as wide as high. */
+    /** Like {@link #of(AnatomicalView, double[])}, for a picture with {@code aspect} = width / height. */
     public static Camera of(AnatomicalView view, double[] bounds, double aspect) {
         Vector3d low = new Vector3d(bounds[0], bounds[1], bounds[2]);
         Vector3d high = new Vector3d(bounds[3], bounds[4], bounds[5]);
@@ -76,7 +78,7 @@ public record Camera(
         return seen ? camera.withHeight(MARGIN * camera.fittingHeight(half, aspect)) : camera;
     }
 
-    /** Height of the picture that just holds a box about the target, in perspective. */
+    /** Smallest picture height, mm, that contains a box around the target in perspective. */
     private double fittingHeight(Vector3d half, double aspect) {
         Matrix4d rotation = rotation();
         double distance = 0;
@@ -95,25 +97,29 @@ public record Camera(
         return new Camera(lookedAt, azimuth, elevation, heightMm, orthographic, centre, radiusMm);
     }
 
-    /** The same camera from a standard direction. */
+    /** Copy with a standard direction of view. */
     public Camera withView(AnatomicalView view) {
         return with(target, view.azimuthDeg(), view.elevationDeg());
     }
 
-    /** The same camera looking along a unit direction at a point, three numbers each. */
+    /** Copy that looks along a unit direction at a point, x y z each. */
     public Camera lookingAlong(double[] direction, double[] at) {
         double azimuth = Math.toDegrees(Math.atan2(-direction[0], direction[1]));
         double elevation = Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, -direction[2]))));
         return with(new Vector3d(at), azimuth, elevation);
     }
 
-    /** Turns about the target: to the patient's left when in front, and upwards as far as the pole. */
+    /**
+     * Rotates about the target. From the front, a positive azimuth moves towards the patient's left. The elevation is
+     * limited to the poles.
+     */
     public Camera orbit(double dAzimuthDeg, double dElevationDeg) {
         return with(target, azimuthDeg + dAzimuthDeg, elevationDeg + dElevationDeg);
     }
 
     /**
-     * The body follows a cursor that moved by these pixels (x right, y down) in a picture {@code height} pixels high.
+     * Pans so that the body follows a cursor movement (x right, y down, pixels) in a picture {@code height} pixels
+     * high.
      */
     public Camera pan(double dxPixels, double dyPixels, int height) {
         double mm = mmPerPixel(height);
@@ -125,7 +131,7 @@ public record Camera(
         return with(moved, azimuthDeg, elevationDeg);
     }
 
-    /** Enlarges by {@code factor}; what lies under the pixel, in the plane of the target, stays there. */
+    /** Magnifies by {@code factor}. The point under the pixel, in the plane of the target, stays under it. */
     public Camera zoom(double factor, double px, double py, int width, int height) {
         Camera zoomed = withHeight(heightMm / factor);
         double change = mmPerPixel(height) - zoomed.mmPerPixel(height);
@@ -133,40 +139,40 @@ public record Camera(
                 .withHeight(zoomed.heightMm);
     }
 
-    /** The same camera with another height of the picture, mm. */
+    /** Copy with another picture height in the plane of the target, mm. */
     public Camera withHeight(double millimetres) {
         return new Camera(target, azimuthDeg, elevationDeg, millimetres, orthographic, centre, radiusMm);
     }
 
-    /** The same camera with parallel or perspective projection; the extent at the target stays. */
+    /** Copy with parallel or perspective projection and the same extent at the target. */
     public Camera withProjection(boolean parallel) {
         return new Camera(target, azimuthDeg, elevationDeg, heightMm, parallel, centre, radiusMm);
     }
 
-    /** The same camera turning about another point, mm. */
+    /** Copy with another target, mm. */
     public Camera withTarget(double x, double y, double z) {
         return with(new Vector3d(x, y, z), azimuthDeg, elevationDeg);
     }
 
-    /** Unit vector of the picture's right in LPS. */
+    /** Unit vector to the right of the picture, LPS. */
     public Vector3d right() {
         double a = Math.toRadians(azimuthDeg);
         return new Vector3d(Math.cos(a), Math.sin(a), 0);
     }
 
-    /** Unit vector of the picture's up in LPS. */
+    /** Unit vector to the top of the picture, LPS. */
     public Vector3d up() {
         return towardsViewer().cross(right());
     }
 
-    /** Unit vector from the target to the viewer in LPS. */
+    /** Unit vector from the target to the viewer, LPS. */
     public Vector3d towardsViewer() {
         double a = Math.toRadians(azimuthDeg);
         double e = Math.toRadians(elevationDeg);
         return new Vector3d(Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e));
     }
 
-    /** World to eye directions: the rows are right, up and towards the viewer. */
+    /** Rotation from world to eye directions; the rows are right, up and towards the viewer. */
     public Matrix4d rotation() {
         return new Matrix4d(new Matrix3d(right(), up(), towardsViewer()).transpose());
     }
@@ -176,12 +182,12 @@ public record Camera(
         return towardsViewer().mul(distance()).add(target);
     }
 
-    /** From the eye to the target, mm. */
+    /** Distance from the eye to the target, mm. */
     public double distance() {
         return heightMm / (2 * TAN_HALF_FOV);
     }
 
-    /** Distance from the eye to the near plane, mm; negative behind the eye in parallel projection. */
+    /** Distance from the eye to the near plane, mm; may be negative in parallel projection (plane behind the eye). */
     public double near() {
         double near = centreDepth() - radiusMm;
         return orthographic ? near : Math.max(near, MIN_NEAR_RATIO * distance());
@@ -197,19 +203,19 @@ public record Camera(
         return distance() - towardsViewer().dot(centre.sub(target, new Vector3d()));
     }
 
-    /** World to eye coordinates: the eye looks along its -z. */
+    /** World to eye coordinates. The eye looks along -z. */
     public Matrix4d viewMatrix() {
         return rotation().translate(eye().negate());
     }
 
-    /** Eye to clip coordinates of OpenGL, for a picture {@code aspect} times as wide as high. */
+    /** Eye to OpenGL clip coordinates for a picture with {@code aspect} = width / height. */
     public Matrix4d projectionMatrix(double aspect) {
         return orthographic
                 ? new Matrix4d().setOrthoSymmetric(heightMm * aspect, heightMm, near(), far())
                 : new Matrix4d().setPerspective(Math.toRadians(FIELD_OF_VIEW_DEG), aspect, near(), far());
     }
 
-    /** The line of sight through a pixel: where it meets the near plane (mm), then its unit direction; six numbers. */
+    /** The line of sight through a pixel: intersection with the near plane (x y z, mm), then unit direction (x y z). */
     public double[] ray(double px, double py, int width, int height) {
         double mm = mmPerPixel(height);
         Vector3d inPlane = right().mul((px - width / 2.0) * mm).fma((height / 2.0 - py) * mm, up());
@@ -224,10 +230,10 @@ public record Camera(
     }
 
     /**
-     * The pixel of a point.
+     * Projects a point to pixel coordinates.
      *
-     * @param xy receives the pixel, x right and y down
-     * @return false, leaving {@code xy}, for a point behind the eye
+     * @param xy receives the pixel coordinates, x right and y down
+     * @return false for a point behind the eye, which leaves {@code xy} unchanged
      */
     public boolean project(double x, double y, double z, int width, int height, double[] xy) {
         Vector3d at = rotation().transformPosition(new Vector3d(x, y, z).sub(target));
@@ -241,7 +247,7 @@ public record Camera(
         return true;
     }
 
-    /** Millimetres a pixel in the plane of the target; everywhere in parallel projection. */
+    /** Millimetres per pixel in the plane of the target; the same at every depth in parallel projection. */
     public double mmPerPixel(int height) {
         return heightMm / height;
     }

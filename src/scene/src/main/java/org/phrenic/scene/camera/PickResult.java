@@ -5,17 +5,17 @@ import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * What lies under the cursor. Arrays hold three numbers and are not to be written to.
+ * A picked point of a surface. Arrays hold x, y, z and must not be modified.
  *
- * @param index number of the surface in the scene
- * @param position where the line of sight meets the surface, LPS, mm
- * @param vertex the surface's vertex nearest to the position
- * @param restPosition where that point of the surface is at end-expiration, mm
+ * @param index index of the surface in the scene
+ * @param position intersection of the line of sight with the surface, LPS, mm
+ * @param vertex vertex of the surface nearest to the position
+ * @param restPosition position of the same surface point at end-expiration, mm
  * @param rayDirection direction of the line of sight
  */
 public record PickResult(
         int index, Surface surface, double[] position, int vertex, double[] restPosition, double[] rayDirection) {
-    /** The surface's name for people, such as "Rib 5 right". */
+    /** Display name of the surface, such as "Rib 5 right". */
     public String displayName() {
         return StructureLabels.of(surface);
     }
@@ -32,12 +32,12 @@ public record PickResult(
         return position[2];
     }
 
-    /** The position in anatomical directions: {@code R 42 P 12 S 130 mm}. */
+    /** The position with anatomical letters: {@code R 42 P 12 S 130 mm}. */
     public String positionText() {
         return positionText(x(), y(), z());
     }
 
-    /** A position in LPS, mm, in anatomical directions. */
+    /** Formats a position in LPS, mm, with anatomical letters. */
     public static String positionText(double x, double y, double z) {
         return part(x, 'L', 'R') + " " + part(y, 'P', 'A') + " " + part(z, 'S', 'I') + " mm";
     }

@@ -13,12 +13,13 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Ray picking on the processor. A rigid surface is searched in its rest pose by a tree, with the ray transformed there;
- * a deforming one triangle by triangle (Moeller and Trumbore 1997, doi 10.1080/10867651.1997.10487468), which costs
- * less than refitting a tree. A nearly transparent surface is picked only if nothing more opaque lies on the ray.
+ * Ray picking on the CPU. For a rigid surface, the ray is transformed to the rest pose and intersected through a
+ * bounding volume tree. For a deforming surface, every triangle is tested (Moeller and Trumbore 1997, doi
+ * 10.1080/10867651.1997.10487468), which costs less than refitting a tree. A nearly transparent surface is picked only
+ * if the ray hits no surface of higher opacity.
  */
 public final class Picker {
-    /** Surfaces less opaque than this are picked only if nothing else is hit. */
+    /** Surfaces with a lower opacity are picked only if no other surface is hit. */
     public static final double MIN_SOLID_OPACITY = 0.6;
 
     private final List<Surface> surfaces;
@@ -55,11 +56,11 @@ public final class Picker {
     }
 
     /**
-     * The first hit of a ray.
+     * Finds the first hit of a ray.
      *
-     * @param frame where the surfaces are
-     * @param ray origin and direction, as {@link Camera#ray} gives it
-     * @param opacity of a surface, 0 for one that is hidden
+     * @param frame current positions and poses of the surfaces
+     * @param ray origin and direction, as returned by {@link Camera#ray}
+     * @param opacity opacity of a surface; 0 if hidden
      */
     public Optional<PickResult> pick(Frame frame, double[] ray, ToDoubleFunction<Surface> opacity) {
         return pick(frame, ray, Double.POSITIVE_INFINITY, opacity);
@@ -71,7 +72,7 @@ public final class Picker {
                 .or(() -> nearest(frame, new Search(ray, maxDistance), opacity, Double.MIN_VALUE));
     }
 
-    /** The first hit of a ray among what a style shows, on the kept side of its clip plane. */
+    /** Finds the first hit of a ray on the visible surfaces of a style, on the kept side of its clip plane. */
     public Optional<PickResult> pick(Frame frame, double[] ray, SceneStyle style) {
         double[] kept = ray.clone();
         double maxDistance = style.clip().map(plane -> clip(plane, kept)).orElse(Double.POSITIVE_INFINITY);
@@ -82,7 +83,7 @@ public final class Picker {
     }
 
     /**
-     * Moves the origin of a ray to where it enters the kept half space; returns the distance at which it leaves that.
+     * Clips a ray to the kept half-space. Moves the origin to the point of entry and returns the distance of the exit.
      */
     private static double clip(ClipPlane plane, double[] ray) {
         Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());
@@ -147,7 +148,7 @@ public final class Picker {
         }
     }
 
-    /** A direction in the rest pose: R^T v. */
+    /** Transforms a direction to the rest pose: R^T v. */
     private static Vector3d toRest(float[] pose, Vector3d v) {
         return new Vector3d(
                 pose[0] * v.x + pose[4] * v.y + pose[8] * v.z,

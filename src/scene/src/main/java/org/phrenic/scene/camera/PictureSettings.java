@@ -1,15 +1,15 @@
 package org.phrenic.scene.camera;
 
 /**
- * View, size and annotation of a picture.
+ * View, size and annotations of a picture.
  *
- * @param view from where
+ * @param view direction of view
  * @param width pixels
  * @param height pixels
- * @param orthographic parallel projection; else perspective
- * @param zoom enlargement about the middle, 1 for all of the body
- * @param annotated whether annotations are drawn over it
- * @param title of the annotations
+ * @param orthographic whether the projection is parallel instead of perspective
+ * @param zoom magnification about the centre; 1 shows the whole body
+ * @param annotated whether annotations are drawn over the picture
+ * @param title title of the annotations
  */
 public record PictureSettings(
         AnatomicalView view,
@@ -22,12 +22,12 @@ public record PictureSettings(
     public static final int MIN_SIZE = 16;
     public static final int MAX_SIZE = 8192;
 
-    /** An annotated picture of all of the body in perspective. */
+    /** Settings of an annotated perspective picture of the whole body. */
     public static PictureSettings of(AnatomicalView view, int width, int height, String title) {
         return new PictureSettings(view, width, height, false, 1, true, title);
     }
 
-    /** Camera that shows a box. */
+    /** The camera for these settings that shows a bounding box. */
     public Camera camera(double[] bounds) {
         Camera whole = Camera.of(view, bounds, (double) width / height).withProjection(orthographic);
         return whole.zoom(zoom, width / 2.0, height / 2.0, width, height);

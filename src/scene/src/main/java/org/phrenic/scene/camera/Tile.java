@@ -7,15 +7,15 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
 /**
- * A part of a picture, drawn by itself. Neighbours overlap, so that passes which read neighbouring pixels (depth edges,
- * lines) leave no seam.
+ * A part of a picture that is drawn separately. Neighbouring tiles overlap, so that passes which read neighbouring
+ * pixels (depth edges, lines) leave no seam.
  *
- * @param x left edge in the whole, pixels
- * @param y lower edge in the whole, pixels
+ * @param x left edge in the whole picture, pixels
+ * @param y lower edge in the whole picture, pixels
  * @param width pixels
  * @param height pixels
- * @param wholeWidth of the whole picture, pixels
- * @param wholeHeight of the whole picture, pixels
+ * @param wholeWidth width of the whole picture, pixels
+ * @param wholeHeight height of the whole picture, pixels
  */
 public record Tile(int x, int y, int width, int height, int wholeWidth, int wholeHeight) {
     private static final int OVERLAP_PIXELS = 16;
@@ -24,7 +24,7 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
         return new Tile(0, 0, width, height, width, height);
     }
 
-    /** Tiles with sides up to {@code side} that cover a picture. */
+    /** Splits a picture into overlapping tiles with sides of at most {@code side} pixels. */
     public static List<Tile> split(int width, int height, int side) {
         if (width <= side && height <= side) {
             return List.of(whole(width, height));
@@ -39,7 +39,7 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
         return tiles;
     }
 
-    /** The projection of the whole picture, narrowed to this part. */
+    /** Restricts the projection of the whole picture to this tile. */
     Matrix4d crop(Matrix4dc projection) {
         return new Matrix4d()
                 .translation((wholeWidth - 2.0 * x - width) / width, (wholeHeight - 2.0 * y - height) / height, 0)
@@ -47,7 +47,7 @@ public record Tile(int x, int y, int width, int height, int wholeWidth, int whol
                 .mul(projection);
     }
 
-    /** Copies this part into the whole, except the inner half of an overlap, which the neighbour draws. */
+    /** Copies this tile into the whole picture, except the strip of the overlap that the neighbouring tile provides. */
     public void paste(BufferedImage part, BufferedImage whole) {
         int left = x == 0 ? 0 : OVERLAP_PIXELS;
         int low = y == 0 ? 0 : OVERLAP_PIXELS;

@@ -6,18 +6,18 @@ import org.joml.Vector3d;
 import org.phrenic.scene.style.ClipPlane;
 
 /**
- * The transforms of one picture for all shaders.
+ * The transforms of one picture, shared by all shaders.
  *
  * @param view world to eye coordinates
  * @param projection eye to clip coordinates of this tile
  * @param fullProjection eye to clip coordinates of the whole picture
  * @param orthographic whether the projection is parallel
- * @param tile part of the picture
- * @param scale pixels drawn for one of the picture, along each side
+ * @param tile part of the picture that is drawn
+ * @param scale supersampling factor along each side
  */
 public record ViewTransform(
         Matrix4d view, Matrix4d projection, Matrix4d fullProjection, boolean orthographic, Tile tile, int scale) {
-    /** Height of a picture for which widths of lines and edges are stated, pixels. */
+    /** Picture height to which line and edge widths refer, pixels. */
     private static final float REFERENCE_HEIGHT = 900;
 
     public static ViewTransform of(Camera camera, Tile tile, int scale) {
@@ -33,7 +33,7 @@ public record ViewTransform(
         return tile.height() * scale;
     }
 
-    /** A width in pixels that looks as wide as {@code reference} in a picture of the reference height; never less. */
+    /** Scales a width from the reference height to this picture, pixels. It does not shrink in smaller pictures. */
     public float scaledPixels(float reference) {
         return reference * scale * Math.max(1, tile.wholeHeight() / REFERENCE_HEIGHT);
     }
@@ -42,12 +42,12 @@ public record ViewTransform(
         return orthographic ? 1 : 0;
     }
 
-    /** From the coordinates of a surface at rest, with this pose, to eye coordinates. */
+    /** Transform from the rest coordinates of a surface with the given pose to eye coordinates. */
     public Matrix4d toEyeSpace(Matrix4d pose) {
         return view.mul(pose, new Matrix4d());
     }
 
-    /** The clip plane in eye coordinates: {@code a x + b y + c z + d} is positive for what is kept. */
+    /** Clip plane (a, b, c, d) in eye coordinates: {@code a x + b y + c z + d} is positive on the kept side. */
     public float[] clipPlane(Optional<ClipPlane> plane) {
         if (plane.isEmpty()) {
             return new float[] {0, 0, 0, 1};

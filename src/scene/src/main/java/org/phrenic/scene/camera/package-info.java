@@ -1,2 +1,2 @@
-/** Camera, transforms, bounding boxes, tiles and ray picking. No OpenGL. */
+/** Camera, transforms, bounding boxes, picture tiles and ray picking. No OpenGL. */
 package org.phrenic.scene.camera;

@@ -21,26 +21,26 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
 /**
- * An H.264 movie, encoded by the {@code ffmpeg} of this machine from pictures in a pipe; moved into place when
- * complete. Odd sizes get one more row or column of pixels.
+ * Writes an H.264 movie with the {@code ffmpeg} program of this machine, which reads the pictures from a pipe. The file
+ * is moved into place when complete. Odd widths and heights are padded by one pixel.
  */
 public final class FfmpegMovieWriter implements MovieWriter {
-    /** Longest wait for ffmpeg once it has all pictures, s. */
+    /** Timeout for ffmpeg after the last picture, s. */
     private static final long TIMEOUT_S = 300;
 
     private final Path program;
 
-    /** @param program ffmpeg, as {@link #find} found it */
+    /** @param program path of ffmpeg, as {@link #find} returns it */
     public FfmpegMovieWriter(Path program) {
         this.program = program;
     }
 
-    /** ffmpeg on the search path of this process. */
+    /** Finds ffmpeg on the search path of this process. */
     public static Optional<Path> find() {
         return find(System.getenv("PATH"));
     }
 
-    /** ffmpeg in the folders of a search path. */
+    /** Finds ffmpeg in the folders of a search path. */
     static Optional<Path> find(String searchPath) {
         if (searchPath == null) {
             return Optional.empty();
@@ -102,7 +102,7 @@ public final class FfmpegMovieWriter implements MovieWriter {
         }
     }
 
-    /** Pipes all pictures; false if ffmpeg closed the pipe before. */
+    /** Writes all pictures to the pipe; returns false if ffmpeg closed the pipe early. */
     private static boolean pipeFrames(Process process, BufferedImage first, Iterator<BufferedImage> frames) {
         int width = first.getWidth();
         int height = first.getHeight();
@@ -114,7 +114,7 @@ public final class FfmpegMovieWriter implements MovieWriter {
         boolean piped = false;
         try (OutputStream pipe = new BufferedOutputStream(process.getOutputStream(), 1 << 16)) {
             while (picture != null) {
-                // Drawn twice: the shifted picture repeats the last row and column of one of odd size.
+                // The shifted first drawing leaves a copy of the last row and column for odd sizes.
                 g.drawImage(picture, even.getWidth() - width, even.getHeight() - height, null);
                 g.drawImage(picture, 0, 0, null);
                 piped = writeTo(pipe, bgr);
@@ -126,7 +126,7 @@ public final class FfmpegMovieWriter implements MovieWriter {
         return piped;
     }
 
-    /** False if the pipe is broken; what the pictures throw is passed on by the caller. */
+    /** Returns false if the pipe is broken. */
     private static boolean writeTo(OutputStream pipe, byte[] bytes) {
         try {
             pipe.write(bytes);

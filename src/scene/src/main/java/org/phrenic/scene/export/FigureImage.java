@@ -4,18 +4,18 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 
 /**
- * A picture of a figure in a report, not yet written.
+ * A picture of a report, in memory.
  *
- * @param name of its file without the extension
- * @param altText what it shows, for readers who do not see it
- * @param caption below this picture
+ * @param name file name without the extension
+ * @param altText alternative text for accessibility
+ * @param caption caption below the picture
  */
 public record FigureImage(String name, String altText, String caption, BufferedImage image) {
     public String fileName() {
         return name + ".png";
     }
 
-    /** Writes it into a folder. */
+    /** Writes the picture into a folder as PNG. */
     public void write(Path folder) {
         PngFile.write(folder.resolve(fileName()), image);
     }

@@ -15,15 +15,15 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.phrenic.file.AtomicFile;
 
 /**
- * An animated GIF that repeats for ever. Each picture has a palette of its own, made by ImageIO; delays, which GIF
- * counts in hundredths of a second, are rounded so that their sum is right.
+ * Writes an animated GIF that loops forever. Each frame has its own palette, made by ImageIO. Frame delays are whole
+ * hundredths of a second, rounded so that their sum is correct.
  */
 public final class GifMovieWriter implements MovieWriter {
-    /** Viewers slow down faster movies. */
+    /** Maximum frame rate; viewers slow down faster movies. */
     public static final double MAX_FRAMES_PER_S = 50;
 
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
-    /** Application extension of Netscape: block 1, repeat count 0 for ever. */
+    /** Netscape application extension: sub-block 1, loop count 0 (forever). */
     private static final byte[] LOOP_FOREVER = {1, 0, 0};
 
     @Override

@@ -7,10 +7,10 @@ import java.util.Iterator;
 /** Writes a sequence of pictures into one file. */
 public interface MovieWriter {
     /**
-     * Writes a movie, as a whole or not at all.
+     * Writes a movie atomically.
      *
-     * @param frames pictures of one size, drawn on demand
-     * @throws org.phrenic.file.OutputException if it cannot be written, with one sentence
+     * @param frames pictures of equal size, drawn on demand
+     * @throws org.phrenic.file.OutputException if the file cannot be written; the message is one sentence
      */
     void write(Path file, double framesPerS, Iterator<BufferedImage> frames);
 }

@@ -14,9 +14,9 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
-/** A picture as an opaque PNG file, written as a whole or not at all. */
+/** Writes opaque PNG files atomically. */
 public final class PngFile {
-    /** Larger pictures are compressed less, which is faster. */
+    /** Larger pictures use a lower compression level, for speed. */
     private static final long MAX_COMPRESSED_PIXELS = 3_000_000;
 
     private PngFile() {}
@@ -24,7 +24,7 @@ public final class PngFile {
     /**
      * Writes a picture; translucent pixels are blended with white.
      *
-     * @throws OutputException if it cannot be written, with one sentence
+     * @throws OutputException if the file cannot be written; the message is one sentence
      */
     public static void write(Path file, BufferedImage picture) {
         BufferedImage opaque = flattened(picture);
@@ -45,7 +45,7 @@ public final class PngFile {
         });
     }
 
-    /** ImageIO's writer of a format. */
+    /** The ImageIO writer of a format. */
     static ImageWriter writer(String format) throws IOException {
         Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName(format);
         if (!writers.hasNext()) {
@@ -54,7 +54,7 @@ public final class PngFile {
         return writers.next();
     }
 
-    /** The picture on white without an alpha channel; itself if it has none. */
+    /** The picture blended with white, without an alpha channel; the same object if it has none. */
     static BufferedImage flattened(BufferedImage picture) {
         if (picture.getType() == BufferedImage.TYPE_INT_RGB) {
             return picture;

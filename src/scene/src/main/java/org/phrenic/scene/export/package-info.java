@@ -1,2 +1,2 @@
-/** Pictures and movies as files. Knows nothing of scenes. */
+/** Writers of picture and movie files. Independent of the scene packages. */
 package org.phrenic.scene.export;

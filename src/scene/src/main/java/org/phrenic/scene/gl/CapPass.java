@@ -8,16 +8,16 @@ import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.SceneStyle;
 
 /**
- * Closes bodies that a plane cuts open (stencil capping). Where a line of sight passes more back faces than front faces
- * of a closed surface behind the plane, it enters the body at the plane: the stencil buffer counts the faces, and the
- * plane is drawn where the count is not zero.
+ * Draws the cut faces of bodies that the clip plane cuts open (stencil capping). The stencil buffer counts the faces
+ * behind the plane at each pixel: back faces +1, front faces -1. The count is not zero where the line of sight enters
+ * the body through the plane; the cap is drawn there.
  */
 final class CapPass {
-    /** Share of white in the colour of a cut face. */
+    /** Fraction of white mixed into the colour of a cut face. */
     private static final float LIGHTENING = 0.10f;
 
     private static final int QUAD_CORNERS = 4;
-    /** In smallest resolvable steps of depth. */
+    /** Polygon offset between successive caps, in smallest resolvable depth steps. */
     private static final float DEPTH_OFFSET_UNITS = 4;
 
     private final GlResources resources;
@@ -33,7 +33,7 @@ final class CapPass {
     /**
      * Draws the cut faces.
      *
-     * @param bodies opaque surfaces; those that are not closed, or that the plane misses, have none
+     * @param bodies opaque surfaces; open surfaces, and surfaces that the plane does not cut, get no cap
      */
     void draw(GL3 gl, List<SurfaceBuffers> bodies, SurfacePass faces, ViewTransform transform, SceneStyle style) {
         ClipPlane plane = style.clip().orElseThrow();
@@ -44,7 +44,7 @@ final class CapPass {
             BoundingBox box = BoundingBox.of(body.surface().rest());
             if (body.isClosed() && box.mayIntersect(plane)) {
                 countFaces(gl, body, faces, transform, style);
-                // All caps lie in one plane: later bodies, such as a target in the liver, are drawn over earlier ones.
+                // All caps lie in one plane. The offset draws later bodies (a target in the liver) over earlier ones.
                 gl.glPolygonOffset(0, -DEPTH_OFFSET_UNITS * i);
                 drawCap(gl, body, box.sectionQuad(plane, transform), transform, style);
             }

@@ -10,14 +10,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Whether an X server answers. Asked before JOGL is loaded, which chooses a window system once for the process. */
+/**
+ * Tests whether an X server is reachable. Must run before JOGL is loaded, because JOGL chooses the window system once
+ * per process.
+ */
 final class DisplayServer {
     private static final int FIRST_PORT = 6000;
     private static final int TIMEOUT_MS = 2000;
 
     private DisplayServer() {}
 
-    /** Whether this platform draws without an X server. */
+    /** Whether this platform (macOS, Windows) needs no X server. */
     static boolean isNotNeeded() {
         String os = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         return os.contains("mac") || os.contains("win");
@@ -26,7 +29,7 @@ final class DisplayServer {
     /**
      * Whether the server that the variable DISPLAY names accepts a connection.
      *
-     * @param display such as {@code :0}, {@code localhost:10.0}; null or empty for none
+     * @param display value of DISPLAY, such as {@code :0} or {@code localhost:10.0}; null or empty for none
      */
     static boolean isReachable(String display) {
         if (display == null || display.lastIndexOf(':') < 0) {

@@ -3,8 +3,8 @@ package org.phrenic.scene.gl;
 import com.jogamp.opengl.GL3;
 
 /**
- * A framebuffer with eight bits a colour and, if asked for, depth (24 bits) and stencil (8): of textures, or of
- * renderbuffers with several samples a pixel.
+ * A framebuffer with an RGBA8 colour attachment and, optionally, depth (24 bits) and stencil (8 bits). The attachments
+ * are textures, or renderbuffers if multisampled.
  */
 final class Framebuffer {
     private final int width;
@@ -14,8 +14,8 @@ final class Framebuffer {
     private final int depth;
 
     /**
-     * @param samples 0 for textures
-     * @throws IllegalStateException if the driver refuses it
+     * @param samples samples per pixel; 0 for textures without multisampling
+     * @throws IllegalStateException if the framebuffer is incomplete
      */
     Framebuffer(GL3 gl, GlResources resources, int width, int height, int samples, boolean withDepth) {
         this.width = width;
@@ -28,8 +28,8 @@ final class Framebuffer {
     }
 
     /**
-     * The colours of another framebuffer without its depth, so that its depth texture can be read while this is drawn
-     * into.
+     * Shares the colour texture of another framebuffer and has no depth attachment. Shaders can then read the other's
+     * depth texture while drawing into this one.
      */
     Framebuffer(GL3 gl, GlResources resources, Framebuffer whose) {
         width = whose.width;
@@ -74,13 +74,13 @@ final class Framebuffer {
         return texture;
     }
 
-    /** Directs drawing into this framebuffer. */
+    /** Binds this framebuffer for drawing and sets the viewport to its size. */
     void bind(GL3 gl) {
         gl.glBindFramebuffer(GL3.GL_FRAMEBUFFER, name);
         gl.glViewport(0, 0, width, height);
     }
 
-    /** Copies the buffers of a bit mask to all of another framebuffer. */
+    /** Copies the buffers selected by a bit mask to another framebuffer, scaled to its size. */
     void blitTo(GL3 gl, Framebuffer other, int mask) {
         gl.glBindFramebuffer(GL3.GL_READ_FRAMEBUFFER, name);
         gl.glBindFramebuffer(GL3.GL_DRAW_FRAMEBUFFER, other.name);
@@ -100,12 +100,12 @@ final class Framebuffer {
         return height;
     }
 
-    /** Texture of colours, if without samples. */
+    /** Name of the colour texture; a renderbuffer if multisampled. */
     int colourTexture() {
         return colour;
     }
 
-    /** Texture of depths, if without samples. */
+    /** Name of the depth texture; a renderbuffer if multisampled. */
     int depthTexture() {
         return depth;
     }

@@ -7,14 +7,14 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 
-/** Owns objects of OpenGL: makes them, deletes them together, and counts what is uploaded and drawn. */
+/** Creates OpenGL objects, deletes them together, and counts uploaded bytes, draw calls and triangles. */
 final class GlResources {
-    /** A call that makes or deletes {@code count} objects. */
+    /** An OpenGL call that creates or deletes {@code count} objects. */
     private interface Call {
         void apply(GL3 gl, int count, int[] names, int offset);
     }
 
-    /** Kinds of objects, in the order in which they are deleted. */
+    /** Kinds of OpenGL objects, in order of deletion. */
     enum Kind {
         FRAMEBUFFER(GL3::glGenFramebuffers, GL3::glDeleteFramebuffers),
         RENDERBUFFER(GL3::glGenRenderbuffers, GL3::glDeleteRenderbuffers),
@@ -39,7 +39,7 @@ final class GlResources {
     private int drawCalls;
     private long triangles;
 
-    /** Makes an object and returns its name. */
+    /** Creates an object and returns its OpenGL name. */
     int create(GL3 gl, Kind kind) {
         int[] name = new int[1];
         kind.create.apply(gl, 1, name, 0);
@@ -63,7 +63,7 @@ final class GlResources {
         triangles = 0;
     }
 
-    /** What was uploaded and drawn since the last reset. */
+    /** Counts since the last reset. */
     FrameStatistics statistics(double cpuMs) {
         return new FrameStatistics(bytesUploaded, drawCalls, cpuMs, triangles);
     }
@@ -73,7 +73,7 @@ final class GlResources {
         triangles += ofTriangles;
     }
 
-    /** Uploads all of a buffer's content, in units of four bytes. */
+    /** Uploads the whole content of a buffer of four-byte elements. */
     void upload(GL3 gl, int target, int name, Buffer content, int usage) {
         long size = 4L * content.remaining();
         gl.glBindBuffer(target, name);
@@ -81,7 +81,7 @@ final class GlResources {
         bytesUploaded += size;
     }
 
-    /** Uploads new content into a new store (buffer orphaning): a picture still being drawn keeps the old one. */
+    /** Uploads content into newly allocated storage (buffer orphaning). A pending draw call keeps the old storage. */
     void stream(GL3 gl, int name, Buffer content) {
         long size = 4L * content.remaining();
         gl.glBindBuffer(GL3.GL_ARRAY_BUFFER, name);

@@ -3,8 +3,8 @@ package org.phrenic.scene.gl;
 import com.jogamp.opengl.GL3;
 
 /**
- * Bindings of a context, to be restored after drawing. A Swing panel of JOGL draws into a framebuffer of its own and
- * expects its vertex array: with none bound, core OpenGL raises an error in each of its pictures.
+ * Bindings of a context, restored after drawing. JOGL's Swing panel draws into its own framebuffer and requires its
+ * default vertex array. Without a bound vertex array, core OpenGL reports an error in every picture.
  */
 record GlState(int drawFramebuffer, int readFramebuffer, int[] viewport) {
     private static final int TEXTURE_UNITS = 3;

@@ -15,7 +15,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
-/** All surfaces and overlays of a scene on the graphics card; uploads what has changed since the last frame. */
+/** GPU buffers of all surfaces and overlays of a scene. Uploads only data that changed since the last frame. */
 final class GpuScene {
     private final GlResources resources;
     private final List<SurfaceBuffers> surfaces;
@@ -42,10 +42,10 @@ final class GpuScene {
     }
 
     /**
-     * Takes over a frame.
+     * Uploads the positions, poses and field values of a frame.
      *
      * @param given values of {@link ColourField#DISTANCE} and {@link ColourField#ACCESS} by structure
-     * @param version changes with {@code given}
+     * @param version number that differs whenever {@code given} has changed
      */
     void update(GL3 gl, Frame frame, SceneStyle style, Map<String, float[]> given, int version) {
         int hash = Arrays.hashCode(frame.nodes());
@@ -71,7 +71,7 @@ final class GpuScene {
         uploadedField = wanted;
     }
 
-    /** Moves surfaces that stand still, by structure. */
+    /** Sets the poses of static surfaces, by structure name. */
     void setPoses(Map<String, float[]> poses) {
         for (SurfaceBuffers s : surfaces) {
             float[] pose = poses.get(s.surface().name());

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The OpenGL implementation of a context.
+ * Properties of the OpenGL implementation behind a context.
  *
- * @param vendor as the driver states
- * @param renderer as the driver states
- * @param version of OpenGL, as the driver states
- * @param software whether the processor renders in place of a graphics card
- * @param maxSamples most samples a pixel
- * @param maxSize longest side of a picture without tiles, pixels
+ * @param vendor {@code GL_VENDOR}
+ * @param renderer {@code GL_RENDERER}
+ * @param version {@code GL_VERSION}
+ * @param software whether it renders on the CPU
+ * @param maxSamples maximum number of samples per pixel
+ * @param maxSize maximum side length of a framebuffer, pixels
  */
 public record GraphicsInfo(
         String vendor, String renderer, String version, boolean software, int maxSamples, int maxSize) {
@@ -30,7 +30,7 @@ public record GraphicsInfo(
                 Math.min(number(gl, GL3.GL_MAX_RENDERBUFFER_SIZE), number(gl, GL3.GL_MAX_TEXTURE_SIZE)));
     }
 
-    /** An integer of the context's state. */
+    /** Value of an integer state variable ({@code glGetIntegerv}). */
     static int number(GL3 gl, int name) {
         int[] value = new int[1];
         gl.glGetIntegerv(name, value, 0);

@@ -9,7 +9,7 @@ import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.observe.Overlay;
 
-/** Draws edges of surfaces and overlays as lines and points of a width in pixels. */
+/** Draws surface edges and overlays as lines and points with widths in pixels. */
 final class LinePass {
     private static final float MIN_EDGE_OPACITY = 0.35f;
     private static final float REST_OPACITY = 0.55f;
@@ -21,12 +21,12 @@ final class LinePass {
     /**
      * Style of lines and points.
      *
-     * @param width of lines, pixels
-     * @param pointSize pixels
-     * @param eyeOffset shift towards the eye, mm, so that a line on a surface is seen
+     * @param width line width, pixels
+     * @param pointSize point diameter, pixels
+     * @param eyeOffset shift towards the eye, mm, which keeps lines on a surface visible
      */
     private record LineStyle(int rgb, float opacity, float width, float pointSize, float eyeOffset) {
-        /** Colours of Okabe and Ito 2008, told apart with any colour vision. */
+        /** Colours of Okabe and Ito 2008, distinguishable with colour vision deficiency. */
         static LineStyle of(Overlay.Kind kind) {
             return switch (kind) {
                 case SPRINGS -> new LineStyle(0x56b4e9, 0.55f, 1.0f, 3, 0.6f);
@@ -55,7 +55,7 @@ final class LinePass {
         return new float[] {rgb[0], rgb[1], rgb[2], opacity};
     }
 
-    /** Draws edges of a surface in its own colour. */
+    /** Draws the edges of a surface in its own colour. */
     void drawEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         Appearance look = style.appearance(buffers.surface().name()).orElseThrow();
         useLines(gl, transform, style, transform.toEyeSpace(buffers.pose()));
@@ -69,7 +69,7 @@ final class LinePass {
         buffers.drawEdges(gl, false);
     }
 
-    /** Draws edges of a surface as it rests. */
+    /** Draws the edges of a surface at its rest positions. */
     void drawRestEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         int rgb = style.background() == SceneBackground.LIGHT ? REST_RGB_ON_LIGHT : REST_RGB_ON_DARK;
         useLines(gl, transform, style, transform.view());

@@ -1,6 +1,6 @@
 package org.phrenic.scene.gl;
 
-/** No picture can be made here; the message is one sentence that says what is missing. */
+/** Thrown if no OpenGL 3.3 context is available. The message is one sentence that names what is missing. */
 public final class NoGraphicsException extends Exception {
     private static final long serialVersionUID = 1;
 

@@ -22,14 +22,14 @@ import org.phrenic.scene.style.Transparency;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * OpenGL without a window. On Linux without an X server it draws through EGL; where an X server answers, or a window of
- * this program is open, through that; on macOS and Windows through the system. Used by one thread at a time.
+ * An OpenGL context without a window. On Linux it uses the X server if one is reachable, and surfaceless EGL otherwise.
+ * On macOS and Windows it uses the window system. Not thread-safe.
  */
 public final class OffscreenContext implements AutoCloseable {
-    /** Drivers start in well under a second; one that hangs is abandoned. */
+    /** Maximum time to start the driver, which usually takes well under a second. */
     private static final long START_TIMEOUT_S = 30;
 
-    /** Longest side of a picture drawn in one piece, pixels: larger ones are drawn in tiles to limit memory. */
+    /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
 
     private final GLOffscreenAutoDrawable drawable;
@@ -45,16 +45,16 @@ public final class OffscreenContext implements AutoCloseable {
         info = found[0];
     }
 
-    /** As {@link #open}, and tells Java that there is no display, so that it asks for none. */
+    /** Like {@link #open}, and also sets {@code java.awt.headless}. */
     public static OffscreenContext headless() throws NoGraphicsException {
         System.setProperty("java.awt.headless", "true");
         return open();
     }
 
     /**
-     * A context, without a display where the platform allows it.
+     * Opens a context; needs no display where the platform allows that.
      *
-     * @throws NoGraphicsException if none can be opened, with one sentence
+     * @throws NoGraphicsException if no context can be opened; the message is one sentence
      */
     public static OffscreenContext open() throws NoGraphicsException {
         FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
@@ -103,17 +103,17 @@ public final class OffscreenContext implements AutoCloseable {
         return new OffscreenContext(drawable);
     }
 
-    /** Draws one picture of any size. */
+    /** Draws a picture of any size. */
     public BufferedImage render(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
         SceneStyle.Quality quality = style.quality();
         int most = Math.min(MAX_TILE, info.maxSize());
-        // Smoothed depth peeling draws two pixels for one along each side.
+        // Depth peeling with antialiasing renders at twice the width and height (2 x 2 supersampling).
         int side = quality.transparency() == Transparency.PEELED && quality.samples() > 1 ? most / 2 : most;
         return render(renderer, frame, camera, style, width, height, side);
     }
 
-    /** Draws one picture in tiles of at most this side. */
+    /** Draws a picture in tiles of at most the given side, pixels. */
     BufferedImage render(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height, int side) {
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -126,15 +126,15 @@ public final class OffscreenContext implements AutoCloseable {
         return whole;
     }
 
-    /** Frees what the graphics card holds for a renderer. */
+    /** Deletes the OpenGL objects of a renderer. */
     public void release(Renderer renderer) {
         run(renderer::dispose);
     }
 
     /**
-     * Runs with the context current on this thread.
+     * Runs code with the context current on this thread.
      *
-     * @throws IllegalStateException if the context is in use elsewhere
+     * @throws IllegalStateException if the context is current on another thread
      */
     public void run(Consumer<GL3> drawing) {
         try {
@@ -152,7 +152,7 @@ public final class OffscreenContext implements AutoCloseable {
         }
     }
 
-    /** Makes every OpenGL error an exception. */
+    /** Turns every OpenGL error into an exception. */
     void enableDebugging() {
         debugging = true;
     }

@@ -7,7 +7,7 @@ import java.nio.IntBuffer;
 import java.util.stream.IntStream;
 import org.phrenic.simulation.observe.Overlay;
 
-/** One overlay on the graphics card: lines and points between nodes, which all overlays share, and fixed lines. */
+/** GPU buffers of one overlay: lines and points that refer to shared nodes, and fixed lines. */
 final class OverlayBuffers {
     private final GlResources resources;
     private final Overlay overlay;
@@ -18,7 +18,7 @@ final class OverlayBuffers {
     private final int lineCount;
     private final int pointCount;
 
-    /** @param nodeBuffer buffer of the nodes' positions */
+    /** @param nodeBuffer buffer of the node positions, shared by all overlays */
     OverlayBuffers(GL3 gl, GlResources resources, Overlay overlay, int nodeBuffer) {
         this.resources = resources;
         this.overlay = overlay;

@@ -2,7 +2,7 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
 
-/** The framebuffers of a picture of one size; those that transparency needs are made on first use. */
+/** Framebuffers of one picture size. Those for transparency are created on first use. */
 final class RenderTargets {
     private final GlResources resources = new GlResources();
     private final int width;
@@ -18,8 +18,8 @@ final class RenderTargets {
     private Framebuffer accumulation;
 
     /**
-     * @param scale pixels drawn for one of the picture, along each side
-     * @param samples samples of a pixel, 0 for one
+     * @param scale supersampling factor along each side
+     * @param samples samples per pixel; 0 for no multisampling
      */
     RenderTargets(GL3 gl, int width, int height, int scale, int samples) {
         this.width = width;
@@ -35,17 +35,17 @@ final class RenderTargets {
         return width == w && height == h && scale == wantedScale && samples == wantedSamples;
     }
 
-    /** The framebuffer that surfaces are drawn into. */
+    /** Framebuffer that surfaces are drawn into. */
     Framebuffer drawTarget() {
         return drawTarget;
     }
 
-    /** The framebuffer of the finished picture. */
+    /** Framebuffer of the finished picture. */
     Framebuffer resolved() {
         return resolved;
     }
 
-    /** The present depth as a texture. */
+    /** Texture of the current depth, resolved if multisampled. */
     int depthTexture(GL3 gl) {
         if (samples == 0) {
             return drawTarget.depthTexture();
@@ -54,7 +54,7 @@ final class RenderTargets {
         return resolved.depthTexture();
     }
 
-    /** Directs drawing into the colours alone. */
+    /** Binds a target without depth texture, so that shaders can read the depth texture. */
     void bindColourOnly(GL3 gl) {
         if (samples == 0 && colourOnly == null) {
             colourOnly = new Framebuffer(gl, resources, drawTarget);
@@ -63,9 +63,9 @@ final class RenderTargets {
     }
 
     /**
-     * Fills the picture with a background. Without samples it is drawn once for each key and copied from then on.
+     * Fills the draw target with a background. Without multisampling, the background is cached until the key changes.
      *
-     * @param drawing draws it into what is bound
+     * @param drawing draws the background into the bound framebuffer
      */
     void background(GL3 gl, Object key, Runnable drawing) {
         if (samples > 0) {
@@ -89,7 +89,7 @@ final class RenderTargets {
         return new Framebuffer(gl, resources, drawTarget.width(), drawTarget.height(), 0, withDepth);
     }
 
-    /** Two framebuffers that take layers in turn. */
+    /** Two framebuffers, used alternately for the layers of depth peeling. */
     Framebuffer[] layers(GL3 gl) {
         if (layers == null) {
             layers = new Framebuffer[] {screen(gl, true), screen(gl, true)};
@@ -97,7 +97,7 @@ final class RenderTargets {
         return layers;
     }
 
-    /** Sum of the layers. */
+    /** Framebuffer of the blended layers of depth peeling. */
     Framebuffer accumulation(GL3 gl) {
         if (accumulation == null) {
             accumulation = screen(gl, false);
@@ -105,7 +105,7 @@ final class RenderTargets {
         return accumulation;
     }
 
-    /** Resolves samples and scale into the finished picture. */
+    /** Resolves multisampling and supersampling into the finished picture. */
     void resolve(GL3 gl) {
         if (resolved != drawTarget) {
             drawTarget.blitTo(gl, resolved, GL3.GL_COLOR_BUFFER_BIT);

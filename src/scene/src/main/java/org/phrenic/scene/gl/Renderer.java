@@ -24,13 +24,13 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Draws a scene with OpenGL 3.3 core into a framebuffer of its own, on screen or off: background, opaque surfaces,
- * depth edges, lines, translucent surfaces. Used by one thread at a time, with its context current; after
- * {@link #dispose} it may be used in another context. Framebuffer, viewport and vertex array are restored after
- * drawing.
+ * Draws a scene with OpenGL 3.3 core into its own framebuffer, for a window or for picture files. The passes are
+ * background, opaque surfaces, depth edges, lines and translucent surfaces. Not thread-safe; the OpenGL context must be
+ * current on the calling thread. After {@link #dispose} the renderer can be used in another context. Framebuffer,
+ * viewport and vertex array are restored after drawing.
  */
 public final class Renderer {
-    /** Called when a pass has been submitted to the driver. */
+    /** Listener called after a pass has been submitted to the driver. */
     interface PassListener {
         void done(GL3 gl, String pass);
     }
@@ -64,7 +64,7 @@ public final class Renderer {
         surfaces.forEach(s -> boundingBoxes.put(s.name(), BoundingBox.of(s.rest())));
     }
 
-    /** Draws into the framebuffer of this renderer. */
+    /** Draws a frame into the framebuffer of this renderer. */
     public void draw(GL3 gl, Frame frame, Camera camera, SceneStyle style, int width, int height) {
         draw(gl, frame, camera, style, Tile.whole(width, height));
     }
@@ -126,7 +126,7 @@ public final class Renderer {
         }
     }
 
-    /** Visible surfaces whose appearance fulfils a condition. */
+    /** Visible surfaces whose appearance satisfies a condition. */
     private List<SurfaceBuffers> visible(SceneStyle style, Predicate<Appearance> condition) {
         return scene.surfaces().stream()
                 .filter(s -> style.appearance(s.surface().name())
@@ -153,7 +153,7 @@ public final class Renderer {
         boolean cut = style.clip().isPresent();
         setClipping(gl, cut);
         gl.glEnable(GL3.GL_DEPTH_TEST);
-        // Near surfaces first: what they hide fails the depth test early.
+        // Front to back, so that hidden fragments fail the depth test early.
         List<SurfaceBuffers> shown = visible(style, a -> !a.wireframe() && !a.isTranslucent()).stream()
                 .sorted(Comparator.comparing(s -> box(s).nearestDepth(transform)))
                 .toList();
@@ -218,7 +218,7 @@ public final class Renderer {
         listener.done(gl, "translucent");
     }
 
-    /** The picture, opaque, first row on top. */
+    /** Reads the picture as opaque RGB, top row first. */
     public BufferedImage readPixels(GL3 gl) {
         Framebuffer finished = targets.resolved();
         BufferedImage image = new BufferedImage(finished.width(), finished.height(), BufferedImage.TYPE_INT_RGB);
@@ -227,9 +227,9 @@ public final class Renderer {
     }
 
     /**
-     * Copies the picture, first row on top, into an image of its size and of type {@link BufferedImage#TYPE_INT_RGB}.
+     * Copies the picture, top row first, into an image of the same size and of type {@link BufferedImage#TYPE_INT_RGB}.
      *
-     * @throws IllegalArgumentException if the image is of another size or type
+     * @throws IllegalArgumentException if the size or the type of the image differs
      */
     public void readPixels(GL3 gl, BufferedImage into) {
         int width = targets.resolved().width();
@@ -256,9 +256,10 @@ public final class Renderer {
     }
 
     /**
-     * Sets the values of {@link ColourField#DISTANCE} or {@link ColourField#ACCESS} on a structure.
+     * Sets the values shown for {@link ColourField#DISTANCE} or {@link ColourField#ACCESS} on a structure.
      *
-     * @throws IllegalArgumentException if there is no such structure or it has another count of vertices
+     * @throws IllegalArgumentException if there is no such structure or the number of values is not its number of
+     *     vertices
      */
     public void setField(String structure, float[] valuePerVertex) {
         int expected = surface(structure).rest().vertexCount();
@@ -271,9 +272,9 @@ public final class Renderer {
     }
 
     /**
-     * Moves a surface that stands still, from the next picture on.
+     * Sets the pose of a static surface; takes effect in the next picture.
      *
-     * @param pose three rows of four: x' = M x + t
+     * @param pose affine transform x' = M x + t as a row-major 3 x 4 matrix [M t]; t in mm
      * @throws IllegalArgumentException if there is no such structure
      */
     public void setPose(String structure, float[] pose) {
@@ -291,7 +292,7 @@ public final class Renderer {
                 .orElseThrow(() -> new IllegalArgumentException("found no structure '" + structure + "' in the scene"));
     }
 
-    /** Frees everything on the graphics card. */
+    /** Deletes all OpenGL objects. */
     public void dispose(GL3 gl) {
         resources.deleteAll(gl);
         scene = null;

@@ -7,9 +7,9 @@ import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.SceneBackground;
 
-/** Full-screen passes: the background, darkened depth edges, and layers blended over each other. */
+/** Full-screen passes: background, depth edges, and blending of layers. */
 final class ScreenPass {
-    /** A step in depth of this size is darkened most, mm. */
+    /** Depth step at which darkening reaches its maximum, mm. */
     private static final float MAX_EDGE_DEPTH_MM = 30;
 
     private static final float EDGE_WIDTH_PIXELS = 1.5f;
@@ -39,7 +39,7 @@ final class ScreenPass {
         drawFullScreen(gl);
     }
 
-    /** Darkens what lies behind its neighbours in the picture: a depth cue. */
+    /** Darkens pixels that lie behind neighbouring pixels, as a depth cue. */
     void darkenDepthEdges(GL3 gl, int depthTexture, ViewTransform transform) {
         Matrix4d p = transform.fullProjection();
         edge.use(gl);
@@ -53,7 +53,7 @@ final class ScreenPass {
         gl.glDisable(GL3.GL_BLEND);
     }
 
-    /** Draws a texture of colours over the picture; blending is the caller's. */
+    /** Draws a colour texture over the picture with the blend state set by the caller. */
     void drawTexture(GL3 gl, int colourTexture) {
         copy.use(gl);
         copy.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);

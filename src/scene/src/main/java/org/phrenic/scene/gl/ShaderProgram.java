@@ -11,7 +11,7 @@ import org.joml.Matrix4d;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.SceneStyle;
 
-/** A program of shaders from the class path, GLSL 3.30, and its uniforms by name. */
+/** A GLSL 3.30 program, loaded from the class path, and its uniforms by name. */
 final class ShaderProgram {
     private static final String VERSION = "#version 330 core\n";
 
@@ -19,10 +19,11 @@ final class ShaderProgram {
     private final Map<String, Integer> locations = new HashMap<>();
 
     /**
-     * @param defines lines of {@code #define} that choose a variant
-     * @param files shaders beside this class; the name tells the stage: {@code .vert.glsl}, {@code .geom.glsl},
-     *     {@code .frag.glsl}
-     * @throws IllegalStateException if the driver refuses one; the message is the driver's
+     * @param defines {@code #define} lines that select a variant
+     * @param files shader resources of this package; the suffix selects the stage: {@code .vert.glsl},
+     *     {@code .geom.glsl}, {@code .frag.glsl}
+     * @throws IllegalStateException if a shader does not compile or the program does not link; the message is the
+     *     driver's log
      */
     ShaderProgram(GL3 gl, GlResources resources, String defines, String... files) {
         program = resources.create(gl, GlResources.Kind.PROGRAM);
@@ -81,7 +82,7 @@ final class ShaderProgram {
         gl.glUseProgram(program);
     }
 
-    /** Uses the program and sets the uniforms of camera and clip plane. */
+    /** Activates the program and sets the uniforms of camera and clip plane. */
     void use(GL3 gl, ViewTransform transform, SceneStyle style, Matrix4d toEye) {
         use(gl);
         setMatrix(gl, "toEye", toEye);
@@ -94,7 +95,7 @@ final class ShaderProgram {
         return locations.computeIfAbsent(name, key -> gl.glGetUniformLocation(program, key));
     }
 
-    /** Binds a texture to a texture unit and a sampler to that unit. */
+    /** Binds a texture to a texture unit and assigns the unit to a sampler uniform. */
     void setTexture(GL3 gl, String sampler, int unit, int target, int texture) {
         gl.glActiveTexture(GL3.GL_TEXTURE0 + unit);
         gl.glBindTexture(target, texture);
@@ -105,7 +106,7 @@ final class ShaderProgram {
         gl.glUniform1f(location(gl, name), value);
     }
 
-    /** Sets a vector of two, three or four numbers. */
+    /** Sets a uniform vector of two, three or four components. */
     void set(GL3 gl, String name, float... v) {
         switch (v.length) {
             case 2 -> gl.glUniform2f(location(gl, name), v[0], v[1]);
@@ -115,7 +116,7 @@ final class ShaderProgram {
         }
     }
 
-    /** Sets an array of points, three numbers each. */
+    /** Sets a uniform array of points, x y z each. */
     void setPoints(GL3 gl, String name, float[] xyz) {
         gl.glUniform3fv(location(gl, name), xyz.length / 3, xyz, 0);
     }

@@ -18,15 +18,13 @@ import org.phrenic.scene.surface.VertexNormals;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/**
- * One surface on the graphics card: positions, normals and attributes of its vertices, triangles, and edges on demand.
- */
+/** GPU buffers of one surface: vertex positions, normals and attributes, triangles, and edges on demand. */
 final class SurfaceBuffers {
     private static final int POSITION = 0;
     private static final int NORMAL = 1;
     private static final int ATTRIBUTES = 2;
     private static final int FIELD = 3;
-    /** Share of edges with one triangle only up to which a surface counts as closed. */
+    /** Maximum fraction of boundary edges (one adjacent triangle) of a surface that is treated as closed. */
     private static final double MAX_OPEN_EDGE_SHARE = 0.02;
 
     private static final float[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -51,7 +49,7 @@ final class SurfaceBuffers {
     private FieldValues values;
 
     /**
-     * @param index of the surface in a frame
+     * @param index index of the surface in a frame
      * @param occlusion ambient occlusion of the scene
      */
     SurfaceBuffers(GL3 gl, GlResources resources, Surface surface, int index, AmbientOcclusion occlusion) {
@@ -108,7 +106,7 @@ final class SurfaceBuffers {
         gl.glVertexAttribPointer(location, size, type, normalized, 0, 0);
     }
 
-    /** The triangles, reversed if they face inward, as those of foreign files may. */
+    /** Triangles with outward orientation. Imported meshes may face inward; the signed volume is then negative. */
     private static int[] orientedOutward(TriangleMesh mesh) {
         int[] triangles = mesh.triangles().clone();
         if (MeshMeasure.signedVolume(mesh) < 0) {
@@ -121,7 +119,7 @@ final class SurfaceBuffers {
         return triangles;
     }
 
-    /** Takes over where the surface is in a frame. */
+    /** Uploads the positions, or sets the pose, of the surface in a frame. */
     void upload(GL3 gl, Frame frame) {
         switch (surface.motion()) {
             case DEFORMING -> {
@@ -132,17 +130,17 @@ final class SurfaceBuffers {
             }
             case RIGID -> setPose(frame.pose(index));
             case STILL -> {
-                // Stays where it is.
+                // A static surface does not move.
             }
         }
     }
 
-    /** Moves it by a matrix of three rows of four. */
+    /** Sets the pose, a row-major 3 x 4 matrix. */
     void setPose(float[] rows) {
         poseRows = rows.clone();
     }
 
-    /** Uploads the values of a quantity. */
+    /** Uploads the vertex values of a quantity; {@code given} holds those of DISTANCE and ACCESS, null for zeros. */
     void uploadField(GL3 gl, ColourField field, float[] given) {
         if (values == null) {
             values = new FieldValues(surface);
@@ -167,7 +165,7 @@ final class SurfaceBuffers {
         resources.stream(gl, fieldBuffer, FloatBuffer.wrap(shown));
     }
 
-    /** From the rest pose to the world. */
+    /** Transform from rest coordinates to world coordinates. */
     Matrix4d pose() {
         float[] r = poseRows;
         return new Matrix4d(r[0], r[4], r[8], 0, r[1], r[5], r[9], 0, r[2], r[6], r[10], 0, r[3], r[7], r[11], 1);
@@ -177,7 +175,7 @@ final class SurfaceBuffers {
         return surface;
     }
 
-    /** Whether it encloses a body, but for small holes. */
+    /** Whether the surface is closed, apart from small holes. */
     boolean isClosed() {
         return closed;
     }
@@ -189,7 +187,7 @@ final class SurfaceBuffers {
         resources.countDraw(triangleCount);
     }
 
-    /** Draws its edges, at present or at rest. */
+    /** Draws the edges at the current or the rest positions. */
     void drawEdges(GL3 gl, boolean atRest) {
         if (edgeBuffer == 0) {
             gl.glBindVertexArray(vertexArray);

@@ -17,9 +17,9 @@ import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.simulation.observe.Surface;
 
-/** Draws faces of surfaces. Each combination of features is a shader program of its own. */
+/** Draws the faces of surfaces. Each combination of features has its own shader program. */
 final class SurfacePass {
-    /** What a program does besides lighting; the names are macros of the shaders. */
+    /** Optional features of the shader program. The names are preprocessor macros of the shaders. */
     private enum Feature {
         TRANSLUCENT,
         BACK_FACES,
@@ -38,14 +38,14 @@ final class SurfacePass {
     }
 
     /**
-     * The depths between which a layer of depth peeling lies.
+     * Depth range of one layer of depth peeling: behind the previous layer and in front of the opaque surfaces.
      *
-     * @param opaqueDepth texture of the opaque surfaces' depth
-     * @param peeledDepth texture of the previous layer's depth; not read for the first layer
+     * @param opaqueDepth depth texture of the opaque surfaces
+     * @param peeledDepth depth texture of the previous layer; not read for the first layer
      */
     record PeelLayer(int opaqueDepth, int peeledDepth, boolean first) {}
 
-    /** Keeps the logarithm of the transparency finite. */
+    /** Upper bound of opacity that keeps log(1 - opacity) finite. */
     private static final float MAX_TRANSLUCENT_OPACITY = 0.9999f;
 
     private static final float LUNG_OFFSET_MM = 5;
@@ -68,9 +68,9 @@ final class SurfacePass {
     }
 
     /**
-     * Draws the part of a surface that lies between two depths.
+     * Draws the part of a surface that lies in one layer of depth peeling.
      *
-     * @param layer the depths; null for all of it
+     * @param layer depth range; null for the whole surface
      */
     void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces, PeelLayer layer) {
         Surface surface = buffers.surface();

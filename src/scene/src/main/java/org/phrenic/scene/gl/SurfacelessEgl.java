@@ -13,9 +13,9 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 
 /**
- * Prepares JOGL to draw through EGL without an X server (Linux). JOGL needs to know before its first use that there is
- * no window system, that Mesa has no surface to share a context by, and which library holds desktop OpenGL; and its EGL
- * display, by default that of X, can be replaced by reflection only.
+ * Configures JOGL to render through surfaceless EGL, without an X server (Linux). JOGL must be told before its first
+ * use that there is no window system, that Mesa has no surface for a shared context, and which library contains desktop
+ * OpenGL. JOGL's default EGL display is that of X; reflection is the only way to replace it.
  */
 final class SurfacelessEgl extends JNILibLoaderBase {
     /** EGL_PLATFORM_SURFACELESS_MESA. */
@@ -29,7 +29,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
 
     private SurfacelessEgl() {}
 
-    /** Must be called before anything else of JOGL in this process. */
+    /** Must be called before any other use of JOGL in this process. */
     static GLDrawableFactory factory() throws NoGraphicsException {
         System.setProperty("nativewindow.ws.name", WINDOW_SYSTEM);
         overrideQuirks();
@@ -52,7 +52,10 @@ final class SurfacelessEgl extends JNILibLoaderBase {
         return factory;
     }
 
-    /** Has the effect of the properties jogl.quirks.force and jogl.quirks.ignore, which JOGL would print on stderr. */
+    /**
+     * Sets JOGL's quirk masks directly, because the properties jogl.quirks.force and jogl.quirks.ignore print to
+     * stderr.
+     */
     private static void overrideQuirks() throws NoGraphicsException {
         try {
             override("_bitmaskOverrideForce", GLRendererQuirks.NoSurfacelessCtx);
@@ -102,8 +105,8 @@ final class SurfacelessEgl extends JNILibLoaderBase {
     }
 
     /**
-     * The driver closes the display when the process ends. JOGL would report it on stderr as left open; it is removed
-     * from JOGL's list before.
+     * Clears JOGL's list of open EGL displays at shutdown. The driver closes the display itself, but JOGL would report
+     * it on stderr as left open.
      */
     private static void suppressShutdownWarning(Class<?> displays) throws ReflectiveOperationException {
         Field open = displays.getDeclaredField("openEGLDisplays");

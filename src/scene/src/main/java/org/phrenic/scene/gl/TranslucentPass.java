@@ -5,7 +5,7 @@ import java.util.List;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.SceneStyle;
 
-/** Draws translucent surfaces over opaque ones: in two passes, or by depth peeling (Everitt 2001). */
+/** Draws translucent surfaces over opaque ones, in two passes or by depth peeling (Everitt 2001). */
 final class TranslucentPass {
     private static final int LAYER_COUNT = 4;
 
@@ -18,9 +18,9 @@ final class TranslucentPass {
     }
 
     /**
-     * Draws back faces from the outside in, then front faces from the inside out.
+     * Draws back faces from the outermost to the innermost surface, then front faces in reverse order.
      *
-     * @param surfaces the innermost first
+     * @param surfaces translucent surfaces, innermost first
      */
     void drawTwoPass(
             GL3 gl, RenderTargets targets, List<SurfaceBuffers> surfaces, ViewTransform transform, SceneStyle style) {
@@ -38,7 +38,7 @@ final class TranslucentPass {
         gl.glDisable(GL3.GL_BLEND);
     }
 
-    /** Draws the nearest layers of each pixel, from front to back, each blended under those before. */
+    /** Depth peeling: draws the nearest layers of each pixel front to back and blends each under the previous ones. */
     void drawPeeled(
             GL3 gl, RenderTargets targets, List<SurfaceBuffers> surfaces, ViewTransform transform, SceneStyle style) {
         int opaque = targets.depthTexture(gl);

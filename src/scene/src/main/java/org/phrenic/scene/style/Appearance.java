@@ -1,15 +1,15 @@
 package org.phrenic.scene.style;
 
 /**
- * How one structure is drawn.
+ * Visibility, colour, opacity and wireframe mode of one structure.
  *
- * @param visible whether it is drawn at all
- * @param rgb sRGB red, green, blue, 0 to 1; not to be written to
- * @param opacity 1 opaque, 0 invisible
- * @param wireframe its edges instead of its faces
+ * @param visible whether the structure is drawn
+ * @param rgb sRGB red, green, blue, 0 to 1; must not be modified
+ * @param opacity 0 (invisible) to 1 (opaque)
+ * @param wireframe whether edges are drawn instead of faces
  */
 public record Appearance(boolean visible, float[] rgb, float opacity, boolean wireframe) {
-    /** @throws IllegalArgumentException if there are not three colours or the opacity is not within 0 and 1 */
+    /** @throws IllegalArgumentException if {@code rgb} has not three components or the opacity is outside 0 to 1 */
     public Appearance {
         if (rgb.length != 3) {
             throw new IllegalArgumentException("found " + rgb.length + " colour components, expected 3");
@@ -20,7 +20,7 @@ public record Appearance(boolean visible, float[] rgb, float opacity, boolean wi
         rgb = rgb.clone();
     }
 
-    /** Drawn with faces in a colour given as {@code 0xRRGGBB}. */
+    /** A visible appearance with faces in the colour {@code 0xRRGGBB}. */
     public static Appearance of(int colour, float opacity) {
         float[] rgb = {(colour >> 16 & 0xff) / 255f, (colour >> 8 & 0xff) / 255f, (colour & 0xff) / 255f};
         return new Appearance(true, rgb, opacity, false);

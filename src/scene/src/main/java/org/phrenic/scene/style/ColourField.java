@@ -1,15 +1,18 @@
 package org.phrenic.scene.style;
 
-/** A quantity that is shown in colours on a surface. */
+/** A quantity shown in colours on a surface. */
 public enum ColourField {
     NONE("", ""),
     /** Distance of each vertex from its rest position. */
     DISPLACEMENT("Displacement", "mm"),
-    /** Change of area against rest, mean of the triangles about a vertex: 100 (A / A0 - 1). */
+    /** Change of area relative to rest: 100 (A / A0 - 1), where A is the total area of the triangles at a vertex. */
     STRAIN("Change of area", "%"),
-    /** Distance to another surface, set in the renderer. */
+    /** Distance to another surface; the renderer receives the values from outside. */
     DISTANCE("Distance", "mm"),
-    /** Share of a breath in which a path from a point of the skin is free, set in the renderer. */
+    /**
+     * Percentage of a breath in which the path from a skin point is free; the renderer receives the values from
+     * outside.
+     */
     ACCESS("Free path", "% of a breath");
 
     private final String label;
@@ -20,7 +23,7 @@ public enum ColourField {
         this.unit = unit;
     }
 
-    /** Name for people; empty for none. */
+    /** Display name; empty for none. */
     public String label() {
         return label;
     }

@@ -1,6 +1,6 @@
 package org.phrenic.scene.style;
 
-/** The background: a gradient, lighter in the middle. */
+/** Background gradient of a scene, lighter in the centre. */
 public enum SceneBackground {
     LIGHT(0xfbfaf7, 0xd5dae0),
     DARK(0x38404a, 0x14181d);
@@ -13,12 +13,12 @@ public enum SceneBackground {
         this.edgeRgb = edge;
     }
 
-    /** Colour in the middle of the picture, {@code 0xRRGGBB}. */
+    /** Colour at the centre of the picture, {@code 0xRRGGBB}. */
     public int centreRgb() {
         return centreRgb;
     }
 
-    /** Colour towards the corners, {@code 0xRRGGBB}. */
+    /** Colour at the corners, {@code 0xRRGGBB}. */
     public int edgeRgb() {
         return edgeRgb;
     }

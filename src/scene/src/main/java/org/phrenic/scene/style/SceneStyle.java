@@ -12,15 +12,15 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How a scene is drawn.
+ * Style of a scene: appearance of each structure, background, colouring, lines, clip plane and quality.
  *
- * @param appearances appearance of each structure by name; a structure that is not named is not drawn
- * @param background behind the body
+ * @param appearances appearance by structure name; a structure without an entry is not drawn
+ * @param background background of the picture
  * @param colouring quantity shown in colours
- * @param lines what is drawn over the surfaces as lines and points
+ * @param lines lines and points drawn over the surfaces
  * @param clip plane that cuts the body open
- * @param quality transparency and smoothing
- * @param highlighted structure that stands out; empty for none
+ * @param quality transparency method and antialiasing
+ * @param highlighted name of the highlighted structure; empty for none
  */
 public record SceneStyle(
         Map<String, Appearance> appearances,
@@ -33,13 +33,13 @@ public record SceneStyle(
     private static final double DEFAULT_RANGE_MM = 15;
 
     /**
-     * A quantity shown in colours.
+     * A quantity shown in colours on one structure.
      *
-     * @param structure that shows it; empty for none
+     * @param structure name of the coloured structure; empty for none
      */
     public record Colouring(ColourField field, String structure, ColourScale scale) {}
 
-    /** @param restWireframe edges of the rest shape of what deforms, over the present shape */
+    /** @param restWireframe whether the rest shape is drawn as a wireframe over the current shape */
     public record Lines(Set<Overlay.Kind> overlays, boolean restWireframe) {
         public Lines {
             Set<Overlay.Kind> kinds = EnumSet.noneOf(Overlay.Kind.class);
@@ -48,14 +48,14 @@ public record SceneStyle(
         }
     }
 
-    /** @param samples samples a pixel, 0 for no smoothing of edges; limited to what the driver offers */
+    /** @param samples samples per pixel, 0 for no antialiasing; limited to the maximum of the driver */
     public record Quality(Transparency transparency, int samples) {}
 
     public SceneStyle {
         appearances = Collections.unmodifiableMap(new LinkedHashMap<>(appearances));
     }
 
-    /** Every surface in the colours of an anatomy atlas, the skin translucent. */
+    /** A style with all surfaces in the colours of an anatomy atlas and translucent skin. */
     public static SceneStyle atlas(List<Surface> surfaces) {
         Map<String, Appearance> appearances = new LinkedHashMap<>();
         surfaces.forEach(
@@ -71,7 +71,7 @@ public record SceneStyle(
                 "");
     }
 
-    /** Appearance of a structure, if it has one. */
+    /** Appearance of a structure; empty if it has none. */
     public Optional<Appearance> appearance(String structure) {
         return Optional.ofNullable(appearances.get(structure));
     }
@@ -98,7 +98,7 @@ public record SceneStyle(
         return new SceneStyle(changed, background, colouring, lines, clip, quality, highlighted);
     }
 
-    /** Changes the appearance of each of these surfaces that has one. */
+    /** Changes the appearance of each given surface that has one. */
     public SceneStyle withAppearances(List<Surface> surfaces, BiFunction<Surface, Appearance, Appearance> change) {
         Map<String, Appearance> changed = new LinkedHashMap<>(appearances);
         surfaces.forEach(s -> changed.computeIfPresent(s.name(), (name, usual) -> change.apply(s, usual)));

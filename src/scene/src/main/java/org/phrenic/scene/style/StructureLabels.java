@@ -7,16 +7,16 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.simulation.observe.Surface;
 
-/** Names of structures for people: {@code rib_05_R} is "Rib 5 right". */
+/** Display names of structures, such as "Rib 5 right" for {@code rib_05_R}. */
 public final class StructureLabels {
     private StructureLabels() {}
 
-    /** Name of a surface for people. */
+    /** Display name of a surface. */
     public static String of(Surface surface) {
         return of(surface.name());
     }
 
-    /** Name for people of the structure that is called {@code name} in files. */
+    /** Display name of the structure called {@code name} in files. */
     public static String of(String name) {
         Optional<StructureName> known = StructureName.parse(name);
         if (known.isEmpty()) {
@@ -34,7 +34,7 @@ public final class StructureLabels {
         };
     }
 
-    /** Name of a kind of structure in the plural, for lists: "Ribs". */
+    /** Plural display name of a kind of structure, for lists: "Ribs". */
     public static String of(StructureKind kind) {
         return switch (kind) {
             case RIB -> "Ribs";

@@ -12,7 +12,8 @@ import org.phrenic.document.KeySuggestion;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Finds structures by words: one by its name ({@code rib_05_R}, "Rib 5 right"), or all of a kind ({@code rib}, "Ribs").
+ * Selects structures by text: one by its name ({@code rib_05_R}, "Rib 5 right"), or all of a kind ({@code rib},
+ * "Ribs").
  */
 public final class StructureSelection {
     private final Map<String, Set<String>> byWord = new LinkedHashMap<>();
@@ -45,9 +46,9 @@ public final class StructureSelection {
     }
 
     /**
-     * Names of the surfaces that a word denotes.
+     * Names of the surfaces that a text selects.
      *
-     * @throws IllegalArgumentException if it denotes none; the message has the nearest word
+     * @throws IllegalArgumentException if it selects none; the message suggests the most similar name
      */
     public Set<String> resolve(String text) {
         Set<String> found = byWord.get(word(text));
@@ -60,7 +61,7 @@ public final class StructureSelection {
         return found;
     }
 
-    /** A style in which the structures of a word are visible or not. */
+    /** Copy of a style in which the selected structures are visible or hidden. */
     public SceneStyle withVisibility(SceneStyle style, String word, boolean shown) {
         SceneStyle changed = style;
         for (String name : resolve(word)) {

@@ -3,14 +3,14 @@ package org.phrenic.scene.style;
 import org.phrenic.anatomy.StructureKind;
 
 /**
- * Appearance and specular reflection of a kind of structure in an atlas.
+ * Appearance and specular reflection of a kind of structure in the atlas style.
  *
  * @param appearance colour and opacity
  * @param specular strength of the specular highlight
- * @param shininess exponent of the highlight: larger is smaller and sharper
+ * @param shininess exponent of the specular highlight; a larger value makes it smaller and sharper
  */
 public record SurfaceMaterial(Appearance appearance, float specular, float shininess) {
-    /** Colour of the central tendon; the diaphragm's own colour is that of its muscle. */
+    /** Colour of the central tendon. The appearance of the diaphragm holds the colour of its muscle. */
     public static final int TENDON_RGB = 0xe2d6bf;
 
     public static SurfaceMaterial of(StructureKind kind) {

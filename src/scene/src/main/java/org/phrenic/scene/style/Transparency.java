@@ -1,9 +1,12 @@
 package org.phrenic.scene.style;
 
-/** How translucent surfaces are blended. */
+/** Method of blending translucent surfaces. */
 public enum Transparency {
-    /** Back faces from the outside in, then front faces from the inside out: correct for nested shells, and fast. */
+    /**
+     * Back faces from the outermost to the innermost surface, then front faces in reverse order. Fast, and correct for
+     * nested closed surfaces.
+     */
     TWO_PASS,
-    /** Depth peeling: the four nearest layers of each pixel in their true order; slower. */
+    /** Depth peeling: the four nearest layers of each pixel in depth order. Slower. */
     PEELED
 }

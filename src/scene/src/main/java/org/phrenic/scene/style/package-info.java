@@ -1,5 +1,5 @@
 /**
- * How a scene looks: colours, colour maps, visibility, clip plane, and names of structures for people. No OpenGL and no
+ * Style of a scene: colours, colour maps, visibility, clip plane, and display names of structures. No OpenGL and no
  * camera.
  */
 package org.phrenic.scene.style;

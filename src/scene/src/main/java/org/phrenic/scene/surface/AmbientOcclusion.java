@@ -7,16 +7,16 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Ambient occlusion of the body at rest: the share of ambient light that reaches a vertex, 1 in the open, less in
- * clefts and behind ribs. Bone, cartilage and liver are voxelized, the grid is downsampled a few times, and along the
- * normal of a vertex ever coarser grids are sampled ever farther away, as in voxel cone tracing (Crassin and others
- * 2011, doi 10.1111/j.1467-8659.2011.02063.x, with a grid in place of an octree). Computed once for all pictures.
+ * Ambient occlusion of the body at rest: the fraction of ambient light that reaches a vertex, 1 if nothing occludes it.
+ * Bone, cartilage and liver are voxelized and the grid is downsampled repeatedly. Along the vertex normal, coarser
+ * grids are sampled at larger distances, as in voxel cone tracing (Crassin and others 2011, doi
+ * 10.1111/j.1467-8659.2011.02063.x, with a grid instead of an octree). Computed once for all pictures.
  */
 public final class AmbientOcclusion {
     private static final double CELL_MM = 4;
     private static final int LEVELS = 4;
 
-    /** Share of light that a full cell takes away, from near to far. */
+    /** Fraction of light that an occupied cell blocks at each level, from near to far. */
     private static final double[] LEVEL_WEIGHT = {0.55, 0.60, 0.55, 0.40};
 
     private static final double MIN_VISIBILITY = 0.30;
@@ -46,7 +46,7 @@ public final class AmbientOcclusion {
         return kind != StructureKind.SKIN && kind != StructureKind.LUNG && kind != StructureKind.DIAPHRAGM;
     }
 
-    /** Fills the cells that a surface passes through. */
+    /** Marks the cells that a surface passes through as occupied. */
     private void voxelize(TriangleMesh mesh) {
         int[] t = mesh.triangles();
         double[] p = mesh.positions();
@@ -87,7 +87,7 @@ public final class AmbientOcclusion {
         return coarse;
     }
 
-    /** Visibility of ambient light at every vertex, 0 to 1, along the normals of the mesh at rest. */
+    /** Fraction of ambient light at each vertex, 0 to 1, sampled along the normals of the mesh at rest. */
     public float[] visibility(TriangleMesh mesh, VertexNormals normals) {
         float[] visibility = new float[mesh.vertexCount()];
         double[] n = new double[3];
@@ -106,7 +106,7 @@ public final class AmbientOcclusion {
         return visibility;
     }
 
-    /** Occupancy of a grid by trilinear interpolation, 0 to 1; 0 outside. */
+    /** Trilinearly interpolated occupancy of a grid, 0 to 1; 0 outside. */
     private double occupancy(int level, double x, double y, double z) {
         double cell = CELL_MM * (1 << level);
         double[] at = {(x - origin[0]) / cell - 0.5, (y - origin[1]) / cell - 0.5, (z - origin[2]) / cell - 0.5};
@@ -132,7 +132,7 @@ public final class AmbientOcclusion {
                 sum += weight * levels[level][index];
             }
         }
-        // A surface fills a smaller share of a coarser cell: compensated here.
+        // Compensates that a surface fills a smaller fraction of a coarser cell.
         return Math.min(1, sum * (1 + 0.5 * level));
     }
 }

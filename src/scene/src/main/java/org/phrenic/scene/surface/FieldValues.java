@@ -5,7 +5,7 @@ import java.util.Arrays;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
-/** The value of a quantity at each vertex of one surface. */
+/** Values of a quantity at each vertex of one surface. The returned array is reused by every method. */
 public final class FieldValues {
     private final TriangleMesh rest;
     private final float[] values;
@@ -35,7 +35,7 @@ public final class FieldValues {
         return values;
     }
 
-    /** The same for a rigid body with this pose. */
+    /** Distance of each vertex of a rigid body from its rest position, mm. */
     public float[] displacement(float[] pose) {
         for (int i = 0; i < values.length; i++) {
             double x = rest.x(i);
@@ -49,7 +49,7 @@ public final class FieldValues {
         return values;
     }
 
-    /** Change of area about each vertex, percent. */
+    /** Change of area at each vertex relative to rest, percent: 100 (A / A0 - 1). */
     public float[] areaStrain(FloatBuffer now) {
         areas(now, area);
         for (int i = 0; i < values.length; i++) {
@@ -68,7 +68,7 @@ public final class FieldValues {
         return (float) Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Sum of the areas of the triangles about each vertex. */
+    /** Twice the sum of the areas of the triangles at each vertex. */
     private void areas(FloatBuffer p, float[] sum) {
         Arrays.fill(sum, 0);
         int[] triangles = rest.triangles();

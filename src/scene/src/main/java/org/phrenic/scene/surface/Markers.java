@@ -10,17 +10,17 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
-/** Balls and rods that mark places in a scene, as surfaces. */
+/** Spheres and cylinders that mark positions in a scene, as surfaces. */
 public final class Markers {
     private static final int SEGMENTS = 24;
     private static final int RINGS = SEGMENTS / 2;
-    /** Rest place of movable markers, outside all ambient occlusion. */
+    /** Rest position of movable markers, outside the ambient occlusion grid. */
     private static final Matrix4d PARKED = new Matrix4d().translation(0, 0, -5000);
     /** Prefix of the names of movable markers. */
     public static final String PREFIX = "marker_";
-    /** Radius 1, about the origin. */
+    /** Unit sphere at the origin. */
     private static final TriangleMesh BALL = ball();
-    /** Radius 1, along z from 0 to 1. */
+    /** Cylinder of radius 1 along z from 0 to 1. */
     private static final TriangleMesh ROD = surfaceOfRevolution(0, 1, 0, 1, 1, 1);
 
     private Markers() {}
@@ -30,22 +30,22 @@ public final class Markers {
         return name.startsWith(PREFIX);
     }
 
-    /** A ball of radius 1 to be placed by {@link #ballPose}. */
+    /** A movable sphere, placed by {@link #ballPose}. */
     public static Surface movingBall(String name) {
         return surface(name, BALL, PARKED);
     }
 
-    /** A rod of length and radius 1 to be placed by {@link #rodPose}. */
+    /** A movable cylinder, placed by {@link #rodPose}. */
     public static Surface movingRod(String name) {
         return surface(name, ROD, PARKED);
     }
 
-    /** Pose of a movable ball, three rows of four. */
+    /** Pose of a movable sphere as a row-major 3 x 4 matrix. */
     public static float[] ballPose(double[] centre, double radius) {
         return rows(ballTransform(centre, radius));
     }
 
-    /** Pose of a movable rod, three rows of four. */
+    /** Pose of a movable cylinder as a row-major 3 x 4 matrix. */
     public static float[] rodPose(double[] from, double[] to, double radius) {
         return rows(rodTransform(from, to, radius));
     }
@@ -55,12 +55,12 @@ public final class Markers {
         return Arrays.copyOf(fromParked.transpose().get(new float[16]), 12);
     }
 
-    /** A fixed ball. */
+    /** A fixed sphere. */
     public static Surface ball(String name, double[] centre, double radius) {
         return surface(name, BALL, ballTransform(centre, radius));
     }
 
-    /** A fixed round rod between two points. */
+    /** A fixed cylinder between two points. */
     public static Surface rod(String name, double[] from, double[] to, double radius) {
         return surface(name, ROD, rodTransform(from, to, radius));
     }
@@ -108,7 +108,7 @@ public final class Markers {
         return surfaceOfRevolution(-1, 1, profile);
     }
 
-    /** A profile of pairs (z, radius) turned about the z axis and closed at both ends. */
+    /** Surface of revolution about the z axis, closed at both ends. The profile holds pairs (z, radius). */
     private static TriangleMesh surfaceOfRevolution(double start, double end, double... profile) {
         int rings = profile.length / 2;
         int bottom = rings * SEGMENTS;

@@ -7,7 +7,7 @@ import org.phrenic.simulation.observe.Surface;
 public final class SceneBounds {
     private SceneBounds() {}
 
-    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; infinite (min above max) without surfaces. */
+    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm; without surfaces, infinite with min greater than max. */
     public static double[] of(List<Surface> surfaces) {
         double[] box = {
             Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,

@@ -12,13 +12,13 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Constant attributes of vertices, a byte each: ambient light, share of tendon, and opacity near an open border, where
- * skin that a scan cuts off fades out.
+ * Constant vertex attributes, one byte each: visibility of ambient light, tendon fraction, and opacity. Opacity falls
+ * to zero at the open border of skin, where the scan ends.
  */
 public final class VertexAttributes {
     private static final int BYTE = 0xff;
     private static final int SMOOTHING_ROUNDS = 3;
-    /** Distance from the border from which skin is opaque, mm. */
+    /** Distance from the border beyond which skin is opaque, mm. */
     private static final double FADE_END_MM = 45;
 
     private static final double FADE_START_MM = 6;
@@ -31,7 +31,7 @@ public final class VertexAttributes {
         this.table = table;
     }
 
-    /** One number a vertex: visibility in the lowest byte, then tendon, then opacity. */
+    /** One integer per vertex: visibility in the lowest byte, then tendon fraction, then opacity. */
     public IntBuffer packed(float[] visibility) {
         int n = visibility.length;
         float[] tendon = smoothedTendon(n);
@@ -45,7 +45,7 @@ public final class VertexAttributes {
         return attributes;
     }
 
-    /** 1 in tendon, 0 in muscle, averaged over neighbours a few times so that the seam is smooth. */
+    /** Tendon fraction: 1 in tendon, 0 in muscle, smoothed by repeated averaging over neighbouring vertices. */
     private float[] smoothedTendon(int n) {
         float[] share = new float[n];
         if (surface.tendon().length != n) {
@@ -73,8 +73,8 @@ public final class VertexAttributes {
     }
 
     /**
-     * Distance of skin from its border along edges, mm. Infinite for all else: lobes of lungs are open where they
-     * touch.
+     * Geodesic distance of each skin vertex from the border, mm. Infinite for other structures, because lung lobes are
+     * open where they touch and must not fade.
      */
     private double[] distanceToBorder() {
         TriangleMesh mesh = surface.rest();

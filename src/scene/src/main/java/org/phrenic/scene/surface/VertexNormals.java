@@ -5,8 +5,8 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /**
- * Smooth normals: the sum of the normals of the triangles about a vertex, each as long as its area. Packed into ten
- * bits a component, signed, in the format {@code GL_INT_2_10_10_10_REV}.
+ * Smooth vertex normals: the area-weighted sum of the normals of the adjacent triangles. Packed into signed ten-bit
+ * components in the format {@code GL_INT_2_10_10_10_REV}.
  */
 public final class VertexNormals {
     private static final float MAX_COMPONENT = 511;
@@ -23,8 +23,8 @@ public final class VertexNormals {
     /**
      * Computes the normals.
      *
-     * @param p positions, three numbers a vertex
-     * @param packed receives one number a vertex, from the beginning on
+     * @param p vertex positions, x y z each, mm
+     * @param packed receives one packed normal per vertex
      */
     public void compute(FloatBuffer p, IntBuffer packed) {
         Arrays.fill(sum, 0);
@@ -68,7 +68,7 @@ public final class VertexNormals {
         sum[at + 2] += z;
     }
 
-    /** The normal last computed at a vertex, of any length. */
+    /** The last computed normal of a vertex; not of unit length. */
     void normal(int vertex, double[] n) {
         for (int i = 0; i < 3; i++) {
             n[i] = sum[3 * vertex + i];

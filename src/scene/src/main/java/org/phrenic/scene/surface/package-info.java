@@ -1,2 +1,2 @@
-/** What is computed on the processor for each vertex before it is drawn, and meshes of markers. No OpenGL calls. */
+/** Vertex data computed on the CPU (normals, ambient occlusion, field values) and marker meshes. No OpenGL calls. */
 package org.phrenic.scene.surface;

@@ -1,21 +1,21 @@
 package org.phrenic.study.bare;
 
 /**
- * The result of a bare workload.
+ * Result of the bare workload.
  *
- * @param stepsPerSecond median of the timed runs
+ * @param stepsPerSecond median of the timed runs, steps/s
  * @param min slowest run, steps/s
  * @param max fastest run, steps/s
- * @param nodes particles
- * @param edges springs
- * @param links rigid links
- * @param threads that shared the work
+ * @param nodes number of particles
+ * @param edges number of springs
+ * @param links number of rigid links
+ * @param threads number of worker threads
  * @param integrator label of the scheme
- * @param kernel how spring forces are computed
+ * @param kernel label of the spring force kernel
  * @param meanDz200 mean z displacement of the loaded nodes after exactly 200 steps from rest, mm
- * @param roofline what the machine could do at most
- * @param stateSha256 SHA-256 over the bits of all positions, then all velocities, after these 200 steps, in the order
- *     of the mesh's vertices
+ * @param roofline upper bound for the machine
+ * @param stateSha256 SHA-256 over the bits of all positions, then all velocities, after these 200 steps, in vertex
+ *     order
  */
 public record BareResult(
         double stepsPerSecond,
@@ -31,7 +31,7 @@ public record BareResult(
         Roofline roofline,
         String stateSha256) {
 
-    /** Steps per second as a share of what the machine could do at most. */
+    /** Steps per second as a fraction of the machine's upper bound. */
     public double fractionOfRoofline() {
         return stepsPerSecond / roofline.stepsPerSecond();
     }

@@ -5,21 +5,21 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 
 /**
- * The scene of the bare workload: a mesh and the roles of its vertices.
+ * Scene of the bare workload: a mesh and the roles of its vertices.
  *
- * @param mesh a particle a vertex, a spring an edge; mm
+ * @param mesh one particle per vertex, one spring per edge; mm
  * @param fixed vertices held still
  * @param loaded vertices that carry the load
- * @param links disjoint pairs of vertices kept at their distance, two numbers a pair; empty for none
+ * @param links disjoint vertex pairs kept at constant distance, two indices per pair; empty for none
  */
 public record BareScene(TriangleMesh mesh, int[] fixed, int[] loaded, int[] links) {
 
     /**
      * @param mesh file of a surface
-     * @param fixed file of vertex indices, one a line
-     * @param loaded file of vertex indices, one a line
-     * @param links file of vertex indices, two a line; null for no links
-     * @throws org.phrenic.format.BadInputException if a file is not as it should be; one sentence says where and how
+     * @param fixed file of vertex indices, one per line
+     * @param loaded file of vertex indices, one per line
+     * @param links file of vertex indices, two per line; null for no links
+     * @throws org.phrenic.format.BadInputException with one sentence, if a file is invalid
      */
     public static BareScene read(Path mesh, Path fixed, Path loaded, Path links) {
         TriangleMesh surface = MeshFiles.read(mesh);

@@ -10,9 +10,9 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param damping of the dashpot along each spring, N s/m
  * @param load on each loaded node along z, mN
  * @param step time step, s
- * @param integrator the scheme
- * @param threads that share the work, 1 or more
- * @param steps in each of the timed runs, 1 or more
+ * @param integrator scheme
+ * @param threads number of worker threads, 1 or more
+ * @param steps number of steps in each timed run, 1 or more
  */
 public record BareSettings(
         double mass,
@@ -24,13 +24,11 @@ public record BareSettings(
         int threads,
         int steps) {
 
-    /** The numbers on which published figures of other engines rest: symplectic Euler at 0.01 s, one thread. */
+    /** The parameters used for published figures of other engines: symplectic Euler at 0.01 s, one thread. */
     public static final BareSettings DEFAULT =
             new BareSettings(0.1, 15, 0.02, -0.0005, 0.01, IntegratorKind.SYMPLECTIC_EULER, 1, 1000);
 
-    /**
-     * @throws IllegalArgumentException if threads or steps are less than 1, or the time step is not positive and finite
-     */
+    /** @throws IllegalArgumentException if threads or steps are below 1, or the time step is not positive and finite */
     public BareSettings {
         if (threads < 1) {
             throw new IllegalArgumentException("threads: found " + threads + ", expected 1 or more");

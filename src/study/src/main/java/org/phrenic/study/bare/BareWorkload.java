@@ -13,20 +13,20 @@ import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The engine alone on a mesh, so that engines can be compared at the same work: one particle a vertex, a spring with a
- * dashpot on each edge (rest length: the initial one), a constant load on some vertices, others fixed, and optionally
- * rigid links between pairs, corrected once after each step, half at each end along the line between them. The run
- * starts at rest.
+ * Mass-spring benchmark that compares engines at equal work. Each vertex is a particle. Each edge is a spring with a
+ * dashpot and its initial length as rest length. Some vertices carry a constant load, others are fixed. Rigid links
+ * between pairs are optional; they are corrected once after each step, half at each end along the line between the two
+ * nodes. The run starts at rest.
  */
 public final class BareWorkload implements AutoCloseable {
-    /** Steps from rest after which displacement and hash are taken. */
+    /** Number of steps from rest after which displacement and hash are computed. */
     public static final int CHECKED_STEPS = 200;
 
-    /** How forces of springs are computed, in reports and options: fused loops. */
+    /** Label of the spring force kernel in reports and options: fused loops. */
     public static final String KERNEL = "loops";
 
     private static final int RUNS = 7;
-    /** Steps by which the just-in-time compiler has settled. */
+    /** Number of warm-up steps, enough for just-in-time compilation to settle. */
     private static final int WARM_UP_STEPS = 1000;
 
     private final BareScene scene;
@@ -82,7 +82,7 @@ public final class BareWorkload implements AutoCloseable {
         return edges;
     }
 
-    /** Advances by so many steps. */
+    /** Advances by a number of steps. */
     public void advance(int steps) {
         double h = settings.step();
         for (int i = 0; i < steps; i++) {
@@ -91,7 +91,7 @@ public final class BareWorkload implements AutoCloseable {
         }
     }
 
-    /** Mean z displacement of the loaded nodes since the start, mm; NaN where none is loaded. */
+    /** Mean z displacement of the loaded nodes since the start, mm; NaN without loaded nodes. */
     public double meanDz() {
         double[] now = new double[3];
         double sum = 0;
@@ -102,7 +102,7 @@ public final class BareWorkload implements AutoCloseable {
         return sum / scene.loaded().length;
     }
 
-    /** SHA-256 over the bits of all positions, then all velocities, in the order of the mesh's vertices. */
+    /** SHA-256 over the bits of all positions, then all velocities, in vertex order. */
     public String stateSha256() {
         double[] x = new double[3 * system.nodeCount()];
         double[] v = new double[x.length];
@@ -112,10 +112,10 @@ public final class BareWorkload implements AutoCloseable {
     }
 
     /**
-     * The whole of it: 200 steps that are checked, the machine measured, a warm-up, and seven timed runs.
+     * Runs the benchmark: 200 checked steps, the roofline measurement, a warm-up and seven timed runs.
      *
      * @param scene mesh, fixed and loaded vertices, links
-     * @param settings numbers
+     * @param settings parameters
      */
     public static BareResult run(BareScene scene, BareSettings settings) {
         try (BareWorkload work = new BareWorkload(scene, settings)) {
@@ -147,7 +147,7 @@ public final class BareWorkload implements AutoCloseable {
         }
     }
 
-    /** Ends the threads that shared the work. */
+    /** Stops the worker threads. */
     @Override
     public void close() {
         workers.close();

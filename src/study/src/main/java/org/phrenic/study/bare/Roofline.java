@@ -4,19 +4,21 @@ import java.util.Arrays;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * What a machine could do at most of the bare workload, from two measurements of it: a step takes one root and one
- * quotient a spring, and touches each node's position and velocity (read and written) and each spring's two ends and
- * rest length (read) at least once. With both perfectly overlapped
+ * Upper bound of a machine's speed on the bare workload, from two measurements of the machine (roofline model). Per
+ * step each spring needs at least one square root and one division. Memory traffic is at least position and velocity of
+ * each node, read and written, and the two ends and rest length of each spring, read. With perfect overlap of
+ * computation and memory traffic
  *
  * <pre>
  * steps/s = 1 / max(edges / rootsPerSecond, bytes / bytesPerSecond)
  * </pre>
  *
- * <p>What a real step needs besides (differences gathered from scattered nodes, forces given back to them) counts for
- * nothing here, so no program reaches it.
+ * <p>A real step also gathers differences from scattered nodes and scatters forces back to them. The bound ignores
+ * this, so no program reaches it.
  *
- * @param rootsPerSecond 1/sqrt(x) of doubles in the first-level cache, all threads together
- * @param bytesPerSecond read and written, over arrays together as large as what a step touches, all threads together
+ * @param rootsPerSecond rate of 1/sqrt(x) on doubles in the first-level cache, all threads together
+ * @param bytesPerSecond memory bandwidth for reads and writes, on arrays of the same total size as one step's data, all
+ *     threads together
  * @param stepsPerSecond the bound
  */
 public record Roofline(double rootsPerSecond, double bytesPerSecond, double stepsPerSecond) {
@@ -27,18 +29,18 @@ public record Roofline(double rootsPerSecond, double bytesPerSecond, double step
 
     private static final int ROOTS = 1024;
     private static final int REPEATS = 16;
-    /** A measurement ends when for so long no round was faster than all before. */
+    /** The measurement ends after this time without a faster round. */
     private static final long STALL_NANOS = 150_000_000;
 
-    /** By how much a round must be faster to count as that. */
+    /** A round counts as faster if it takes less than this fraction of the best time. */
     private static final double FASTER = 0.99;
 
     /**
-     * Measures the machine: about half a second.
+     * Measures the machine, for about half a second.
      *
-     * @param nodes particles
-     * @param edges springs
-     * @param threads that share the work
+     * @param nodes number of particles
+     * @param edges number of springs
+     * @param threads number of worker threads
      */
     public static Roofline measure(int nodes, int edges, int threads) {
         double bytes = (double) BYTES_A_NODE * nodes + (double) BYTES_AN_EDGE * edges;
@@ -61,7 +63,7 @@ public record Roofline(double rootsPerSecond, double bytesPerSecond, double step
         }
     }
 
-    /** Least time of a round on all threads, s: what disturbs only makes it longer. */
+    /** Minimum time of a round on all threads, s. The minimum is used because disturbances only lengthen a round. */
     private static double fastestRoundS(Workers workers, Workers.Task task) {
         double least = Double.POSITIVE_INFINITY;
         long before = System.nanoTime();

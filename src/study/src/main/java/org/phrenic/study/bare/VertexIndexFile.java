@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.phrenic.file.BadInputException;
 
 /**
- * Text files of vertex indices, counted from 0: one a line (a set of vertices) or two a line (pairs). Empty lines, and
- * what follows a #, are ignored.
+ * Text files of zero-based vertex indices: one per line (a set of vertices) or two per line (pairs). Empty lines and
+ * text after # are ignored.
  */
 public final class VertexIndexFile {
     private static final Pattern SPACE = Pattern.compile("\\s+");
@@ -19,12 +19,12 @@ public final class VertexIndexFile {
     private VertexIndexFile() {}
 
     /**
-     * A set of vertices, one a line.
+     * Reads a set of vertices, one per line.
      *
      * @param file the file
-     * @param vertexCount vertices there are
+     * @param vertexCount number of vertices of the mesh
      * @return indices in the order of the file
-     * @throws BadInputException if it cannot be read, a line is not one index below the count, or an index is given
+     * @throws BadInputException if the file cannot be read, a line is not one index below the count, or an index occurs
      *     twice
      */
     public static int[] vertices(Path file, int vertexCount) {
@@ -32,10 +32,10 @@ public final class VertexIndexFile {
     }
 
     /**
-     * Pairs of vertices, two a line.
+     * Reads pairs of vertices, two per line.
      *
-     * @return the two of the first pair, then of the second...
-     * @throws BadInputException as for {@link #vertices}, the pairs being disjoint
+     * @return the indices of all pairs, two per pair
+     * @throws BadInputException as for {@link #vertices}, or if the pairs are not disjoint
      */
     public static int[] pairs(Path file, int vertexCount) {
         return read(file, 2, vertexCount);

@@ -1,5 +1,4 @@
 /**
- * The engine alone on a mesh: the workload by which engines are compared, and the bound that a machine sets to it. No
- * anatomy, no breathing.
+ * A mass-spring benchmark of the engine, without anatomy or breathing, and the upper bound of its speed on a machine.
  */
 package org.phrenic.study.bare;

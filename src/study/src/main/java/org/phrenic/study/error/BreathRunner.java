@@ -15,12 +15,11 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * Runs the same breath of the same scene, from the same start, under one setting after the other. The start is what the
- * scenario's own setting settles to; how a setting would have settled is left out, so that what differs is what the
- * breath made of it.
+ * Runs the same breath of one scene with different solver settings. All runs start from the state at rest that the
+ * scenario's own settings give, so differences arise during the breath alone.
  */
 final class BreathRunner implements AutoCloseable {
-    /** Between samples, s: every step that is measured goes into it a whole number of times. */
+    /** Sampling interval, s; every measured time step divides it. */
     static final double SAMPLE_S = 0.1;
 
     private final Scenario scenario;
@@ -54,10 +53,7 @@ final class BreathRunner implements AutoCloseable {
                         .rest();
     }
 
-    /**
-     * For each node whether it is one of the diaphragm's, which come first in the order in which the scene was put
-     * together.
-     */
+    /** Marks the nodes of the diaphragm in the caller's order, in which they come first. */
     boolean[] diaphragmNodes() {
         int vertices = diaphragmAtRest().vertexCount();
         boolean[] which = new boolean[nodes()];
@@ -67,12 +63,12 @@ final class BreathRunner implements AutoCloseable {
         return which;
     }
 
-    /** Where all nodes are at the beginning, mm; read only. */
+    /** Initial positions of all nodes, mm; read only. */
     double[] start() {
         return start;
     }
 
-    /** Numbers of nodes, three each, in the order in which the scene was put together. */
+    /** Reorders node coordinates (three per node) from the solver's order to the caller's. */
     double[] toCallerOrder(double[] internal) {
         double[] out = new double[internal.length];
         simulation.system().layout().toCaller(internal, out);
@@ -88,8 +84,7 @@ final class BreathRunner implements AutoCloseable {
     }
 
     /**
-     * Into how many substeps the stability limit splits a step of a setting; Integer.MAX_VALUE if it is unstable at any
-     * step.
+     * Number of substeps per time step that the stability limit requires; Integer.MAX_VALUE if unstable at any step.
      */
     int substeps(SolverSettings settings) {
         try {
@@ -100,9 +95,9 @@ final class BreathRunner implements AutoCloseable {
     }
 
     /**
-     * A breath from the start.
+     * Simulates one breath from the start.
      *
-     * @throws org.phrenic.engine.integrator.DivergenceException if it leaves all bounds
+     * @throws org.phrenic.engine.integrator.DivergenceException if the simulation diverges
      */
     Trajectory run(SolverSettings settings) {
         ParticleSystem system = simulation.system();
@@ -134,7 +129,7 @@ final class BreathRunner implements AutoCloseable {
         return new Trajectory(positions, stepper.substeps(), cpu * 1e-9, wall * 1e-9);
     }
 
-    /** How far the domes go down in a trajectory, mean of both, mm. */
+    /** Largest descent of the domes in a trajectory, mean of both sides, mm. */
     double excursionMm(Trajectory trajectory) {
         SceneSurfaces surfaces = new SceneSurfaces(simulation);
         Frame frame = surfaces.newFrame();
@@ -154,7 +149,7 @@ final class BreathRunner implements AutoCloseable {
                         + frame.values()[Observation.COLUMNS.indexOf("dome_left_mm")]);
     }
 
-    /** Processor time of this thread where it computes alone, else of all threads of the program. */
+    /** CPU time, ns: of this thread for a single-threaded scenario, otherwise of the process. */
     private long cpuNanos() {
         if (scenario.threads() == 1) {
             return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();

@@ -10,18 +10,18 @@ import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * Distance of a breathing scene from quasi-static equilibrium: ribs, muscle and pressure are stopped at a phase, the
- * nodes are let come near rest under the scene's own forces, constraints and viscosity, and from there Newton's method
- * finds the equilibrium of the diaphragm, which nothing else in the scene pulls on ({@link NewtonEquilibrium}). Lungs
- * are left where the relaxation brought them: their soft folds have many equilibria.
+ * Distance of a breathing scene from quasi-static equilibrium. The drive (ribs, muscle and pressure) is stopped at a
+ * phase of the breath. The nodes then relax under the scene's own forces, constraints and viscosity. From the relaxed
+ * state Newton's method finds the equilibrium of the diaphragm, on which no other structure exerts force
+ * ({@link NewtonEquilibrium}). The lungs keep their relaxed positions, because their soft folds have many equilibria.
  *
- * @param timeS when the breath was stopped, s
- * @param rmsMm distance of the diaphragm's nodes from equilibrium, root of the mean square, mm
- * @param maxMm greatest distance, mm
- * @param relaxedRmsMm distance of all nodes from where the relaxation brought them, rms mm
- * @param relaxedMaxMm greatest, mm
- * @param relaxationErrorMm how far from the equilibrium the relaxation had left the diaphragm, rms mm
- * @param newton how Newton's method went
+ * @param timeS time at which the breath was stopped, s
+ * @param rmsMm rms distance of the diaphragm's nodes from equilibrium, mm
+ * @param maxMm maximum distance of the diaphragm's nodes from equilibrium, mm
+ * @param relaxedRmsMm rms distance of all nodes from their relaxed positions, mm
+ * @param relaxedMaxMm maximum distance of all nodes from their relaxed positions, mm
+ * @param relaxationErrorMm rms distance of the relaxed diaphragm from its equilibrium, mm
+ * @param newton outcome of Newton's method
  */
 public record EquilibriumLag(
         double timeS,
@@ -31,16 +31,16 @@ public record EquilibriumLag(
         double relaxedMaxMm,
         @Key("relaxation_left_mm") double relaxationErrorMm,
         NewtonEquilibrium.Result newton) {
-    /** The slowest modes have some 5 1/s and are about critically damped: in this time they decay to a thousandth. */
+    /** Relaxation time, s. The slowest modes (about 5 1/s, nearly critically damped) decay to a thousandth in it. */
     private static final double RELAX_S = 2;
 
     private static final double[] PHASES = {0.15, 0.3, 0.45, 0.75};
-    /** A ten-millionth of the load of pressure on a node, and less. */
+    /** Force tolerance, mN: at most 1e-7 of the pressure load on a node. */
     private static final double TOLERANCE_MN = 1e-6;
 
     private static final int MAX_ROUNDS = 30;
 
-    /** Stops the breath of a trajectory at a few phases and finds the equilibrium of each. */
+    /** Computes the lag at several phases of a trajectory. */
     static List<EquilibriumLag> of(BreathRunner runs, Trajectory run, SolverSettings settings) {
         List<EquilibriumLag> list = new ArrayList<>();
         ParticleSystem system = runs.simulation().system();
@@ -61,7 +61,7 @@ public record EquilibriumLag(
             Integrator integrator = IntegratorKind.VERLET.create(system);
             long steps = Math.round(RELAX_S / settings.timeStepS());
             for (long i = 0; i < steps; i++) {
-                // Each step ends at the same time: what is driven stands still.
+                // Every step ends at the same time, so the drive does not move.
                 integrator.step(timeS - settings.timeStepS(), settings.timeStepS());
             }
             Trajectory relaxed = snapshot(system.positions().clone());

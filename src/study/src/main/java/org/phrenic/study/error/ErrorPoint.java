@@ -1,19 +1,19 @@
 package org.phrenic.study.error;
 
 /**
- * What a setting costs and how far it is from the reference, over one breath.
+ * Cost of a solver setting and its error against the reference over one breath.
  *
- * @param settings what was run
- * @param substeps into which the stability limit splits a step
- * @param rmsMm root mean square distance of the diaphragm's nodes from the reference, over all samples, mm
- * @param maxMm greatest of these distances, mm
- * @param allRmsMm root mean square distance of all nodes, those of lungs and sternum too, mm
- * @param allMaxMm greatest of these distances, mm
+ * @param settings solver settings
+ * @param substeps substeps per time step required by the stability limit
+ * @param rmsMm rms distance of the diaphragm's nodes from the reference over all samples, mm
+ * @param maxMm maximum distance of the diaphragm's nodes, mm
+ * @param allRmsMm rms distance of all nodes, including lungs and sternum, mm
+ * @param allMaxMm maximum distance of all nodes, mm
  * @param cpuS processor time, s
  * @param wallS elapsed time, s
  * @param realTime simulated time over {@code wallS}
- * @param paretoOptimal whether no other setting of the scene is both cheaper and nearer
- * @param isDefault whether it is the scenario's own
+ * @param paretoOptimal whether no other setting of the scene has both lower cost and lower error
+ * @param isDefault whether it is the scenario's own setting
  */
 public record ErrorPoint(
         SolverSettings settings,

@@ -15,7 +15,7 @@ import org.phrenic.engine.equilibrium.NewtonEquilibrium;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
-/** Speed against error of several scenes as tables, as a document and as values for JSON. */
+/** Cost and error of solver settings for several scenes: tables, a document and JSON values. */
 public final class ErrorReport {
     /** Columns of {@link #cells}. */
     public static final List<Column> COLUMNS = Stream.concat(
@@ -42,15 +42,15 @@ public final class ErrorReport {
     private final Map<String, List<MeshRefinementError>> meshes;
 
     /**
-     * @param studies one a scene
-     * @param meshes what coarser meshes change, by material; empty where that was not measured
+     * @param studies one per scene
+     * @param meshes mesh refinement errors by material; empty if not measured
      */
     public ErrorReport(List<ErrorStudy> studies, Map<String, List<MeshRefinementError>> meshes) {
         this.studies = List.copyOf(studies);
         this.meshes = new LinkedHashMap<>(meshes);
     }
 
-    /** A line a setting, cheapest first. */
+    /** Table rows, one per setting, cheapest first. */
     public static List<List<String>> cells(ErrorStudy study) {
         return study.points().stream()
                 .sorted(Comparator.comparingDouble(ErrorPoint::cpuS))
@@ -75,7 +75,7 @@ public final class ErrorReport {
         return cells;
     }
 
-    /** What was measured and against what, in a sentence or two. */
+    /** Describes the scene and its reference solution. */
     public static String heading(ErrorStudy study) {
         double[] uncertainty = study.referenceUncertainty();
         return String.format(
@@ -103,7 +103,7 @@ public final class ErrorReport {
                 + ReportNumbers.label(study.scenario().resolution());
     }
 
-    /** All of it, to be written as a page. */
+    /** The complete report. */
     public ReportDocument document() {
         ReportDocument page = new ReportDocument(
                 "Speed against error",
@@ -126,7 +126,7 @@ public final class ErrorReport {
         return page;
     }
 
-    /** How far from equilibrium a phase is, in a sentence. */
+    /** Describes the distance from equilibrium at one phase. */
     public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
         NewtonEquilibrium.Result newton = lag.newton();
         return String.format(
@@ -147,7 +147,7 @@ public final class ErrorReport {
                 lag.relaxationErrorMm());
     }
 
-    /** What coarser meshes change, a sentence each. */
+    /** Describes the mesh refinement errors, one sentence each. */
     public List<String> meshSentences() {
         List<String> lines = new ArrayList<>();
         meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(String.format(
@@ -164,7 +164,7 @@ public final class ErrorReport {
         return lines;
     }
 
-    /** All of it as values, for JSON. */
+    /** The report as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);

@@ -15,19 +15,19 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * Speed against error of one scene: each setting carries the same breath from the same start, and the places of the
- * nodes, ten times a second, are held against a reference.
+ * Cost against error of one scene. Every solver setting simulates the same breath from the same start, and its node
+ * positions, sampled ten times a second, are compared with a reference solution.
  *
- * @param scenario what breathed
- * @param nodes how many springs move
+ * @param scenario simulated scenario
+ * @param nodes number of nodes moved by springs
  * @param simulatedS simulated time, s
- * @param excursionMm how far the domes went down, mean of both, mm
- * @param reference setting of the reference
- * @param referenceUncertainty distance, rms and greatest, mm, of the reference from itself with steps twice as long: of
- *     the diaphragm's nodes, then of all
- * @param points one a setting
- * @param equilibrium how far the reference is from equilibrium at a few phases; empty for the paper's material and a
- *     quick study
+ * @param excursionMm descent of the domes, mean of both sides, mm
+ * @param reference settings of the reference solution
+ * @param referenceUncertainty distance between the reference and the same solution with twice the time step, mm: rms
+ *     and maximum of the diaphragm's nodes, then rms and maximum of all nodes
+ * @param points one per setting
+ * @param equilibrium distance of the reference from equilibrium at several phases; empty for the paper's material and
+ *     for a quick study
  * @param skipped settings that were not run, each with the reason
  */
 public record ErrorStudy(
@@ -40,16 +40,16 @@ public record ErrorStudy(
         List<ErrorPoint> points,
         List<EquilibriumLag> equilibrium,
         List<String> skipped) {
-    /** Of a quick study, s: enough for the sheet to move. */
+    /** Simulated time of a quick study, s: enough for the sheet to move. */
     private static final double QUICK_S = 0.2;
 
-    /** Force evaluations that one simulated second may cost: beyond, a setting is no choice. */
+    /** Maximum number of force evaluations per simulated second; settings that need more are skipped. */
     private static final double MAX_EVALUATIONS_PER_S = 20_000;
 
-    /** Beyond, one setting of sweeps and refresh must do. */
+    /** Above this cost only one combination of sweeps and refresh interval is measured. */
     private static final double COSTLY_EVALUATIONS_PER_S = 5_000;
 
-    /** What one solve of backward Euler is worth, in force evaluations, at the steps it is there for. */
+    /** Cost of one backward Euler solve in force evaluations, at the time steps for which the scheme is used. */
     private static final double EVALUATIONS_PER_SOLVE = 150;
 
     public ErrorStudy {
@@ -59,11 +59,11 @@ public record ErrorStudy(
     }
 
     /**
-     * Measures.
+     * Runs the study.
      *
      * @param scenario material, body, resolution, breathing and threads
      * @param grid settings to measure besides the scenario's own
-     * @param quick whether a part of a breath will do
+     * @param quick whether to simulate only part of a breath
      */
     public static ErrorStudy of(Scenario scenario, SolverGrid grid, boolean quick, ProgressListener progress) {
         Thorax thorax = SimulationRun.loadThorax(scenario);
@@ -144,7 +144,7 @@ public record ErrorStudy(
                 settings.equals(SolverSettings.of(scenario)));
     }
 
-    /** Why a setting is not run; empty if another of its scheme and step shows it, null if it is run. */
+    /** Reason to skip a setting: null if it is run, empty if another setting of its scheme and step represents it. */
     private static String reasonToSkip(BreathRunner runs, SolverSettings settings, SolverGrid grid) {
         int substeps = runs.substeps(settings);
         if (substeps == Integer.MAX_VALUE) {
@@ -169,7 +169,7 @@ public record ErrorStudy(
                 : null;
     }
 
-    /** Whether a split step is the only one of its scheme that can be afforded, so that the scheme is seen at all. */
+    /** Whether every shorter step of the scheme is too costly. The split step is then run to represent the scheme. */
     private static boolean isShortestAffordable(BreathRunner runs, SolverSettings settings, SolverGrid grid) {
         return grid.timeStepsS().stream()
                 .filter(step -> step < settings.timeStepS())
@@ -192,7 +192,7 @@ public record ErrorStudy(
         return marked;
     }
 
-    /** What coarser meshes change, with each resolution's own settings. */
+    /** Mesh refinement errors, each resolution simulated with its own settings. */
     public static List<MeshRefinementError> meshes(Scenario scenario, ProgressListener progress) {
         List<Scenario> all = Arrays.stream(Resolution.values())
                 .map(r -> scenario.with("resolution=" + r.name().toLowerCase(Locale.ROOT)))
@@ -200,7 +200,7 @@ public record ErrorStudy(
         return MeshRefinementError.of(all, scenario.breathing().pattern().periodS(), progress);
     }
 
-    /** Per cent of the excursion. */
+    /** A distance in per cent of the excursion. */
     public double percent(double mm) {
         return 100 * mm / excursionMm;
     }

@@ -21,11 +21,10 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ShippedFile;
 
 /**
- * Settings with their cost and their distance from the reference: a CSV file that a measurement writes and from which
- * the cheapest setting that keeps an error is chosen. To choose takes no measurement, so the same request gives the
- * same setting on every machine.
+ * Cost and error of measured solver settings, stored as CSV. The cheapest setting within an error bound is chosen from
+ * it without a new measurement, so the choice is the same on every machine.
  *
- * @param name of the file, for messages
+ * @param name file name, for messages
  * @param rows in the order of the file
  */
 public record ErrorTable(String name, List<Row> rows) {
@@ -34,19 +33,19 @@ public record ErrorTable(String name, List<Row> rows) {
                     + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm"
                     + " all_max_mm cpu_s wall_s real_time front usual")
             .split(" "));
-    /** From here on numbers are measured and rounded in the file. */
+    /** First measured column; values from here on are rounded in the file. */
     private static final int FIRST_MEASURED = HEADER.indexOf("rms_mm");
 
     /**
-     * A setting of a scene.
+     * One setting of a scene.
      *
      * @param material label of the material
-     * @param preset breathing
-     * @param resolution label
-     * @param nodes moved by springs
+     * @param preset breathing preset
+     * @param resolution label of the resolution
+     * @param nodes number of nodes moved by springs
      * @param rmsPercent rms error of the diaphragm in per cent of the domes' excursion
-     * @param maxPercent greatest error in per cent of it
-     * @param point what was measured
+     * @param maxPercent maximum error in per cent of the domes' excursion
+     * @param point measured cost and error
      */
     public record Row(
             String material,
@@ -60,7 +59,7 @@ public record ErrorTable(String name, List<Row> rows) {
             return List.of(material, preset, resolution);
         }
 
-        /** Setting, cost and error by the names of the columns. */
+        /** Setting, cost and error by column name. */
         Map<String, Object> measurement() {
             SolverSettings settings = point.settings();
             Object[] values = {
@@ -100,9 +99,9 @@ public record ErrorTable(String name, List<Row> rows) {
     }
 
     /**
-     * A setting that was chosen.
+     * The chosen setting.
      *
-     * @param sentence what was chosen, and why
+     * @param sentence the choice and its reason
      */
     public record Chosen(SolverSettings settings, String sentence) {}
 
@@ -110,7 +109,7 @@ public record ErrorTable(String name, List<Row> rows) {
         rows = List.copyOf(rows);
     }
 
-    /** The table that comes with the program. */
+    /** The table distributed with the program. */
     public static ErrorTable shipped() {
         return ShippedFile.read(
                         "error/settings.csv", in -> of(CsvTable.parse("settings.csv", text(in)), "settings.csv"))
@@ -134,7 +133,7 @@ public record ErrorTable(String name, List<Row> rows) {
         return of(CsvTable.read(file), file.getFileName().toString());
     }
 
-    /** What studies measured. */
+    /** The table of measured studies. */
     public static ErrorTable of(List<ErrorStudy> studies) {
         List<Row> rows = new ArrayList<>();
         for (ErrorStudy study : studies) {
@@ -202,7 +201,7 @@ public record ErrorTable(String name, List<Row> rows) {
                                 + kinds.stream().map(IntegratorKind::label).collect(Collectors.joining(", "))));
     }
 
-    /** This table with the rows of another, which replace those of the same material, breathing and resolution. */
+    /** Merges two tables. Rows of {@code newer} replace those of the same material, preset and resolution. */
     public ErrorTable with(ErrorTable newer) {
         List<Row> all = new ArrayList<>(rows);
         all.removeIf(old -> newer.rows.stream().anyMatch(row -> row.scene().equals(old.scene())));
@@ -210,18 +209,18 @@ public record ErrorTable(String name, List<Row> rows) {
         return new ErrorTable(name, all);
     }
 
-    /** Writes it as {@link #read} takes it. */
+    /** Writes the table in the format of {@link #read}. */
     public void write(Path file) {
         CsvWriter.write(file, HEADER, rows.stream().map(Row::cells).toList());
     }
 
     /**
-     * The cheapest setting whose rms error is at most so much. Breathing that was not measured is taken for the quiet
-     * one, a resolution that was not for the finest that was; the sentence names what was measured.
+     * The cheapest setting whose rms error does not exceed a bound. For a preset without measurements the quiet preset
+     * is used, for such a resolution the finest measured one; the sentence names what was used.
      *
      * @param scenario material, resolution and breathing
      * @param maxErrorMm rms over the diaphragm's nodes and the whole breath, mm
-     * @throws BadInputException with one sentence, if none keeps it or the scene was not measured
+     * @throws BadInputException with one sentence, if no setting satisfies the bound or the scene was not measured
      */
     public Chosen cheapest(Scenario scenario, double maxErrorMm) {
         String material = scenario.material().label();
@@ -265,7 +264,10 @@ public record ErrorTable(String name, List<Row> rows) {
         return new Chosen(row.point().settings(), sentence);
     }
 
-    /** The resolution itself or, as step and projection err alike at all resolutions, the finest that was measured. */
+    /**
+     * The wanted resolution if measured, otherwise the finest measured one: time step and projection errors hardly
+     * depend on resolution.
+     */
     private static String measuredResolution(List<Row> rows, String wanted) {
         return rows.stream().anyMatch(r -> r.resolution().equals(wanted))
                 ? wanted

@@ -11,15 +11,15 @@ import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.ReportNumbers;
 
 /**
- * What a coarser mesh changes: the displacement of the diaphragm from rest, at the vertices of the coarser sheet,
- * against that of the finer one at the points of its rest surface nearest to them, over a breath.
+ * Discretization error of a coarser mesh over a breath. The diaphragm's displacement from rest at each vertex of the
+ * coarser sheet is compared with the displacement of the finest sheet at the nearest point of its rest surface.
  *
  * @param resolution of the coarser sheet
- * @param referenceResolution of the finest
- * @param vertices of the coarser sheet
- * @param rmsMm root of the mean square difference of displacements, mm
- * @param maxMm greatest difference, mm
- * @param excursionDifferenceMm difference of the domes' excursion, mean of both, mm
+ * @param referenceResolution of the finest sheet
+ * @param vertices number of vertices of the coarser sheet
+ * @param rmsMm rms difference of displacements, mm
+ * @param maxMm maximum difference of displacements, mm
+ * @param excursionDifferenceMm difference of the domes' excursion, mean of both sides, mm
  */
 public record MeshRefinementError(
         String resolution,
@@ -29,13 +29,13 @@ public record MeshRefinementError(
         double maxMm,
         @Key("dome_excursion_mm") double excursionDifferenceMm) {
 
-    /** The sheet of a scene at rest, where it went, and how far its domes go down. */
+    /** The sheet at rest, its positions over time, and the descent of its domes, mm. */
     private record Sheet(TriangleMesh rest, double[][] moved, double excursionMm) {}
 
     /**
-     * Measures coarser resolutions against the finest.
+     * Compares coarser resolutions with the finest.
      *
-     * @param scenarios the same scene, coarsest first
+     * @param scenarios the same scene at each resolution, coarsest first
      * @param breathS simulated time, s
      */
     static List<MeshRefinementError> of(List<Scenario> scenarios, double breathS, ProgressListener progress) {
@@ -60,7 +60,7 @@ public record MeshRefinementError(
     private static Sheet sheet(Scenario scenario, double breathS) {
         try (BreathRunner runs = new BreathRunner(scenario, SimulationRun.loadThorax(scenario), breathS)) {
             Trajectory run = runs.run(SolverSettings.of(scenario));
-            // The diaphragm's nodes come first, in the order of its vertices.
+            // The diaphragm's nodes come first, in vertex order.
             TriangleMesh mesh = runs.diaphragmAtRest();
             double[] start = runs.toCallerOrder(runs.start());
             double[][] moved = new double[run.positions().length][];

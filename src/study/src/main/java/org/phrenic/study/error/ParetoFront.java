@@ -4,11 +4,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Which of several things to choose from no other beats in both of two numbers that are to be small. */
+/** Non-dominated points: no other point has both lower cost and lower error. */
 final class ParetoFront {
     private ParetoFront() {}
 
-    /** For each whether it is on the front; of two that are alike the first. A number that is none is never on it. */
+    /** Marks the points on the front. Of equal points only the first is marked; a point with NaN is never marked. */
     static boolean[] of(double[] cost, double[] error) {
         boolean[] front = new boolean[cost.length];
         List<Integer> order = IntStream.range(0, cost.length)

@@ -10,23 +10,22 @@ import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Scenario;
 
 /**
- * Which settings are measured: every integrator with every step, sweep and refresh of a list. The lists are those of
- * the material unless others are given.
+ * Grid of solver settings to measure: all combinations of integrator, time step, sweeps and refresh interval.
  *
  * @param integrators schemes
- * @param timeStepsS steps, s; each goes a whole number of times into {@link BreathRunner#SAMPLE_S}
- * @param sweeps over all constraints a step
+ * @param timeStepsS time steps, s; each divides {@link BreathRunner#SAMPLE_S}
+ * @param sweeps numbers of constraint sweeps per step
  * @param refreshesS refresh intervals of anchors and wall planes, s
  */
 public record SolverGrid(
         List<IntegratorKind> integrators, List<Double> timeStepsS, List<Integer> sweeps, List<Double> refreshesS) {
-    /** Each sweep halves what the last one left: of eight about a 250th is left. */
+    /** Each sweep halves the constraint residual, so eight leave about 1/250. */
     private static final int REFERENCE_SWEEPS = 8;
 
-    /** Steps of the reference between refreshes of anchors and wall planes. */
+    /** Number of steps between refreshes of anchors and wall planes in the reference. */
     private static final int REFERENCE_REFRESH = 2;
 
-    /** All that a material's front is chosen from. */
+    /** The full grid of a material. */
     public static SolverGrid of(TissueMaterial material) {
         List<IntegratorKind> all = List.of(IntegratorKind.values());
         return material == Materials.PHYSICAL
@@ -42,7 +41,7 @@ public record SolverGrid(
                         List.of(0.04, 0.02, 0.005));
     }
 
-    /** A few settings that take seconds. */
+    /** A small grid that runs in seconds. */
     public static SolverGrid quick(TissueMaterial material) {
         return new SolverGrid(
                 List.of(IntegratorKind.VERLET, IntegratorKind.SYMPLECTIC_EULER),
@@ -51,7 +50,7 @@ public record SolverGrid(
                 List.of(0.02));
     }
 
-    /** The settings, refresh by refresh, and what a scenario has by itself among them. */
+    /** All settings, grouped by refresh interval, including the scenario's own. */
     List<SolverSettings> settings(Scenario scenario) {
         Set<SolverSettings> list = new LinkedHashSet<>();
         SolverSettings own = SolverSettings.of(scenario);
@@ -75,14 +74,14 @@ public record SolverGrid(
     }
 
     /**
-     * The reference with a step: fourth order, constraints swept to convergence, anchors and walls refreshed every
-     * other step.
+     * Settings of the reference solution: fourth-order scheme, constraints swept to convergence, anchors and wall
+     * planes refreshed every second step.
      */
     static SolverSettings reference(double stepS) {
         return new SolverSettings(IntegratorKind.RK4, stepS, REFERENCE_SWEEPS, REFERENCE_REFRESH * stepS);
     }
 
-    /** Step of the finest reference of a material, s. */
+    /** Time step of a material's finest reference, s. */
     static double referenceStepS(TissueMaterial material) {
         return material == Materials.PHYSICAL ? 0.0005 : 0.001;
     }

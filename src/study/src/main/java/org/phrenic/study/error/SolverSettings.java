@@ -9,16 +9,16 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 
 /**
- * How a scene is integrated in time: what decides speed and error of a run on given meshes.
+ * Time integration settings that determine cost and error of a run on a given mesh.
  *
  * @param integrator scheme
- * @param timeStepS step of the clock, s
- * @param sweeps over all constraints a step
- * @param refreshS interval at which anchors and wall planes are refreshed, s
+ * @param timeStepS time step, s
+ * @param sweeps constraint sweeps per step
+ * @param refreshS refresh interval of anchors and wall planes, s
  */
 public record SolverSettings(IntegratorKind integrator, double timeStepS, int sweeps, double refreshS) {
 
-    /** Those of a scenario. */
+    /** The settings of a scenario. */
     public static SolverSettings of(Scenario scenario) {
         return new SolverSettings(
                 scenario.integrator(),
@@ -27,7 +27,7 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
                 scenario.get(Numerics.REFRESH));
     }
 
-    /** As keys of a scenario. */
+    /** The settings as scenario assignments. */
     public List<Assignment> assignments(String origin) {
         return List.of(
                 Assignment.of(origin, Numerics.INTEGRATOR, integrator),
@@ -36,7 +36,7 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
                 Assignment.of(origin, Numerics.REFRESH, refreshS));
     }
 
-    /** In words, for progress and sentences. */
+    /** Readable description for progress messages and reports. */
     public String label() {
         return String.format(
                 Locale.ROOT,
@@ -48,7 +48,7 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
                 number(refreshS));
     }
 
-    /** A time with at most four significant digits. */
+    /** Formats a time with at most four significant digits. */
     static String number(double seconds) {
         return ReportNumbers.trimmed(seconds, 4);
     }

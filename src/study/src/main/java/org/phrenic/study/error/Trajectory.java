@@ -3,20 +3,19 @@ package org.phrenic.study.error;
 import java.util.Arrays;
 
 /**
- * Positions of the nodes of a scene during a breath.
+ * Node positions of a scene during a breath.
  *
- * @param positions a row a sample, every {@link BreathRunner#SAMPLE_S}, three numbers a node, mm
- * @param substeps into which the stability limit split a step
- * @param cpuS time that processors spent stepping, s
- * @param wallS time that stepping took, s
+ * @param positions one row per sample, every {@link BreathRunner#SAMPLE_S}; three coordinates per node, mm
+ * @param substeps substeps per time step required by the stability limit
+ * @param cpuS processor time of stepping, s
+ * @param wallS elapsed time of stepping, s
  */
 record Trajectory(double[][] positions, int substeps, double cpuS, double wallS) {
 
     /**
-     * Distance of some nodes from where another trajectory has them, over all samples: root of the mean square, then
-     * the greatest, mm.
+     * Distance of selected nodes from another trajectory over all samples: rms, then maximum, mm.
      *
-     * @param which for each node whether it counts
+     * @param which marks the selected nodes
      */
     double[] distanceFrom(Trajectory other, boolean[] which) {
         double sum = 0;
@@ -34,7 +33,7 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
                 double z = p[i + 2] - q[i + 2];
                 double squared = x * x + y * y + z * z;
                 sum += squared;
-                // NaN must not count as small.
+                // NaN must not pass as a small distance.
                 most = squared <= most ? most : squared;
                 count++;
             }
@@ -42,10 +41,7 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
         return new double[] {Math.sqrt(sum / count), Math.sqrt(most)};
     }
 
-    /**
-     * Distance of all nodes from where another trajectory has them, over all samples: root of the mean square, then the
-     * greatest, mm.
-     */
+    /** Distance of all nodes from another trajectory over all samples: rms, then maximum, mm. */
     double[] distanceFrom(Trajectory other) {
         boolean[] all = new boolean[positions[0].length / 3];
         Arrays.fill(all, true);

@@ -1,5 +1,5 @@
 /**
- * Integrator, time step, sweeps and refresh interval against a reference solution: error in time and in space against
- * cost, the table of errors, and the choice of a setting from it.
+ * Cost and error of solver settings (integrator, time step, sweeps, refresh interval) against a reference solution,
+ * mesh refinement errors, and the choice of the cheapest setting within an error bound.
  */
 package org.phrenic.study.error;

@@ -10,12 +10,18 @@ import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * The zone of apposition: the part of the diaphragm's thoracic face that touches the rib cage below the lung. A
- * triangle belongs to it if its centroid is within 15 mm of a rib or cartilage (half of an intercostal space and the
- * muscle in it), not within 5 mm of a lung, and its normal is within 60 degrees of horizontal and points away from the
- * body's midline. By the same rule, without the lung's, the lungs' surface has a costal part; both together are the
- * inner area of the rib cage. The lateral height is the zone's area within 20 degrees of lateral over the width of that
- * sector.
+ * Zone of apposition: the part of the diaphragm's thoracic face that touches the rib cage below the lung. A triangle
+ * belongs to it if all of the following hold:
+ *
+ * <ul>
+ *   <li>its centroid is within 15 mm of a rib or cartilage (half of an intercostal space and the muscle in it);
+ *   <li>its centroid is more than 5 mm from every lung;
+ *   <li>its normal is within 60 degrees of horizontal and points away from the body's midline.
+ * </ul>
+ *
+ * <p>The costal part of the lungs' surface follows the same rule without the lung distance. The inner area of the rib
+ * cage is the sum of both. The lateral height is the zone's area within 20 degrees of lateral, divided by the width of
+ * that sector.
  */
 final class AppositionMeasure implements SceneMeasure {
     static final List<String> NAMES =
@@ -24,7 +30,7 @@ final class AppositionMeasure implements SceneMeasure {
     private static final double MAX_BONE_DISTANCE_MM = 15;
     private static final double MIN_LUNG_DISTANCE_MM = 5;
     private static final double MIN_HORIZONTAL_COMPONENT = 0.5;
-    /** The side of the body: within so much of straight to the side, as the cosine. */
+    /** Cosine of the largest angle from the lateral direction. */
     private static final double MIN_LATERAL_COSINE = 0.94;
 
     private final int sheet;
@@ -61,7 +67,7 @@ final class AppositionMeasure implements SceneMeasure {
         }
     }
 
-    /** Area in all, at the body's sides, and there times the distance from the middle. */
+    /** Total area, area in the lateral sector, and lateral area times distance from the middle. */
     private static final class Sum {
         double area;
         double lateral;

@@ -13,8 +13,8 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How large the rib cage is: the box around all ribs as they stand, the lengths of ribs (mean of both sides, along the
- * surface) and of the sternum from end to end.
+ * Dimensions of the rib cage: bounding box of all ribs in their current position, lengths of ribs (mean of both sides,
+ * along the surface), and length of the sternum from end to end.
  */
 final class CageDimensions implements SceneMeasure {
     private static final int LEVELS = 12;
@@ -57,7 +57,7 @@ final class CageDimensions implements SceneMeasure {
         return SceneGeometry.name("rib", level, "length_mm");
     }
 
-    /** From the highest to the lowest point, in the median plane. */
+    /** Distance between the highest and the lowest point, in the median plane. */
     private static double extent(SceneGeometry view, int[] parts) {
         double[] low = {0, 0, Double.POSITIVE_INFINITY};
         double[] high = {0, 0, Double.NEGATIVE_INFINITY};

@@ -7,8 +7,9 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Areas of the diaphragm's thoracic face and of the tendon in it, and the volume that the face has swept downward since
- * rest, -∫ u·n dA with the mean of the normals then and now.
+ * Areas of the diaphragm's thoracic face and of its tendon, and the volume swept downward by the face since rest. The
+ * volume is -∫ u·n dA, where u is the displacement and n dA the mean of the area vectors at rest and in the current
+ * position.
  */
 final class DiaphragmAreaMeasure implements SceneMeasure {
     static final List<String> NAMES =

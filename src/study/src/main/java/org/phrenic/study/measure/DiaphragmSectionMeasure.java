@@ -5,9 +5,9 @@ import java.util.Map;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Length of the diaphragm in pictures: where its sheet crosses the coronal and the sagittal planes through the places
- * where the domes are measured (half way out to the side and a third of the way back), which stay in place as those of
- * a scanner do. Half of both faces together.
+ * Length of the diaphragm in coronal and sagittal sections. The planes are fixed in space, as in a scanner. At rest
+ * they pass through the points of dome measurement, half way out to the side and a third of the way back. The length is
+ * half of the sheet's section, which contains both faces.
  */
 final class DiaphragmSectionMeasure implements SceneMeasure {
     static final List<String> NAMES =
@@ -42,7 +42,7 @@ final class DiaphragmSectionMeasure implements SceneMeasure {
         }
     }
 
-    /** Length of the crossing with the plane where a coordinate has a value, on one side of the middle. */
+    /** Section length for the plane {@code p[axis] = at}, on one side of the middle, mm. */
     private double sectionLength(double[] p, int axis, double at, int side) {
         double sum = 0;
         double[] ends = new double[6];

@@ -9,9 +9,9 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * At which level of the body the domes stand, as a number that is whole at the middle of a bone and grows downward:
- * against the vertebral bodies (8 for the middle of T8, 13 for L1) and against the front halves of the ribs in the
- * midclavicular line (5.5 for the fifth intercostal space), as on a picture from the front.
+ * Skeletal level of the domes on a frontal image. Levels are interpolated between the middles of bones and grow
+ * downward. The first scale is vertebral bodies (8 for the middle of T8, 13 for L1). The second is the front halves of
+ * the ribs in the midclavicular line (5.5 for the fifth intercostal space).
  */
 final class DomeLevelMeasure implements SceneMeasure {
     static final List<String> NAMES = List.of(
@@ -22,18 +22,18 @@ final class DomeLevelMeasure implements SceneMeasure {
             "dome_left_rib",
             "dome_right_above_left_mm");
 
-    /** A vertebra's body: so far back from its front. */
+    /** Depth of a vertebral body from its front, mm. */
     private static final double BODY_MM = 25;
 
     private static final double MIDLINE_MM = 20;
-    /** Nearer to the midline the heart hides the dome on a frontal picture. */
+    /** Distance from the midline within which the heart hides the dome on a frontal image, mm. */
     private static final double HEART_MM = 45;
-    /** The midclavicular line: so far out to the side of the sheet. */
+    /** Distance of the midclavicular line from the middle, as a fraction of the sheet's half width. */
     private static final double MIDCLAVICULAR = 0.55;
-    /** Half width of the band around the midclavicular line in which a rib is measured. */
+    /** Half width of the band around the midclavicular line in which a rib is measured, mm. */
     private static final double BAND_MM = 10;
 
-    /** Height of a level's middle. */
+    /** Number of a level and the height of its middle, mm. */
     private record Level(double number, double z) {}
 
     private final int sheet;
@@ -83,7 +83,7 @@ final class DomeLevelMeasure implements SceneMeasure {
         values.put("dome_right_above_left_mm", right[2] - left[2]);
     }
 
-    /** Highest point of a side. */
+    /** Highest point of the dome on one side. */
     private double[] domeTop(double[] p, int sign) {
         int best = -1;
         for (int k = 0; k < p.length; k += 3) {
@@ -106,7 +106,7 @@ final class DomeLevelMeasure implements SceneMeasure {
         return sum / count;
     }
 
-    /** Heights of the front halves of a side's ribs where they cross a sagittal plane. */
+    /** Heights at which the front halves of one side's ribs cross a sagittal plane. */
     private List<Level> ribLevels(SceneGeometry view, Side side, double x) {
         List<Level> levels = new ArrayList<>();
         for (int r : ribs) {
@@ -129,7 +129,7 @@ final class DomeLevelMeasure implements SceneMeasure {
         return levels;
     }
 
-    /** Where a height stands among levels, by straight lines between them; NaN outside. */
+    /** Level at a height, by linear interpolation; NaN outside the levels. */
     private static double interpolatedLevel(List<Level> levels, double z) {
         Level above = null;
         Level below = null;

@@ -7,8 +7,9 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Motion of the liver's top and lower edge (mean of its highest and lowest fifth, up positive), and how far the sternum
- * has pitched: the turn of the line from its lowest to its highest fifth, lower end forward positive.
+ * Motion of the liver's top and lower edge (mean of its highest and lowest fifth, up positive), and pitch of the
+ * sternum. The pitch is the rotation of the line from its lowest to its highest fifth, positive if the lower end moves
+ * forward.
  */
 final class LiverSternumMeasure implements SceneMeasure {
     static final List<String> NAMES = List.of("liver_top_mm", "liver_edge_mm", "sternum_pitch_deg");
@@ -45,7 +46,7 @@ final class LiverSternumMeasure implements SceneMeasure {
         return StrictMath.toDegrees(StrictMath.atan2(top[1] - foot[1], top[2] - foot[2]));
     }
 
-    /** Mean of the points that are in the highest or lowest fifth at rest, at rest or now. */
+    /** Mean of the points that are in the highest or lowest fifth at rest, at rest or in the current position. */
     private static double[] meanOfFifth(SceneGeometry view, int[] parts, boolean top, boolean moved) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;

@@ -12,9 +12,10 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How far ribs and costal cartilages have moved and turned since rest, mean of both sides. Of a rib: its anterior end,
- * its most lateral point, and its rotation vector with pump about -x (raises the front) and bucket about the axis that
- * points forward on the right (raises the side). Of a cartilage: the mean of its points.
+ * Displacement and rotation of ribs and costal cartilages since rest, mean of both sides. Ribs are measured at the
+ * anterior end and the most lateral point, and by their rotation vector. Pump handle rotation is about -x (raises the
+ * front). Bucket handle rotation is about the axis that points forward on the right (raises the side). A cartilage is
+ * measured at the mean of its points.
  */
 final class RibMeasure implements SceneMeasure {
     private static final int LEVELS = 12;
@@ -28,7 +29,7 @@ final class RibMeasure implements SceneMeasure {
     private static final class Rib {
         int surface;
         int sign;
-        /** Anterior end, then most lateral point. */
+        /** Anterior end, then most lateral point, mm. */
         double[] points;
     }
 
@@ -119,7 +120,7 @@ final class RibMeasure implements SceneMeasure {
         }
     }
 
-    /** Axis times angle of a pose's rotation, degrees. */
+    /** Rotation vector (axis times angle) of a pose, degrees. */
     static double[] rotationVector(float[] pose) {
         double x = pose[9] - pose[6];
         double y = pose[2] - pose[8];

@@ -10,7 +10,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** The surfaces of a scene and where their points are at one time. */
+/** The surfaces of a scene and the positions of their points at one time. */
 final class SceneGeometry {
     private final List<Surface> surfaces;
     private final double[][] positions;
@@ -20,7 +20,7 @@ final class SceneGeometry {
         positions = new double[surfaces.size()][];
     }
 
-    /** Places all surfaces as a frame has them. */
+    /** Updates all positions from a frame. */
     void update(Frame frame) {
         for (int i = 0; i < positions.length; i++) {
             Surface s = surfaces.get(i);
@@ -37,12 +37,12 @@ final class SceneGeometry {
         return surfaces.get(index);
     }
 
-    /** Points of a surface, mm; valid until the next frame. */
+    /** Points of a surface, mm; valid until the next {@link #update}. */
     double[] positions(int index) {
         return positions[index];
     }
 
-    /** Indices of all surfaces of a kind. */
+    /** Indices of all surfaces that satisfy a predicate. */
     int[] indicesOf(Predicate<Surface> which) {
         return IntStream.range(0, surfaces.size())
                 .filter(i -> which.test(surfaces.get(i)))
@@ -53,12 +53,12 @@ final class SceneGeometry {
         return indicesOf(s -> s.kind() == kind);
     }
 
-    /** Index of the diaphragm. */
+    /** Index of the diaphragm surface. */
     int diaphragm() {
         return indicesOf(StructureKind.DIAPHRAGM)[0];
     }
 
-    /** For each triangle of the diaphragm whether at least two of its corners are on the thoracic face. */
+    /** Marks the triangles of the diaphragm that have at least two corners on the thoracic face. */
     boolean[] thoracicTriangles() {
         TriangleMesh rest = surface(diaphragm()).rest();
         DiaphragmFaces faces = new DiaphragmFaces(rest, new MeshTopology(rest));
@@ -74,7 +74,7 @@ final class SceneGeometry {
         return thoracic;
     }
 
-    /** Where in an array of points the most lateral point of a side begins; of equal ones the first. */
+    /** Array offset of the most lateral point of a side; the first if several are equal. */
     static int mostLateral(double[] points, int sign) {
         int best = 0;
         for (int k = 0; k < points.length; k += 3) {
@@ -83,7 +83,7 @@ final class SceneGeometry {
         return best;
     }
 
-    /** Name of an observable of a level: {@code rib_03_pump_deg}. */
+    /** Name of an observable at a rib level, such as {@code rib_03_pump_deg}. */
     static String name(String kind, int level, String what) {
         return kind + (level < 10 ? "_0" : "_") + level + "_" + what;
     }

@@ -3,13 +3,13 @@ package org.phrenic.study.measure;
 import java.util.Map;
 import org.phrenic.simulation.observe.Frame;
 
-/** Something that is measured on a scene's surfaces. */
+/** Computes observables from the surfaces of a scene. */
 interface SceneMeasure {
     /**
-     * Writes what it finds at this time; what the body lacks is left out.
+     * Adds the observables of a frame. Observables of structures that the body lacks are left out.
      *
-     * @param view shows the frame
-     * @param values by name of the observable
+     * @param view geometry, already updated to the frame
+     * @param values receives the values by name of the observable
      */
     void measure(SceneGeometry view, Frame frame, Map<String, Double> values);
 }

@@ -9,7 +9,9 @@ import java.util.function.Function;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Frame;
 
-/** Observables that the physiology table needs beyond those of every run, computed from the surfaces of a scene. */
+/**
+ * Observables that the physiology table needs in addition to those of every run, computed from the surfaces of a scene.
+ */
 public final class SceneObservables {
     private record Group(List<String> names, Function<SceneGeometry, SceneMeasure> make) {}
 
@@ -29,10 +31,10 @@ public final class SceneObservables {
     private final Map<String, Double> values = new LinkedHashMap<>();
 
     /**
-     * Prepares the measures that give some observables.
+     * Prepares the measures of the requested observables.
      *
      * @param surfaces of the scene at rest
-     * @param wanted names of observables; those of other origin are ignored
+     * @param wanted names of observables; unknown names are ignored
      */
     public SceneObservables(SceneSurfaces surfaces, Frame rest, Collection<String> wanted) {
         view = new SceneGeometry(surfaces.surfaces());
@@ -45,17 +47,17 @@ public final class SceneObservables {
         }
     }
 
-    /** All names there are. */
+    /** Names of all observables. */
     public static List<String> names() {
         return GROUPS.stream().flatMap(g -> g.names.stream()).toList();
     }
 
-    /** Names of the columns of {@link #measure}. */
+    /** Column names of {@link #measure}. */
     public List<String> columns() {
         return List.copyOf(names);
     }
 
-    /** One value a column; NaN where the body lacks what is measured. */
+    /** One value per column; NaN if the body lacks the structure. */
     public double[] measure(Frame frame) {
         view.update(frame);
         values.clear();

@@ -11,15 +11,15 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * How muscle and tendon of the diaphragm keep their shape: rms change of the lengths of their edges since rest, per
- * cent (an edge is tendon if both its ends are), and how far the tendon's vertices are from where the best rigid motion
- * of their piece of tendon would carry them, rms mm.
+ * Deformation of the diaphragm's muscle and tendon since rest: rms relative change of edge lengths, per cent. An edge
+ * belongs to the tendon if both its ends do. For the tendon also the rms distance of the vertices from the best-fit
+ * rigid motion of their connected piece, mm.
  */
 final class TissueStrainMeasure implements SceneMeasure {
     static final List<String> NAMES =
             List.of("muscle_edge_change_percent", "tendon_edge_change_percent", "tendon_bent_mm");
 
-    /** Pieces of tendon smaller than this many vertices are not tendon but the odd vertex. */
+    /** Smaller pieces are isolated vertices and are ignored. */
     private static final int MIN_PIECE_VERTICES = 10;
 
     private final int sheet;
@@ -46,7 +46,7 @@ final class TissueStrainMeasure implements SceneMeasure {
                 + (p[a + 2] - p[b + 2]) * (p[a + 2] - p[b + 2]));
     }
 
-    /** Vertices of each connected piece of tendon. */
+    /** Vertices of each connected tendon piece. */
     private List<int[]> tendonPieces(boolean[] tendon) {
         int[] head = DisjointSets.singletons(tendon.length);
         for (int e = 0; e < edges.length; e += 2) {
@@ -77,7 +77,7 @@ final class TissueStrainMeasure implements SceneMeasure {
         measureSheet(view.surface(sheet), view.positions(sheet), values);
     }
 
-    /** The same of the sheet at rest and where its points are now, mm. */
+    /** Measures a sheet from its rest shape and its current positions, mm. */
     void measureSheet(Surface s, double[] now, Map<String, Double> values) {
         double[] sum = new double[2];
         int[] count = new int[2];

@@ -5,22 +5,22 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.study.ReportNumbers;
 
 /**
- * A statement or figure of the paper and its counterpart here.
+ * A statement or value of the paper and the corresponding result of this program.
  *
  * @param statement in a few words
- * @param published what the paper has
- * @param measured what was found here
- * @param verdict of both
- * @param explanation what differs and why, or by what rule it counts as agreed
+ * @param published value in the paper
+ * @param measured result of this program
+ * @param verdict of the comparison
+ * @param explanation the difference and its reason, or the criterion of agreement
  */
 record Claim(String statement, String published, String measured, Verdict verdict, String explanation) {
-    /** How what is here compares with what is published. */
+    /** Outcome of the comparison with the paper. */
     enum Verdict {
         AGREES,
         DIFFERS,
-        /** Nothing can agree: it is shown to be looked at. */
+        /** Shown for visual inspection; there is no criterion of agreement. */
         SHOWN,
-        /** Not part of a short reproduction. */
+        /** Omitted in a short reproduction. */
         NOT_MEASURED;
 
         String label() {

@@ -22,18 +22,18 @@ import org.phrenic.simulation.observe.Surface;
 import org.phrenic.study.PaperScenarios;
 
 /**
- * How large a model is, and by what its diaphragm is held.
+ * Size of a model and attachments of its diaphragm.
  *
- * @param vertices that springs move, in all
- * @param springs between them
- * @param diaphragmVertices of the closed sheet
- * @param diaphragmTriangles of it
- * @param eulerCharacteristic Euler characteristic of the sheet: vertices less edges plus triangles
- * @param tendonVertices of the sheet
- * @param rigidLinks across the tendon
- * @param attachedByPlace vertices of the sheet that bone holds, by the part of the skeleton that is nearest to each
+ * @param vertices number of vertices moved by springs
+ * @param springs number of springs
+ * @param diaphragmVertices number of vertices of the closed sheet
+ * @param diaphragmTriangles number of triangles of the closed sheet
+ * @param eulerCharacteristic Euler characteristic of the sheet: vertices - edges + triangles
+ * @param tendonVertices number of tendon vertices of the sheet
+ * @param rigidLinks number of rigid links across the tendon
+ * @param attachedByPlace number of sheet vertices attached to bone, by the nearest part of the skeleton
  * @param rk2LimitS largest stable step of midpoint Runge-Kutta, s
- * @param rk2Substeps into which midpoint Runge-Kutta has to split the paper's step
+ * @param rk2Substeps number of midpoint Runge-Kutta substeps needed for the paper's time step
  */
 public record ModelCounts(
         int vertices,
@@ -49,7 +49,7 @@ public record ModelCounts(
     private static final int FIRST_FLOATING = 11;
     private static final int FIRST_OF_MARGIN = 7;
 
-    /** The four places of attachment that the paper names, and what is none of them. */
+    /** The four attachment sites named in the paper, then all others. */
     static final List<String> PLACES = List.of(
             "sternum (xiphoid)",
             "costal margin (ribs and cartilages 7 to 10)",
@@ -95,7 +95,7 @@ public record ModelCounts(
         Map<String, Integer> count = new LinkedHashMap<>();
         PLACES.forEach(place -> count.put(place, 0));
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        // The sheet's nodes come first; a point of an overlay names its node twice.
+        // The sheet's nodes come first; each point of the overlay repeats its node twice.
         int[] nodes =
                 overlay(scene, Overlay.Kind.ATTACHMENTS).map(Overlay::nodePairs).orElse(new int[0]);
         for (int node : Arrays.stream(nodes)
@@ -126,7 +126,7 @@ public record ModelCounts(
         };
     }
 
-    /** Vertices of the sheet that are held. */
+    /** Number of attached vertices of the sheet. */
     int attachedCount() {
         return attachedByPlace.values().stream().mapToInt(Integer::intValue).sum();
     }

@@ -16,7 +16,7 @@ import org.phrenic.model.organ.SternumPart;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Scenario;
 
-/** The paper's model part by part and its parameters, with what stands here in their place. */
+/** The parts and parameters of the paper's model and their counterparts in this program. */
 final class ModelSection {
     private final Reproduction reproduction;
     private final ModelCounts ours;

@@ -16,13 +16,13 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
 
-/** What the paper says about its fig. 3: how tendon and muscle move, and the three phenomena that move them. */
+/** The paper's statements about fig. 3: motion of tendon and muscle, and the three phenomena that cause it. */
 final class MotionSection {
     private static final String MUSCLE = "muscle_edge_change_percent";
     private static final String TENDON = "tendon_edge_change_percent";
-    /** The tendon keeps its geometry if its edges change by less than this share of what the muscle's do. */
+    /** Largest ratio of tendon to muscle edge length change at which the tendon counts as keeping its shape. */
     private static final double MAX_TENDON_SHARE = 0.25;
-    /** Rigid links keep the tendon if its edges change so many times as much without them. */
+    /** Smallest ratio of tendon edge change without links to that with links for the links to count as effective. */
     private static final double MIN_CHANGE_WITHOUT_LINKS = 1.5;
 
     private final Reproduction reproduction;

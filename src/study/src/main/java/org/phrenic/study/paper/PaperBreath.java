@@ -7,13 +7,13 @@ import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
 
 /**
- * One simulated breath from end-expiration, as far as the paper says something of it.
+ * One simulated breath from end-expiration, for comparison with the paper.
  *
  * @param series observables over the breath
- * @param endInspirationRow of the curves that is end-inspiration
+ * @param endInspirationRow row of the series at end-inspiration
  */
 public record PaperBreath(BreathSeries series, int endInspirationRow) {
-    /** One name of each group of measures that is wanted. */
+    /** One observable of each measure group that is needed. */
     private static final List<String> WANTED = List.of("dome_right_vertebra", "tendon_bent_mm");
 
     static PaperBreath of(Scenario scenario, Thorax thorax) {
@@ -21,27 +21,27 @@ public record PaperBreath(BreathSeries series, int endInspirationRow) {
         return new PaperBreath(curves, curves.endInspirationRow(0));
     }
 
-    /** The same breath with another row taken for end-inspiration. */
+    /** A copy with another row as end-inspiration. */
     PaperBreath withEndInspirationRow(int other) {
         return new PaperBreath(series, other);
     }
 
-    /** A column at end-expiration. */
+    /** Value of a column at end-expiration. */
     double atEndExpiration(String column) {
         return series.value(column, series.endExpirationRow(0));
     }
 
-    /** A column at end-inspiration. */
+    /** Value of a column at end-inspiration. */
     double atEndInspiration(String column) {
         return series.value(column, endInspirationRow);
     }
 
-    /** How far a column goes up in inspiration. */
+    /** Change of a column from end-expiration to end-inspiration. */
     double change(String column) {
         return atEndInspiration(column) - atEndExpiration(column);
     }
 
-    /** Mean of how far both domes go down in inspiration, mm. */
+    /** Descent of the domes in inspiration, mean of both sides, mm. */
     double domeDescentMm() {
         return -0.5 * (change("dome_right_mm") + change("dome_left_mm"));
     }

@@ -11,7 +11,9 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.study.ShippedFile;
 import org.phrenic.study.paper.Claim.Verdict;
 
-/** Claims, tables and texts of the report ({@code data/paper/report.yaml}), with {0}, {1} ... for what is computed. */
+/**
+ * Claims, tables and texts of the report ({@code data/paper/report.yaml}), with placeholders {0}, {1} ... for results.
+ */
 final class PaperTexts {
     private record ClaimText(String key, String statement, String published, String explanation) {}
 
@@ -46,14 +48,14 @@ final class PaperTexts {
         return result;
     }
 
-    /** @param values for the text of what is published and of the explanation */
+    /** @param values for the placeholders of the published text and the explanation */
     static Claim claim(String key, Verdict verdict, String measured, Object... values) {
         ClaimText text = CLAIMS.get(key);
         return new Claim(
                 text.statement, filled(text.published, values), measured, verdict, filled(text.explanation, values));
     }
 
-    /** A claim that a short reproduction leaves out. */
+    /** A claim that is omitted in a short reproduction. */
     static Claim notMeasured(String key, Object... values) {
         ClaimText text = CLAIMS.get(key);
         String reason = "Left out of a quick reproduction.";
@@ -72,7 +74,7 @@ final class PaperTexts {
         return filled(TEXTS.get(key).text, values);
     }
 
-    /** Columns of text, then columns of numbers. */
+    /** Text columns, then number columns. */
     static List<Column> columns(int texts, String... headings) {
         List<Column> columns =
                 new ArrayList<>(Arrays.stream(headings).map(Column::number).toList());

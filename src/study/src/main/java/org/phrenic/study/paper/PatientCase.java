@@ -12,14 +12,14 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
- * A patient at two breath levels, and what a fit made of it.
+ * A patient at two breath levels with the result of a fit.
  *
  * @param name of the patient
- * @param data where the two levels come from
- * @param synthetic whether no real patient lies behind it
- * @param body at the end of exhale: what the scan shows, and what it lacks from a virtual body
- * @param notes on how body and targets came about
- * @param fit from the end of exhale to the end of inhale
+ * @param data source of the two levels
+ * @param synthetic whether the patient is synthetic
+ * @param body at end-expiration: structures of the scan, completed from a virtual body
+ * @param notes on the derivation of body and targets
+ * @param fit from end-expiration to end-inspiration
  */
 public record PatientCase(String name, String data, boolean synthetic, Thorax body, List<String> notes, FitResult fit) {
     private static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
@@ -29,20 +29,20 @@ public record PatientCase(String name, String data, boolean synthetic, Thorax bo
         notes = List.copyOf(notes);
     }
 
-    /** Distances before and after the model, mm. */
+    /** Distance summaries before and after the fit, mm. */
     record DistanceChange(DistanceSummary before, DistanceSummary after) {
-        /** Mean distance left, as a share of what it was. */
+        /** Mean distance after over mean distance before. */
         double ratio() {
             return after.mean() / before.mean();
         }
     }
 
-    /** The lungs before and after: vertices of the body's lungs with their distance from the target. */
+    /** Distances from the target at the vertices of the body's lungs, before and after. */
     public List<FitResult.TargetResult> lungs() {
         return of(LUNGS);
     }
 
-    /** The diaphragm at the end of exhale. */
+    /** The diaphragm at end-expiration. */
     public TriangleMesh diaphragm() {
         return body.structures().stream()
                 .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
@@ -51,12 +51,12 @@ public record PatientCase(String name, String data, boolean synthetic, Thorax bo
                 .orElseThrow();
     }
 
-    /** Distances of both lungs, whole. */
+    /** Distance change of both whole lungs. */
     DistanceChange lungChange() {
         return change(lungs());
     }
 
-    /** Distances of their bases, if those were fitted to. */
+    /** Distance change of the lung bases, if they are fit targets. */
     Optional<DistanceChange> lungBaseChange() {
         List<FitResult.TargetResult> bases = of(BASES);
         return bases.isEmpty() ? Optional.empty() : Optional.of(change(bases));

@@ -3,11 +3,11 @@ package org.phrenic.study.paper;
 import java.util.List;
 
 /**
- * What was found of patients.
+ * Results of the patient study.
  *
  * @param cases at least one
- * @param missingNote what is not there, and what stands in its place; empty if nothing
- * @param quick whether nothing was tuned
+ * @param missingNote missing data and its replacement; empty if complete
+ * @param quick whether parameters were left untuned
  */
 public record PatientResults(List<PatientCase> cases, String missingNote, boolean quick) {
     public PatientResults {
@@ -17,7 +17,7 @@ public record PatientResults(List<PatientCase> cases, String missingNote, boolea
         }
     }
 
-    /** Whether real patients lie behind it. */
+    /** Whether all patients are real. */
     public boolean areRealPatients() {
         return cases.stream().noneMatch(PatientCase::synthetic);
     }

@@ -11,19 +11,19 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 
 /**
- * Two volumes of labels of one patient: {@code NAME_expiration.nii.gz} and {@code NAME_inspiration.nii.gz}, or any
- * other ending that can be read.
+ * Two label volumes of one patient: {@code NAME_expiration.nii.gz} and {@code NAME_inspiration.nii.gz}, or another
+ * readable format.
  *
  * @param name of the patient
- * @param expiration lungs at the end of exhale
- * @param inspiration lungs at the end of inhale
+ * @param expiration lungs at end-expiration
+ * @param inspiration lungs at end-inspiration
  */
 public record PatientScans(String name, Path expiration, Path inspiration) {
     private static final String EXPIRATION = "_expiration.";
     private static final String INSPIRATION = "_inspiration.";
 
     /**
-     * All pairs of a folder, by name.
+     * Finds all pairs of a folder, sorted by name.
      *
      * @throws BadInputException if there are none
      */

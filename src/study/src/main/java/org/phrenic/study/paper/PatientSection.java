@@ -13,7 +13,7 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.PatientCase.DistanceChange;
 
-/** The paper's patients, figs. 4 and 5 and table 2, and ours beside them. */
+/** The paper's patients (figs. 4 and 5, table 2) and the patients of this study. */
 final class PatientSection {
     private final PatientResults results;
     private final ReportPictures pictures;

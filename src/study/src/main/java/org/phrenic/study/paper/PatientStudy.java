@@ -38,24 +38,21 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /**
- * The paper's study of patients on public scans: import of both breath levels, rigid alignment, a short fit at low
+ * The paper's patient study on public scans: import of both breath levels, rigid alignment, and a short fit at low
  * resolution.
  */
 public final class PatientStudy {
-    /**
-     * Where scans at two breath levels are looked for when nothing else is said, from the folder in which the program
-     * runs.
-     */
+    /** Default folder of scans at two breath levels, relative to the working directory. */
     public static final Path DEFAULT_FOLDER = Path.of("..", "shared", "segmentations", "breath-pairs");
     /**
-     * The axes of those scans: their headers state others, by which the left lung would be the larger and the spine in
-     * front.
+     * Axes of the default scans. They replace the axes in the headers, with which the left lung would be larger and the
+     * spine in front.
      */
     public static final String DEFAULT_AXES = "LPS";
-    /** More patients are left out: each takes about a minute. */
+    /** Maximum number of patients; each takes about a minute. */
     public static final int MAX_PATIENTS = 3;
 
-    /** Breaths of the search for each patient. */
+    /** Maximum number of simulated breaths in the search for each patient. */
     private static final int EVALUATIONS = 25;
 
     private static final int THREADS = 2;
@@ -63,17 +60,17 @@ public final class PatientStudy {
     private final boolean quick;
     private final ProgressListener progress;
 
-    /** @param quick the first patient alone, and what the untuned model does */
+    /** @param quick whether to use the first patient only, without tuning */
     public PatientStudy(boolean quick, ProgressListener progress) {
         this.quick = quick;
         this.progress = progress;
     }
 
     /**
-     * Real patients, the first few.
+     * Studies real patients, at most {@link #MAX_PATIENTS}.
      *
-     * @param axes see {@link GeometryOverride#axes}; empty for those of the files
-     * @throws BadInputException if a scan cannot be used, or shows no lungs
+     * @param axes see {@link GeometryOverride#axes}; empty for the axes of the files
+     * @throws BadInputException if a scan cannot be used or contains no lungs
      */
     public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
         int count = Math.min(quick ? 1 : MAX_PATIENTS, scans.size());
@@ -96,7 +93,7 @@ public final class PatientStudy {
         return cases;
     }
 
-    /** A patient of two scans, before anything is tuned. */
+    /** A patient imported from two scans, before tuning. */
     private record Imported(String name, Thorax body, List<FitTarget> targets, String alignment, List<String> notes) {}
 
     private Imported imported(PatientScans pair, Optional<String> axes) {
@@ -145,7 +142,7 @@ public final class PatientStudy {
                 .run(map, name);
     }
 
-    /** A patient whose breath is known, where there are no scans. */
+    /** A synthetic patient with a known breath, used if there are no scans. */
     public PatientCase synthetic() {
         SyntheticPatient patient = SyntheticPatient.five().get(0);
         progress.note("a synthetic patient: " + patient.name());
@@ -178,7 +175,7 @@ public final class PatientStudy {
                 new FitSetup.Options(
                         false, alignment, new FitSearch.Settings(1, evaluations()), quick ? 1 : THREADS, false));
         try {
-            // The journal is for long searches that are stopped; this one is short.
+            // The journal serves to resume long searches and is not needed for a short one.
             Path journal = Files.createTempDirectory("phrenic").resolve("journal.csv");
             try {
                 return Fit.run(setup, journal, new Breaths());
@@ -190,7 +187,7 @@ public final class PatientStudy {
         }
     }
 
-    /** A folder and the files in it: a fit may keep more than its journal. */
+    /** Deletes a folder with all its files, because a fit may write more than its journal. */
     private static void delete(Path folder) throws IOException {
         List<Path> kept;
         try (Stream<Path> files = Files.list(folder)) {
@@ -202,7 +199,7 @@ public final class PatientStudy {
         Files.delete(folder);
     }
 
-    /** Reports every twelfth breath. */
+    /** Reports progress every twelfth breath. */
     private final class Breaths implements FitProgress {
         private static final int EVERY = 12;
 

@@ -9,11 +9,11 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
 
-/** What the paper's clinical collaborator says of breathing. */
+/** Statements on breathing by the paper's clinical collaborator. */
 final class PhysiologySection {
-    /** "Only the domes descend": the centre goes less than this share of their way. */
+    /** "Only the domes descend": largest ratio of the centre's descent to that of the domes. */
     private static final double MAX_CENTRE_SHARE = 0.25;
-    /** A level is met within half a bone. */
+    /** Tolerance of a skeletal level: half a bone. */
     private static final double LEVEL_TOLERANCE = 0.5;
 
     private static final double FOURTH_SPACE = 4.5;

@@ -7,11 +7,11 @@ import org.phrenic.document.report.ReportDocument.Figure;
 import org.phrenic.document.report.ReportDocument.Picture;
 
 /**
- * The pictures of a report.
+ * Pictures of a report.
  *
- * @param figures of figures 1 to 3, by their number
- * @param segmented of figure 4, by the name of a patient
- * @param distances of figure 5, likewise
+ * @param figures pictures of figures 1 to 3, by figure number
+ * @param segmented pictures of figure 4, by patient name
+ * @param distances pictures of figure 5, by patient name
  * @param reason why figures have no pictures, in one sentence; empty if all have
  */
 public record ReportPictures(
@@ -25,7 +25,7 @@ public record ReportPictures(
         distances = Map.copyOf(distances);
     }
 
-    /** Adds the pictures of a figure, or says that it has none. */
+    /** Adds the pictures of a figure, or the reason why there are none. */
     void add(ReportDocument report, int number, List<Picture> pictures, String caption) {
         if (pictures == null || pictures.isEmpty()) {
             report.remark("Fig. " + number + " has no picture here. " + reason);

@@ -17,16 +17,16 @@ import org.phrenic.study.speed.SpeedTable;
 import org.phrenic.study.speed.SpeedTrials;
 
 /**
- * Everything of the paper that can be measured without a picture.
+ * All results of the paper that need no picture.
  *
- * @param quick whether it was measured coarsely and in part
+ * @param quick whether the measurement was coarse and partial
  * @param breathResolution resolution of the breaths
- * @param defaultModel size of the model as it is used here, at the finest resolution measured
- * @param publishedModel size of the model with the paper's numbers and rules, likewise
+ * @param defaultModel size of the default model at the finest measured resolution
+ * @param publishedModel size of the model with the paper's numbers and rules, at the finest measured resolution
  * @param speed table 1
- * @param realTimeFactor simulated time over processor time of the paper's material at the finest resolution measured,
- *     with the scheme and step used here
- * @param breaths by name
+ * @param realTimeFactor simulated time over processor time of the paper's material at the finest measured resolution,
+ *     with the program's default scheme and step
+ * @param breaths by run
  */
 public record Reproduction(
         boolean quick,
@@ -37,7 +37,7 @@ public record Reproduction(
         double realTimeFactor,
         Map<Run, PaperBreath> breaths) {
 
-    /** The breaths that are simulated. */
+    /** Simulated breaths. */
     public enum Run {
         LIGHT("light breath"),
         DEEP("deep breath"),
@@ -74,7 +74,7 @@ public record Reproduction(
                         case PUBLISHED_HOMOGENEOUS ->
                             PaperScenarios.publishedModel("deep", resolution).with("tensegrity=false");
                     };
-            // Of the others only end-inspiration is needed, which is 3 to 4 s after the start.
+            // The other runs are only evaluated at end-inspiration, which is 3 to 4 s after the start.
             boolean toTheEnd = this == LIGHT || this == DEEP || this == PUBLISHED;
             return toTheEnd ? scenario.with("threads=1") : scenario.with("threads=1", "duration_s=" + INSPIRED_S);
         }
@@ -92,15 +92,16 @@ public record Reproduction(
         breaths = Map.copyOf(breaths);
     }
 
-    /** A breath, if it was simulated. */
+    /** The breath of a run, if it was simulated. */
     Optional<PaperBreath> breath(Run run) {
         return Optional.ofNullable(breaths.get(run));
     }
 
     /**
-     * Measures.
+     * Runs the reproduction.
      *
-     * @param quick low resolution alone and fewer breaths, in a few seconds; the figures of speed are then worth little
+     * @param quick whether to use low resolution and fewer breaths; takes a few seconds, and the speeds are not
+     *     accurate
      */
     public static Reproduction of(boolean quick, ProgressListener progress) {
         List<Resolution> resolutions = quick ? List.of(Resolution.LOW) : List.of(Resolution.values());
@@ -133,8 +134,8 @@ public record Reproduction(
             breaths.put(runs.get(i), done.get(i));
         }
         if (!quick) {
-            // Driven alone, ribs do not lower the domes: all three are compared at the end-inspiration of the whole
-            // breath.
+            // The ribs alone do not lower the domes, so all three runs are compared at the end-inspiration of the
+            // complete breath.
             int row = breaths.get(Run.DEEP).endInspirationRow();
             breaths.computeIfPresent(Run.DEEP_MUSCLE, (run, breath) -> breath.withEndInspirationRow(row));
             breaths.computeIfPresent(Run.DEEP_RIBS, (run, breath) -> breath.withEndInspirationRow(row));

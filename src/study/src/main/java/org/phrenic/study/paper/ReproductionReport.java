@@ -13,7 +13,7 @@ import org.phrenic.scenario.Settings;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
 
-/** The report: every table, figure and claim of the paper in its order, as printed and as found here. */
+/** Report with every table, figure and claim of the paper in its order, as printed and as reproduced. */
 public final class ReproductionReport {
     private static final List<Column> PAPER_AND_HERE = PaperTexts.columns(2, "the paper", "here");
 
@@ -31,7 +31,7 @@ public final class ReproductionReport {
         this.madeBy = madeBy;
     }
 
-    /** All of it. */
+    /** The complete report. */
     public ReportDocument document() {
         ReportDocument report =
                 new ReportDocument("Villard, Bourne and Bello 2009, reproduced", PaperTexts.text("lead"));

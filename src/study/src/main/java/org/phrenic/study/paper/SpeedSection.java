@@ -14,12 +14,12 @@ import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.speed.SpeedCase;
 import org.phrenic.study.speed.SpeedTable;
 
-/** Table 1 of the paper and the claims of its discussion of speed. */
+/** Table 1 of the paper and its statements about speed. */
 final class SpeedSection {
     private static final SpeedTable PUBLISHED = SpeedTable.published();
-    /** "Slightly slower": at most so many per cent. */
+    /** "Slightly slower": largest increase of the time per iteration, per cent. */
     private static final double SLIGHTLY_PERCENT = 10;
-    /** Tolerance of an exponent of one. */
+    /** Tolerance for an exponent of one. */
     private static final double EXPONENT_TOLERANCE = 0.25;
 
     private final Reproduction reproduction;

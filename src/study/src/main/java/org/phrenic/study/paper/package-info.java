@@ -1,5 +1,5 @@
 /**
- * The results of Villard, Bourne and Bello 2009, computed and set beside what is printed: one section of the report a
- * class. Texts are in data/paper/report.yaml.
+ * Reproduction of the results of Villard, Bourne and Bello 2009, compared with the printed values. Each class is one
+ * section of the report. Texts are in data/paper/report.yaml.
  */
 package org.phrenic.study.paper;

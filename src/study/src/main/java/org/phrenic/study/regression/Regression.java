@@ -20,7 +20,7 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.ShippedFile;
 
-/** The list of scenes with their references: those that come with the program, or those of a folder. */
+/** Regression scenes and exercises with stored references, either those of the program or those of a folder. */
 public class Regression {
     private static final String LIST = "scenes.yaml";
 
@@ -31,8 +31,8 @@ public class Regression {
     private final Map<String, Thorax> bodyCache = new LinkedHashMap<>();
 
     /**
-     * @param folder of references; null for those that come with the program
-     * @throws BadInputException with one sentence, if the list of scenes is not as it should be
+     * @param folder of references; null for those distributed with the program
+     * @throws BadInputException with one sentence, if the list of scenes is invalid
      */
     public Regression(Path folder) {
         this(folder, shippedList(), shippedAttempts(), SimulationRun::loadThorax);
@@ -40,8 +40,8 @@ public class Regression {
 
     /**
      * @param scenes to compute
-     * @param attempts to play
-     * @param bodies gives the body of a scene
+     * @param attempts to perform
+     * @param bodies supplies the body of a scene
      */
     Regression(
             Path folder,
@@ -72,8 +72,8 @@ public class Regression {
     /**
      * A scene or an attempt.
      *
-     * @param check reads its references, then gives the comparison to be made
-     * @param values computes its references
+     * @param check reads the references and returns the comparison to run
+     * @param values computes the references
      */
     private record Entry(
             String name, Supplier<Supplier<RegressionComparison>> check, Supplier<Map<String, Object>> values) {}
@@ -115,11 +115,11 @@ public class Regression {
     }
 
     /**
-     * Computes scenes and attempts and compares them with their references.
+     * Computes scenes and attempts and compares them with their references. All references are read before the first
+     * computation.
      *
      * @param only names of scenes and attempts; empty for all
-     * @throws BadInputException with one sentence, if a file of references is missing, broken or of another scene;
-     *     before anything is computed
+     * @throws BadInputException with one sentence, if a reference file is missing, invalid or belongs to another scene
      */
     public List<RegressionComparison> check(List<String> only, ProgressListener progress) {
         List<Entry> selected = selected(only);
@@ -134,7 +134,7 @@ public class Regression {
         return comparisons;
     }
 
-    /** Computes scenes and attempts and writes them as references into the folder. */
+    /** Computes scenes and attempts and writes the results as references into the folder. */
     public void write(List<String> only, ProgressListener progress) {
         int done = 0;
         List<Entry> selected = selected(only);
@@ -176,13 +176,13 @@ public class Regression {
         }
     }
 
-    /** The body of a scene, generated once. */
+    /** The body of a scene, generated once and cached. */
     private Thorax body(Scenario scenario) {
         return bodyCache.computeIfAbsent(
                 scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
     }
 
-    /** Called with every simulation before its first step; tests override it. */
+    /** Hook before the first step of every simulation, for tests. */
     void prepare(Simulation simulation) {}
 
     /** Computes a scene. */

@@ -17,23 +17,22 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 
 /**
- * An exercise of the regression list: performed, its report is compared with the stored one, number by number.
+ * Exercise of the regression list. It is performed and its report compared with the stored one, value by value.
  *
- * @param name of its file of references
- * @param exercise that comes with the program
- * @param settings over those of the exercise, as {@code key=value}
- * @param tolerance largest difference of a number from its reference, as a share of that or of 1 if that is more; words
- *     and counts must be the same
+ * @param name of its reference file
+ * @param exercise name of an exercise distributed with the program
+ * @param settings that override those of the exercise, as {@code key=value}
+ * @param tolerance largest error of a number relative to max(|reference|, 1); words and counts must be equal
  */
 record RegressionAttempt(
         String name, String exercise, @Key(absent = "") List<String> settings, @Key(above = 0) double tolerance) {
-    /** Of the report: all that the attempt, its path and the access map give, but not what was asked for, nor bits. */
+    /** Compared parts of the report: results only, without the request and without checksums. */
     private static final Set<String> PARTS = Set.of("done", "goals", "attempt", "path", "access");
 
     private static final String OF = "of";
     private static final String REPORT = "report";
 
-    /** All attempts of a list; none where it has none. */
+    /** All attempts of a list; empty if it has none. */
     static List<RegressionAttempt> list(YamlMap yaml, List<RegressionScene> scenes) {
         Set<String> names = new HashSet<>();
         scenes.forEach(scene -> names.add(scene.name()));
@@ -55,7 +54,7 @@ record RegressionAttempt(
         return attempts;
     }
 
-    /** What is simulated. */
+    /** The simulated scenario. */
     Scenario scenario() {
         return plan().scenario();
     }
@@ -68,12 +67,12 @@ record RegressionAttempt(
                 .with(settings);
     }
 
-    /** Exercise and settings in one line: references of another line are of another attempt. */
+    /** Exercise and settings in one line; references are valid only for the same line. */
     String specification() {
         return String.join(" ", exercise, String.join(" ", settings)).strip();
     }
 
-    /** Plays it on its body; the leaves of its report by their paths. */
+    /** Performs the exercise on a body and returns the leaf values of its report by path. */
     Map<String, String> compute(Thorax thorax) {
         Rehearsal rehearsal = Rehearsal.play(plan(), thorax, (simulated, total, perS) -> {});
         Map<String, String> leaves = new LinkedHashMap<>();
@@ -103,7 +102,7 @@ record RegressionAttempt(
         }
     }
 
-    /** As plain values for YAML. */
+    /** Values for YAML. */
     Map<String, Object> values(Map<String, String> leaves) {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put(OF, specification());
@@ -114,7 +113,7 @@ record RegressionAttempt(
     /**
      * Reads the references of this attempt.
      *
-     * @throws BadInputException with one sentence, if they are of another
+     * @throws BadInputException with one sentence, if they belong to another attempt
      */
     Map<String, String> read(YamlMap yaml) {
         yaml.requireOnly(List.of(OF, REPORT));
@@ -130,7 +129,7 @@ record RegressionAttempt(
         return leaves;
     }
 
-    /** Compares the report with its references. */
+    /** Compares a report with its references. */
     RegressionComparison compare(Map<String, String> then, Map<String, String> now) {
         if (!then.keySet().equals(now.keySet())) {
             Set<String> missing = new TreeSet<>(then.keySet());
@@ -161,7 +160,7 @@ record RegressionAttempt(
                                 + ", the tolerance is " + tolerance + " of it");
     }
 
-    /** Relative error of a leaf; infinite where texts differ or one of them is NaN. */
+    /** Relative error of a leaf; infinite if texts differ or one value is NaN. */
     private static double off(String then, String now) {
         if (then.equals(now)) {
             return 0;

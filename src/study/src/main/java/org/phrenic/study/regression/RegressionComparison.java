@@ -6,15 +6,15 @@ import org.phrenic.simulation.observe.Observation;
 /**
  * Comparison of a scene with its references.
  *
- * @param scene its name
- * @param passes whether all is within the tolerances
- * @param worstMm largest distance of a node from its reference, mm; NaN where a position is NaN
- * @param worstNode that node, in the caller's numbering; -1 where it was not reached
- * @param worstNodeTimeS when, s
- * @param worstObservable observable, or number of a report, that is farthest off; empty where it was not reached
- * @param worstRelativeError by how much, as a share of it or of 1
- * @param worstObservableTimeS when, s
- * @param sentence what is wrong; empty if all holds
+ * @param scene name of the scene
+ * @param passes whether all values are within the tolerances
+ * @param worstMm largest distance of a node from its reference, mm; NaN if a position is NaN
+ * @param worstNode that node, in the caller's numbering; -1 if nodes were not compared
+ * @param worstNodeTimeS time of that distance, s
+ * @param worstObservable observable or report value with the largest error; empty if none was compared
+ * @param worstRelativeError its error relative to max(|reference|, 1)
+ * @param worstObservableTimeS time of that error, s
+ * @param sentence description of the failure; empty if the comparison passes
  */
 public record RegressionComparison(
         String scene,
@@ -27,19 +27,19 @@ public record RegressionComparison(
         double worstObservableTimeS,
         String sentence) {
 
-    /** A scene that failed before anything could be compared. */
+    /** A scene that failed before the comparison. */
     static RegressionComparison failed(RegressionScene scene, String sentence) {
         double none = Double.NaN;
         return new RegressionComparison(scene.name(), false, none, -1, none, "", none, none, sentence);
     }
 
-    /** A report compared leaf by leaf. */
+    /** Comparison of a report, leaf by leaf. */
     static RegressionComparison ofReport(String name, boolean holds, String worst, double share, String sentence) {
         double none = Double.NaN;
         return new RegressionComparison(name, holds, none, -1, none, worst, share, none, sentence);
     }
 
-    /** The largest error so far; NaN is larger than any number. */
+    /** Largest error so far; NaN counts as larger than any number. */
     private static final class Worst {
         private double error = -1;
         private int index = -1;
@@ -54,7 +54,7 @@ public record RegressionComparison(
         }
     }
 
-    /** Compares what a scene gives with its references: everything must be within its tolerance, and NaN is not. */
+    /** Compares computed results with references. Every error must be within its tolerance; NaN fails. */
     static RegressionComparison of(RegressionScene scene, RegressionReference stored, RegressionReference computed) {
         if (stored.nodeCount() != computed.nodeCount()) {
             String counts = "has " + computed.nodeCount() + " nodes, the references are of " + stored.nodeCount();

@@ -9,33 +9,32 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * Stored results of a scene: positions of some nodes and all observables at some times.
+ * Stored results of a scene: positions of sampled nodes and all observables at several times.
  *
  * @param specification {@link RegressionScene#specification} of the scene
- * @param nodeCount nodes of the scene
- * @param nodes those that are kept, in the caller's numbering
- * @param frames one a time
+ * @param nodeCount number of nodes of the scene
+ * @param nodes sampled nodes, in the caller's numbering
+ * @param frames one per time
  */
 record RegressionReference(String specification, int nodeCount, int[] nodes, List<Frame> frames) {
     private static final List<String> KEYS = List.of("of", "nodes_in_all", "nodes", "frames");
     private static final List<String> FRAME_KEYS = List.of("time_s", "positions_um", "observables");
-    /** Nodes kept: so many that a change anywhere in the body shows, so few that the file stays small. */
+    /** Number of sampled nodes: enough to detect a change anywhere in the body, few enough for a small file. */
     private static final int MAX_SAMPLED_NODES = 96;
 
     private static final double UM_PER_MM = 1000;
 
     /**
-     * A time.
+     * Results at one time.
      *
      * @param timeS simulated time, s
-     * @param positions of the nodes kept, three numbers each, mm
+     * @param positions of the sampled nodes, three coordinates each, mm
      * @param observables in the order of {@link Observation#COLUMNS}
      */
     record Frame(double timeS, double[] positions, double[] observables) {}
 
     /**
-     * The nodes to keep of so many: evenly spread over their numbering, which goes through the organs one after the
-     * other.
+     * Nodes evenly spaced over the numbering. Organs are numbered one after the other, so each large organ is sampled.
      */
     static int[] sampledNodes(int nodesInAll) {
         int count = Math.min(MAX_SAMPLED_NODES, nodesInAll);
@@ -44,7 +43,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
         return kept;
     }
 
-    /** As plain values for YAML; positions in whole micrometres. */
+    /** Values for YAML; positions in whole micrometres. */
     Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("of", specification);
@@ -70,7 +69,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
         return map;
     }
 
-    /** Numbers of one list in one line of text: a list of YAML would take a line each. */
+    /** Numbers as one line of text, because a YAML list would take one line per number. */
     private static String line(long[] numbers) {
         StringBuilder text = new StringBuilder();
         for (long number : numbers) {
@@ -79,7 +78,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
         return text.toString();
     }
 
-    /** To a millionth: an observable is a few hundred at most, and its tolerance a thousandth of that. */
+    /** Rounds to 1e-6. Observables are at most a few hundred, and their tolerance is a thousandth of that. */
     static double rounded(double value) {
         double scaled = Math.rint(value * 1e6) / 1e6;
         return scaled == 0 ? 0 : scaled;
@@ -88,8 +87,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
     /**
      * Reads the references of a scene.
      *
-     * @throws org.phrenic.format.BadInputException with one sentence, if something is missing or they are of another
-     *     scene
+     * @throws org.phrenic.format.BadInputException with one sentence, if values are missing or belong to another scene
      */
     static RegressionReference read(YamlMap yaml, RegressionScene scene) {
         yaml.requireOnly(KEYS);

@@ -11,15 +11,14 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
 /**
- * A scene of the regression list.
+ * Scene of the regression list.
  *
- * @param name of its file of references
- * @param settings what differs from a quiet breath, as {@code key=value}
- * @param changes made while it runs, as {@code STEP:key=value}
- * @param timesS when it is observed, s; more than 0, ascending
+ * @param name of its reference file
+ * @param settings that differ from a quiet breath, as {@code key=value}
+ * @param changes applied during the run, as {@code STEP:key=value}
+ * @param timesS observation times, s; positive, ascending
  * @param toleranceMm largest distance of a node from its reference, mm
- * @param observableTolerance largest difference of an observable from its reference, as a share of that or of 1 if that
- *     is more
+ * @param observableTolerance largest error of an observable relative to max(|reference|, 1)
  */
 record RegressionScene(
         String name,
@@ -67,14 +66,14 @@ record RegressionScene(
         return scene;
     }
 
-    /** The name of an entry is that of its file. */
+    /** Requires that the name is a valid file name. */
     static void requireFileName(YamlMap map, String name) {
         if (!name.matches("[a-z0-9-]+")) {
             throw map.bad("name", "found '" + name + "', expected small letters, digits and hyphens");
         }
     }
 
-    /** What is simulated. */
+    /** The simulated scenario. */
     Scenario scenario() {
         Scenario scenario = Scenario.defaults().with(settings.toArray(String[]::new));
         return changes.isEmpty()
@@ -83,7 +82,7 @@ record RegressionScene(
                         changes.stream().map(ScheduledChange::parse).toList());
     }
 
-    /** Settings, changes and times in one line: references of a scene with another line are of another scene. */
+    /** Settings, changes and times in one line; references are valid only for the same line. */
     String specification() {
         StringBuilder line = new StringBuilder(String.join(" ", settings));
         changes.forEach(change -> line.append(' ').append(change));

@@ -1,2 +1,5 @@
-/** Scenes and exercises computed and compared with stored references, node by node and number by number. */
+/**
+ * Regression tests: scenes and exercises are computed and compared with stored references, node by node and value by
+ * value.
+ */
 package org.phrenic.study.regression;

@@ -14,11 +14,11 @@ import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.bare.BareScene;
 
 /**
- * The virtual body's diaphragm as a bare workload of any size: remeshed coarsely, then each triangle split into four as
- * often as need be; the lowest nodes are held, the upper ones loaded.
+ * Bare workloads of any size from the virtual body's diaphragm. The sheet is remeshed coarsely and its triangles are
+ * then split into four as often as necessary. The lowest nodes are fixed, the upper ones loaded.
  */
 final class SheetWorkloads {
-    /** More than this is reached by splitting, which keeps valences as they are and is quick. */
+    /** Larger meshes are made by splitting, which is fast and keeps the valences. */
     private static final int MAX_REMESHED_VERTICES = 21_000;
 
     private static final double HELD_SHARE = 0.15;
@@ -42,12 +42,12 @@ final class SheetWorkloads {
         }
     }
 
-    /** A scene of about so many nodes. */
+    /** A scene of approximately this number of nodes. */
     BareScene ofSize(int nodes) {
         int coarse = nodes;
         int splits = 0;
         while (coarse > MAX_REMESHED_VERTICES) {
-            // Each split makes of V vertices V + E = 4 V - 6.
+            // Each split turns V vertices into V + E = 4 V - 6.
             coarse = (coarse + 6) / 4;
             splits++;
         }
@@ -73,7 +73,7 @@ final class SheetWorkloads {
                 new int[0]);
     }
 
-    /** Each triangle into four, by the middles of its edges. */
+    /** Splits each triangle into four at the midpoints of its edges. */
     private static TriangleMesh split(TriangleMesh mesh) {
         MeshTopology topology = new MeshTopology(mesh);
         int n = mesh.vertexCount();

@@ -8,22 +8,22 @@ import org.phrenic.study.bare.BareSettings;
 import org.phrenic.study.bare.BareWorkload;
 
 /**
- * What a step of the bare workload costs against the number of nodes.
+ * Cost of a step of the bare workload against the number of nodes.
  *
  * @param rows by size, smallest first
  */
 public record SizeScaling(List<Row> rows) {
     /**
-     * One size.
+     * Measurement of one size.
      *
-     * @param nodes particles
-     * @param springs between them
-     * @param threads that share the work
-     * @param kernel how spring forces are computed
-     * @param stepsPerS median of the trials
+     * @param nodes number of particles
+     * @param springs number of springs
+     * @param threads number of worker threads
+     * @param kernel label of the spring force kernel
+     * @param stepsPerS median of the trials, steps/s
      */
     public record Row(int nodes, int springs, int threads, String kernel, double stepsPerS) {
-        /** What a node costs a step, ns. */
+        /** Time per node and step, ns. */
         public double nanosPerNodeStep() {
             return 1e9 / stepsPerS / nodes;
         }
@@ -36,8 +36,8 @@ public record SizeScaling(List<Row> rows) {
     /**
      * Measures one size.
      *
-     * @param trials of which the median counts
-     * @param trialS what a trial takes at least, s
+     * @param trials number of trials; their median is used
+     * @param trialS minimum duration of a trial, s
      */
     static Row measure(BareScene scene, int threads, int trials, double trialS) {
         try (BareWorkload work = new BareWorkload(scene, BareSettings.DEFAULT.withThreads(threads))) {
@@ -53,7 +53,7 @@ public record SizeScaling(List<Row> rows) {
         }
     }
 
-    /** Exponent b of time = a · nodes^b on one thread, least squares of the logarithms; 1 is linear. */
+    /** Exponent b of time = a · nodes^b on one thread, by least squares of the logarithms; 1 is linear scaling. */
     public double exponent() {
         SimpleRegression fit = new SimpleRegression();
         rows.stream()

@@ -2,7 +2,7 @@ package org.phrenic.study.speed;
 
 import org.phrenic.anatomy.Resolution;
 
-/** The four columns of the paper's table 1: which of the model's parts work. */
+/** The four columns of the paper's table 1, which differ in the active parts of the model. */
 public enum SpeedCase {
     HETEROGENEOUS("heterogeneous, all forces", "tensegrity=true", 8.13, 10.41, 12.79),
     HOMOGENEOUS("homogeneous, all forces", "tensegrity=false", 8.56, 10.69, 13.07),
@@ -23,17 +23,17 @@ public enum SpeedCase {
         this.low = low;
     }
 
-    /** The column's heading. */
+    /** Column heading. */
     public String label() {
         return label;
     }
 
-    /** What a scenario sets for it. */
+    /** Scenario assignment that selects this case. */
     String setting() {
         return setting;
     }
 
-    /** Iterations a second that the paper prints. */
+    /** Speed printed in the paper, iterations/s. */
     public double publishedStepsPerS(Resolution resolution) {
         return switch (resolution) {
             case HIGH -> high;

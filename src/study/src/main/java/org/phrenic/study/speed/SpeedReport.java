@@ -22,7 +22,7 @@ public final class SpeedReport {
         this.study = study;
     }
 
-    /** One cell of table 1 as measured, by threads. */
+    /** Measured cell of table 1 for a number of threads. */
     private record Cell(int threads, SpeedTable.Row row, double speedup, double realTimeFactor) {
         String resolution() {
             return ReportNumbers.label(row.resolution());
@@ -68,7 +68,7 @@ public final class SpeedReport {
         return String.format(Locale.ROOT, format, value);
     }
 
-    /** The paper's table 1, ours beside it: a header and a row a cell. */
+    /** Table 1 of the paper with the measured values: a header and one row per cell. */
     public List<List<String>> table() {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of(
@@ -96,7 +96,7 @@ public final class SpeedReport {
         return rows;
     }
 
-    /** What rib motion adds to a step, by resolution and threads, and what the paper's figures say. */
+    /** Relative cost of rib motion by resolution and threads, with the value from the paper. */
     public List<List<String>> ribMotionOverhead() {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("resolution", "threads", "rib motion adds, %", "paper, %"));
@@ -114,7 +114,7 @@ public final class SpeedReport {
         return rows;
     }
 
-    /** The bare workload by size: a header and a row a size and count of threads. */
+    /** The bare workload by size: a header and one row per size and number of threads. */
     public List<List<String>> scaling() {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("nodes", "springs", "threads", "kernel", "steps/s", "ns a node-step"));
@@ -130,7 +130,7 @@ public final class SpeedReport {
         return rows;
     }
 
-    /** How the cost grows with size. */
+    /** Describes how the cost scales with size. */
     public String exponent() {
         return format(
                 "On one thread a step takes nodes to the power of %.3f.",
@@ -158,7 +158,7 @@ public final class SpeedReport {
         report.table("", rows.get(0).stream().map(Column::text).toList(), rows.subList(1, rows.size()));
     }
 
-    /** A line a cell of the table, then a line a size. */
+    /** One line per cell of the table, then one line per size. */
     public String csv() {
         List<List<String>> rows = new ArrayList<>();
         for (Cell cell : cells()) {
@@ -190,7 +190,7 @@ public final class SpeedReport {
         return line;
     }
 
-    /** All of it as values, for JSON. */
+    /** The study as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);

@@ -12,29 +12,29 @@ import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.bare.BareScene;
 
 /**
- * The paper's table 1 as measured here, by threads, and the cost of a step against the number of nodes.
+ * Measured speeds for the paper's table 1, by threads, and the cost of a step against the number of nodes.
  *
- * @param tables steps a second by threads
+ * @param tables steps per second by number of threads
  * @param stepS time step of these scenes, s
  * @param scaling of the bare workload
  */
 public record SpeedStudy(Map<Integer, SpeedTable> tables, double stepS, SizeScaling scaling) {
-    /** The paper's material and step; the scheme is that of a run that asks for none, whose step is stable whole. */
+    /** The paper's material and time step with the default scheme, which needs no substeps at this step. */
     private static final List<String> SETTINGS = List.of("integrator=verlet", "time_step_s=0.01");
 
     private static final double STEP_S = 0.01;
 
-    /** From the paper's patient to 1.3 million, four times as many each from 20,909 on. */
+    /** Numbers of nodes: the size of the paper's patient, then 20,909 to 1.3 million in factors of four. */
     private static final List<Integer> SIZES = List.of(6_633, 20_909, 83_630, 334_514, 1_338_050);
 
     /**
-     * How much to measure.
+     * Extent of the measurement.
      *
      * @param resolutions of the table
-     * @param threads counts of threads
-     * @param sizes about how many nodes
-     * @param trials of which the median counts
-     * @param secondsATrial at least, s
+     * @param threads numbers of threads
+     * @param sizes approximate numbers of nodes
+     * @param trials number of trials; their median is used
+     * @param secondsATrial minimum duration of a trial, s
      */
     public record Settings(
             List<Resolution> resolutions,
@@ -42,11 +42,11 @@ public record SpeedStudy(Map<Integer, SpeedTable> tables, double stepS, SizeScal
             List<Integer> sizes,
             int trials,
             double secondsATrial) {
-        /** All of it: about three minutes. */
+        /** Complete measurement, about three minutes. */
         public static final Settings FULL =
                 new Settings(List.of(Resolution.HIGH, Resolution.MEDIUM, Resolution.LOW), List.of(1, 2), SIZES, 7, 0.2);
 
-        /** Low resolution, one thread and two sizes: some seconds; the figures are worth little. */
+        /** Low resolution, one thread and two sizes. Takes a few seconds; the results are not accurate. */
         public static final Settings QUICK =
                 new Settings(List.of(Resolution.LOW), List.of(1), SIZES.subList(0, 2), 3, 0.02);
 
@@ -57,7 +57,7 @@ public record SpeedStudy(Map<Integer, SpeedTable> tables, double stepS, SizeScal
         }
     }
 
-    /** Measures. */
+    /** Runs the measurement. */
     public static SpeedStudy of(Settings settings, ProgressListener progress) {
         int total = settings.threads().size()
                 * (settings.resolutions().size() + settings.sizes().size());
@@ -88,12 +88,12 @@ public record SpeedStudy(Map<Integer, SpeedTable> tables, double stepS, SizeScal
         return new SpeedStudy(tables, STEP_S, new SizeScaling(scaling));
     }
 
-    /** How many times the paper's steps a second are done. */
+    /** Measured speed over the paper's speed. */
     public double speedupOverPaper(int threads, Resolution resolution, SpeedCase forces) {
         return tables.get(threads).row(resolution, forces).stepsPerS() / forces.publishedStepsPerS(resolution);
     }
 
-    /** By how many per cent rib motion makes a step longer, all else being equal. */
+    /** Increase of the time per step by rib motion, other settings being equal, per cent. */
     public double ribMotionOverheadPercent(int threads, Resolution resolution) {
         return tables.get(threads).overheadPercent(resolution, SpeedCase.HETEROGENEOUS, SpeedCase.MUSCLE_ONLY);
     }

@@ -11,23 +11,23 @@ import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.phrenic.anatomy.Resolution;
 
 /**
- * Steps a second by resolution and forces, printed or measured, and what follows from them.
+ * Printed or measured steps per second by resolution and active forces, with derived quantities.
  *
- * @param rows what there is; a resolution has all four cases or none
+ * @param rows cells; a resolution has all four cases or none
  */
 public record SpeedTable(List<Row> rows) {
     /**
      * One cell.
      *
-     * @param vertices that move
-     * @param trials iterations a second of each trial, in the order in which they were made; at least one
+     * @param vertices number of moving vertices
+     * @param trials iterations per second of each trial, in the order of measurement; at least one
      */
     public record Row(Resolution resolution, SpeedCase forces, int vertices, List<Double> trials) {
         public Row {
             trials = List.copyOf(trials);
         }
 
-        /** Iterations a second: the median of the trials. */
+        /** Median of the trials, iterations/s. */
         public double stepsPerS() {
             return median(trials.stream().mapToDouble(Double::doubleValue));
         }
@@ -37,7 +37,7 @@ public record SpeedTable(List<Row> rows) {
         rows = List.copyOf(rows);
     }
 
-    /** Table 1 as printed. */
+    /** Table 1 as printed in the paper. */
     public static SpeedTable published() {
         List<Row> rows = new ArrayList<>();
         for (Resolution resolution : Resolution.values()) {
@@ -49,7 +49,7 @@ public record SpeedTable(List<Row> rows) {
         return new SpeedTable(rows);
     }
 
-    /** Resolutions there are, finest first. */
+    /** Resolutions of the table, finest first. */
     public List<Resolution> resolutions() {
         return Arrays.stream(Resolution.values())
                 .filter(r -> rows.stream().anyMatch(row -> row.resolution() == r))
@@ -57,7 +57,7 @@ public record SpeedTable(List<Row> rows) {
                 .toList();
     }
 
-    /** The row of a resolution and its forces. */
+    /** The row of a resolution and a case. */
     public Row row(Resolution resolution, SpeedCase forces) {
         return rows.stream()
                 .filter(row -> row.resolution() == resolution && row.forces() == forces)
@@ -66,8 +66,8 @@ public record SpeedTable(List<Row> rows) {
     }
 
     /**
-     * By how many per cent an iteration of {@code more} takes longer than one of {@code less}: the median over the
-     * trials, each compared with its neighbour in time, so that what else the machine does falls on both.
+     * Increase of the time per iteration from {@code less} to {@code more}, per cent. It is the median over pairs of
+     * consecutive trials, because other load of the machine affects both trials of a pair alike.
      */
     public double overheadPercent(Resolution resolution, SpeedCase more, SpeedCase less) {
         List<Double> slow = row(resolution, more).trials();
@@ -75,7 +75,7 @@ public record SpeedTable(List<Row> rows) {
         return 100 * (median(IntStream.range(0, slow.size()).mapToDouble(i -> fast.get(i) / slow.get(i))) - 1);
     }
 
-    /** Least, mean and greatest of {@link #overheadPercent} over the resolutions. */
+    /** Minimum, mean and maximum of {@link #overheadPercent} over the resolutions. */
     public double[] overheadRange(SpeedCase more, SpeedCase less) {
         DoubleSummaryStatistics all = resolutions().stream()
                 .mapToDouble(r -> overheadPercent(r, more, less))
@@ -89,8 +89,8 @@ public record SpeedTable(List<Row> rows) {
     }
 
     /**
-     * Exponent b of time = a · vertices^b, least squares of the logarithms over the resolutions; empty with fewer than
-     * two.
+     * Exponent b of time = a · vertices^b, by least squares of the logarithms over the resolutions; empty with fewer
+     * than two resolutions.
      */
     public OptionalDouble exponent(SpeedCase forces) {
         List<Row> of = rows.stream().filter(row -> row.forces() == forces).toList();

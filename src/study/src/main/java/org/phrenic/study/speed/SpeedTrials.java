@@ -10,13 +10,13 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.study.PaperScenarios;
 
 /**
- * Measures the paper's table 1: its material, the four cases of a resolution in turn, so that other load of the machine
- * falls on all of them alike.
+ * Measures the paper's table 1 with the paper's material. The four cases of a resolution are measured in turn, so that
+ * other load of the machine affects all of them alike.
  */
 public final class SpeedTrials {
     /**
-     * The paper's scheme on one thread, at a step within its stability limit so that an iteration is one step and not
-     * several.
+     * The paper's scheme on one thread. The time step is within the stability limit, so an iteration is a single step
+     * without substeps.
      */
     public static final List<String> SCHEME = List.of("integrator=rk2", "time_step_s=0.0005", "threads=1");
 
@@ -25,9 +25,9 @@ public final class SpeedTrials {
     /**
      * Measures one resolution.
      *
-     * @param settings keys of a scenario: scheme, step, threads
-     * @param trials of each case
-     * @param trialS what a trial takes, s
+     * @param settings scenario assignments: scheme, step, threads
+     * @param trials number of trials of each case
+     * @param trialS duration of a trial, s
      */
     public static List<SpeedTable.Row> of(
             Resolution resolution, Thorax thorax, List<String> settings, int trials, double trialS) {
@@ -61,7 +61,9 @@ public final class SpeedTrials {
         }
     }
 
-    /** Simulated time over processor time of the paper's material on one thread, with the default scheme and step. */
+    /**
+     * Simulated time over processor time of the paper's material on one thread, with the default scheme and time step.
+     */
     public static double realTimeFactor(Resolution resolution, Thorax thorax, double trialS) {
         try (Simulation scene =
                 Simulation.of(PaperScenarios.publishedModel("deep", resolution).with("threads=1"), thorax)) {

@@ -4,18 +4,18 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.function.IntConsumer;
 
-/** Measures steps a second: by processor time where one thread computes, by the clock where several do. */
+/** Measures steps per second: by processor time for one thread, by elapsed time for several. */
 final class StepTimer {
     private final IntConsumer advance;
     private final boolean usesProcessorTime;
 
-    /** @param advance does so many steps */
+    /** @param advance performs a number of steps */
     StepTimer(int threads, IntConsumer advance) {
         this.advance = advance;
         usesProcessorTime = threads == 1 && ManagementFactory.getThreadMXBean().isCurrentThreadCpuTimeSupported();
     }
 
-    /** Steps a second over a stretch of about so many seconds: the warm-up. */
+    /** Steps per second over approximately {@code seconds}; used as warm-up. */
     double rateOver(double seconds) {
         long begun = nanos();
         int steps = 0;
@@ -26,7 +26,7 @@ final class StepTimer {
         return steps / ((nanos() - begun) * 1e-9);
     }
 
-    /** Steps a second over so many steps. */
+    /** Steps per second over a number of steps. */
     double rate(int steps) {
         long begun = nanos();
         advance.accept(steps);

@@ -1,5 +1,2 @@
-/**
- * Steps a second: table 1 of the paper by resolution and forces, and cost against size and threads. Measurements of
- * time only.
- */
+/** Speed measurements: table 1 of the paper by resolution and forces, and scaling with mesh size and threads. */
 package org.phrenic.study.speed;

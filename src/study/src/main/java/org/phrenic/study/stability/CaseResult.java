@@ -4,17 +4,17 @@ import java.util.Map;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * One stability case under one integrator.
+ * Result of one stability case under one integrator.
  *
- * @param caseKey which case
- * @param integrator the scheme
- * @param outcome how it ended
- * @param sentence what was refused, diverged or refined; empty where nothing was
- * @param requestedS simulated time asked for, s
+ * @param caseKey key of the case
+ * @param integrator scheme
+ * @param outcome how the case ended
+ * @param sentence description of a refusal, divergence or step refinement; empty if there was none
+ * @param requestedS requested simulated time, s
  * @param simulatedS simulated time at the end, s
- * @param dtS time step, s; NaN where it was refused
- * @param substeps per step at the end; 0 where it was refused
- * @param found values of the measures; those that were not measured are missing
+ * @param dtS time step, s; NaN if refused
+ * @param substeps per step at the end; 0 if refused
+ * @param found values of the measures; measures that were not evaluated are missing
  */
 public record CaseResult(
         String caseKey,
@@ -28,13 +28,13 @@ public record CaseResult(
         Map<StabilityMeasure, Double> found) {
     /** How a case ended. */
     public enum Outcome {
-        /** Every measure stayed within the bounds of the case. */
+        /** All measures stayed within the bounds of the case. */
         STABLE("stable"),
-        /** A diverged state was detected, an earlier one was restored, and what followed held the bounds. */
+        /** A divergence was detected, an earlier state was restored, and the bounds held afterwards. */
         RECOVERED("recovered"),
-        /** The scene was refused before it ran, in a sentence that says why. */
+        /** The scene was refused before the run, with a reason. */
         REFUSED("refused"),
-        /** A bound was violated and nothing was reported: what must not be. */
+        /** A bound was violated without any report. This must not occur. */
         SILENT_FAILURE("FAILED SILENTLY");
 
         private final String label;
@@ -53,12 +53,12 @@ public record CaseResult(
         return new CaseResult(caseKey, integrator, Outcome.REFUSED, sentence, requestedS, 0, Double.NaN, 0, Map.of());
     }
 
-    /** Whether it ended before its time because it had spent the evaluations it may. */
+    /** Whether the run ended early because its budget of force evaluations was spent. */
     boolean endedEarly() {
         return outcome != Outcome.REFUSED && outcome != Outcome.SILENT_FAILURE && simulatedS < requestedS - dtS;
     }
 
-    /** NaN where it was not measured. */
+    /** Value of a measure; NaN if it was not evaluated. */
     double value(StabilityMeasure measure) {
         return found.getOrDefault(measure, Double.NaN);
     }

@@ -9,28 +9,29 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.study.stability.CaseResult.Outcome;
 
-/** Runs one stability case under one integrator and judges it. */
+/** Runs one stability case under one integrator and checks its bounds. */
 final class CaseRun {
-    /** Simulated time between samples, s. */
+    /** Sampling interval in simulated time, s. */
     static final double SAMPLE_S = 0.05;
 
     /**
-     * Conjugate-gradient iterations of a backward Euler step, each about a force evaluation, measured on these scenes.
+     * Conjugate-gradient iterations per backward Euler step, measured on these scenes. One iteration costs about one
+     * force evaluation.
      */
     private static final int EVALUATIONS_PER_IMPLICIT_STEP = 20;
 
     private static final int MAX_DIVERGENCES = 1000;
 
-    /** Backward Euler damps what it does not resolve: it may be so many times as far from the reference solution. */
+    /** Factor on the allowed distance from the reference for backward Euler, which damps unresolved motion. */
     private static final double DISSIPATIVE_FACTOR = 2;
 
-    /** Oscillations of the start have decayed by then, s: with the paper's damping they decay by e in 10 s. */
+    /** Time after which initial oscillations have decayed, s. The paper's damping has a time constant of 10 s. */
     private static final double TRANSIENT_S = 60;
 
-    /** Breaths that end farther apart do not repeat each other, mm. */
+    /** Largest distance between the ends of breaths that count as periodic, mm. */
     private static final double MAX_REPEAT_MM = 0.1;
 
-    /** Time in which oscillations decay after a step was refined or a state was restored, s. */
+    /** Time in which oscillations decay after a step refinement or a restored state, s. */
     private static final double SETTLING_S = 1;
 
     private final StabilityCase stabilityCase;
@@ -68,7 +69,7 @@ final class CaseRun {
         if (reference == null) {
             allowedKinetic = Double.NaN;
         } else {
-            // A reference solution that hardly moves gives no measure: as much as all nodes at 1 mm/s is then allowed.
+            // A reference almost at rest is no scale for energy, so at least that of all nodes at 1 mm/s is allowed.
             double mass = 0;
             for (double m : scene.system().masses()) {
                 mass += m;
@@ -81,9 +82,9 @@ final class CaseRun {
     /**
      * Runs a case.
      *
-     * @param reference solution of the case; null where it needs none
-     * @param durationS simulated time asked for, s
-     * @param nodeEvaluations evaluations of the force on a node that may be spent; a case that needs more ends earlier
+     * @param reference solution of the case; null if it needs none
+     * @param durationS requested simulated time, s
+     * @param nodeEvaluations budget of force evaluations times nodes; a case that needs more ends early
      */
     static CaseResult of(
             StabilityCase stabilityCase,
@@ -100,7 +101,7 @@ final class CaseRun {
         }
     }
 
-    /** @throws IllegalArgumentException if the scene is refused on the way */
+    /** @throws IllegalArgumentException if the scene is refused during the run */
     private void advance(double durationS, double nodeEvaluations) {
         Stepper stepper = scene.stepper();
         int evaluations = integrator == IntegratorKind.BACKWARD_EULER
@@ -159,7 +160,7 @@ final class CaseRun {
                 checkBound(StabilityMeasure.KINETIC_FACTOR, kinetic, 1, time);
             }
         }
-        // A node that was far out when the divergence was detected needs a moment to turn round.
+        // A node far from its start at the divergence needs some time to return.
         if (!(time < divergenceTime + SETTLING_S)) {
             checkBound(StabilityMeasure.REACH_MM, reach, 1, time);
         }
@@ -206,7 +207,7 @@ final class CaseRun {
         }
     }
 
-    /** Stops the breath and compares the shape in which the body comes to rest with that of its start. */
+    /** Stops the breath and compares the rest shape with the initial shape. */
     private void measureDrift() {
         Stepper stepper = scene.stepper();
         scene.stopBreathing();
@@ -228,7 +229,7 @@ final class CaseRun {
         return found.merge(measure, value, Math::max);
     }
 
-    /** Keeps the first violation; NaN violates every bound. */
+    /** Records the first violation; NaN violates every bound. */
     private void checkBound(StabilityMeasure measure, double value, double factor, double time) {
         double maximum = bounds.maximum(measure) * factor;
         if (bounds.isBounded(measure) && !(value <= maximum) && violation.isEmpty()) {

@@ -5,8 +5,8 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.force.ActionLine;
 
 /**
- * What drives a {@link DomeScene}: every 4 s the line pulls and the rim widens by a twelfth and rises 8 mm, or is
- * thrown that far at once. It pulls on nothing itself.
+ * Periodic drive of a {@link DomeScene} with a period of 4 s. In each period the action line pulls, and the rim widens
+ * by a twelfth and rises 8 mm. The rim moves smoothly or jumps. The drive adds no forces of its own.
  */
 final class DomeDrive implements ForceField, PrescribedMotion {
     static final double PERIOD_S = 4;
@@ -20,7 +20,7 @@ final class DomeDrive implements ForceField, PrescribedMotion {
 
     /**
      * @param lineForce of the action line at full drive, mN
-     * @param rim where the rim is at rest, mm
+     * @param rim rest positions of the rim, mm
      */
     DomeDrive(DomeParameters parameters, ActionLine line, double lineForce, double[] rim) {
         this.parameters = parameters;

@@ -5,20 +5,20 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The closed sheet of the hard scenes: two faces of triangles, a dome 60 mm high and 200 mm wide, joined at the rim and
- * up to 4 mm apart.
+ * Closed dome-shaped sheet of the synthetic stability cases: two triangulated faces, 60 mm high and 200 mm wide, joined
+ * at the rim and up to 4 mm apart.
  *
- * @param positions three numbers a node, mm: the upper face, then the lower one without its rim
- * @param triangles three nodes a triangle, outward
- * @param below for each node of the upper face the one of the lower face under it; itself on the rim
- * @param rim nodes that the two faces share
+ * @param positions three coordinates per node, mm: the upper face, then the lower one without its rim
+ * @param triangles three nodes per triangle, oriented outward
+ * @param below node of the lower face below each node of the upper face; the node itself on the rim
+ * @param rim nodes shared by the two faces
  */
 record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
     private static final double RADIUS = 100;
     private static final double HEIGHT = 60;
     private static final double THICKNESS = 4;
 
-    /** A net of equilateral triangles in plan, valence 6, {@code rings} hexagons round the top. */
+    /** Equilateral triangles in plan, valence 6, in {@code rings} hexagonal rings around the top. */
     static DomeMesh regular(int rings) {
         int side = 2 * rings + 1;
         int[] number = new int[side * side];
@@ -52,8 +52,8 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
     }
 
     /**
-     * Sectors round a node of valence {@code sectors} at the top, and in every second triangle of the outer rings a
-     * node of valence 3 at its middle.
+     * Irregular mesh: a node of valence {@code sectors} at the top, and a node of valence 3 in the middle of every
+     * second triangle of the outer rings.
      */
     static DomeMesh uneven(int rings, int sectors) {
         List<double[]> plan = new ArrayList<>();
@@ -98,10 +98,10 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
     }
 
     /**
-     * The regular net with nodes pulled onto the edges opposite: triangles 1,000 times as long as high, and triangles
-     * without area.
+     * The regular mesh with some nodes moved onto opposite edges. The triangles become 1,000 times as long as high, or
+     * degenerate with zero area.
      *
-     * @param coincident whether some nodes are pulled onto neighbours, so that edges have no length
+     * @param coincident whether some nodes also coincide with neighbours, so that edges have zero length
      */
     static DomeMesh slivers(int rings, boolean coincident) {
         DomeMesh mesh = regular(rings);
@@ -119,7 +119,8 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
             if (held[a] || held[b] || held[c]) {
                 continue;
             }
-            // 1/1000 off the middle of the edge opposite, on it, or on its end.
+            // Near the midpoint of the opposite edge (1/1000 of the distance), on the midpoint, or on an end of the
+            // edge.
             double off = made % 3 == 0 ? 1e-3 : 0;
             boolean end = coincident && made % 12 == 5;
             for (int axis = 0; axis < 3; axis++) {

@@ -17,11 +17,11 @@ import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.EdgeTable;
 
 /**
- * The engine alone on a dome that breathes: springs along the edges and between the faces, rigid links in its middle, a
- * rim carried by ribs, one action line, and soft springs that pull each node to its rest position.
+ * Synthetic breathing dome: springs along the edges and between the faces, rigid links in the middle, a rim with
+ * prescribed motion, one action line, and soft springs that pull each node to its rest position.
  */
 final class DomeScene implements StabilityScene {
-    /** Tolerance of the relative length error and maximum number of sweeps, as in the scenes of the program. */
+    /** Tolerance of the relative length error; with the maximum number of sweeps as in the program's scenes. */
     private static final double LINK_TOLERANCE = 1e-6;
 
     private static final int LINK_SWEEPS = 50;
@@ -39,8 +39,9 @@ final class DomeScene implements StabilityScene {
     /**
      * Assembles a dome.
      *
-     * @param kind the scheme
-     * @param refinement more than 1 for a step of the stability limit over so much
+     * @param kind scheme
+     * @param refinement 1 for the time step of the parameters; otherwise the divisor of that step or of the stability
+     *     limit, whichever is smaller
      * @throws IllegalArgumentException with one sentence, if the scene is refused
      */
     DomeScene(DomeParameters parameters, IntegratorKind kind, int refinement) {
@@ -85,7 +86,7 @@ final class DomeScene implements StabilityScene {
         return mass;
     }
 
-    /** Each edge of both faces once, then a strut from each node of the upper face to that below it. */
+    /** Each edge of both faces once, then a strut from each node of the upper face to the node below it. */
     private static int[][] edges(DomeMesh mesh) {
         int[] edges = new EdgeTable(mesh.positions().length / 3, mesh.triangles(), 3).edges();
         int[] below = mesh.below();
@@ -101,10 +102,7 @@ final class DomeScene implements StabilityScene {
         return new int[][] {a, b};
     }
 
-    /**
-     * One link from each node of the middle to that below it, or three of three lengths, which no shape can have at
-     * once.
-     */
+    /** One link from each middle node to the node below it, or three links of incompatible lengths. */
     private RigidLinks links(DomeMesh mesh, NodeLayout layout, double[] rest) {
         int[] below = mesh.below();
         int[] linked = IntStream.range(0, below.length)

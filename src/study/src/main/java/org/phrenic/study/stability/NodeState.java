@@ -2,7 +2,7 @@ package org.phrenic.study.stability;
 
 import org.phrenic.engine.ParticleSystem;
 
-/** Positions and speeds of the nodes of a scene, in the caller's order. */
+/** Node positions and speeds of a scene, in the caller's order. */
 final class NodeState {
     private final ParticleSystem system;
     private final double[] positions;
@@ -12,13 +12,13 @@ final class NodeState {
         positions = new double[3 * system.nodeCount()];
     }
 
-    /** Current positions, mm; the same array each time. */
+    /** Current positions, mm; the array is reused. */
     double[] positions() {
         system.layout().toCaller(system.positions(), positions);
         return positions;
     }
 
-    /** Root mean square of the nodes' distances, mm. */
+    /** Rms distance of the nodes, mm. */
     static double rmsDistance(double[] p, double[] q) {
         double sum = 0;
         for (int i = 0; i < p.length; i++) {
@@ -27,7 +27,7 @@ final class NodeState {
         return Math.sqrt(3 * sum / p.length);
     }
 
-    /** Largest distance of a node, mm; NaN where a position is NaN. */
+    /** Largest distance of a node, mm; NaN if a position is NaN. */
     static double maxDistance(double[] p, double[] q) {
         double worst = 0;
         for (int i = 0; i < p.length; i += 3) {
@@ -39,7 +39,7 @@ final class NodeState {
         return Math.sqrt(worst);
     }
 
-    /** Largest speed of a node, mm/s; NaN where one is NaN. */
+    /** Largest speed of a node, mm/s; NaN if a speed is NaN. */
     double maxSpeed() {
         double[] v = system.velocities();
         double worst = 0;

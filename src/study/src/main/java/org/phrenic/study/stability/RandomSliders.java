@@ -18,8 +18,8 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 
 /**
- * Moves sliders from end to end at random, several at a time; then restores all, stops the breath and lets the body
- * come to rest.
+ * Sets random sliders to the ends of their ranges, several at a time. It then restores the initial values, stops the
+ * breath and lets the body come to rest.
  */
 final class RandomSliders implements Consumer<Simulation> {
     private static final long SEED = 2009;
@@ -43,7 +43,7 @@ final class RandomSliders implements Consumer<Simulation> {
 
     /**
      * @param start initial scenario
-     * @param durationS of the run, s: all is restored in time for the body to come to rest
+     * @param durationS duration of the run, s; the values are restored early enough for the body to come to rest
      */
     RandomSliders(Scenario start, double durationS) {
         untilS = durationS - ThoraxScene.SETTLING_S;
@@ -64,7 +64,7 @@ final class RandomSliders implements Consumer<Simulation> {
             try {
                 simulation.change(randomChanges());
             } catch (IllegalArgumentException refused) {
-                // A refused change leaves the scene as it was, as for a user at the sliders.
+                // A refused change leaves the scene unchanged, as in the program.
                 return;
             }
         }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 
-/** A stability case solved by velocity Verlet at an eighth of its stable step: the measure of all integrators. */
+/** Reference solution of a stability case: velocity Verlet at an eighth of its stable step. */
 final class ReferenceSolution {
     private static final int REFINEMENT = 8;
 
@@ -20,7 +20,7 @@ final class ReferenceSolution {
         this.endS = endS;
     }
 
-    /** Solves a case; null where its bounds need no reference, or where the case is refused or diverges even so. */
+    /** Solves a case; null if its bounds need no reference, or if the case is refused or diverges at this step. */
     static ReferenceSolution of(StabilityCase stabilityCase, double durationS, double sampleS) {
         if (!stabilityCase.bounds().needsReference()) {
             return null;
@@ -47,7 +47,7 @@ final class ReferenceSolution {
         }
     }
 
-    /** Largest kinetic energy at a sample, µJ. */
+    /** Largest kinetic energy of a sample, µJ. */
     double maxKinetic() {
         return maxKinetic;
     }
@@ -57,7 +57,7 @@ final class ReferenceSolution {
         return excursion;
     }
 
-    /** Positions at a sampled time; null at any other. */
+    /** Positions at a sampling time; null at other times. */
     double[] positionsAt(double time) {
         long index = Math.round(time / sampleS);
         return index >= 0 && index < shapes.size() && Math.abs(index * sampleS - time) < 1e-6

@@ -4,16 +4,16 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /**
- * What must hold in a stability case.
+ * Bounds of a stability case.
  *
- * @param maxima largest value allowed of each measure; what is missing is not bounded
- * @param shapeUntilS until when {@link StabilityMeasure#SHAPE} is compared, s: where a sheet crumples or snaps through,
- *     reference solutions of different fineness part too
+ * @param maxima largest allowed value by measure; missing measures are unbounded
+ * @param shapeUntilS end of the comparison of {@link StabilityMeasure#SHAPE}, s. After a sheet crumples or snaps
+ *     through, reference solutions with different time steps diverge from each other as well.
  */
 record StabilityBounds(Map<StabilityMeasure, Double> maxima, double shapeUntilS) {
     /**
-     * A cough moves tissue at some 1,000 mm/s and nothing in a trunk is 300 mm from where it was; links to a
-     * thousandth.
+     * Bounds of a body: tissue speed in a cough is about 1,000 mm/s, no displacement in a trunk reaches 300 mm, and
+     * links hold to a thousandth.
      */
     static final StabilityBounds BODY = new StabilityBounds(
             Map.of(
@@ -22,7 +22,7 @@ record StabilityBounds(Map<StabilityMeasure, Double> maxima, double shapeUntilS)
                     StabilityMeasure.LINK_ERROR, 1e-3),
             Double.POSITIVE_INFINITY);
 
-    /** These bounds with another maximum; infinity for no bound. */
+    /** A copy with another maximum; infinity for no bound. */
     StabilityBounds with(StabilityMeasure measure, double maximum) {
         Map<StabilityMeasure, Double> changed = new EnumMap<>(maxima);
         changed.put(measure, maximum);
@@ -33,7 +33,7 @@ record StabilityBounds(Map<StabilityMeasure, Double> maxima, double shapeUntilS)
         return new StabilityBounds(maxima, seconds);
     }
 
-    /** Infinity where the measure is not bounded. */
+    /** Maximum of a measure; infinity if unbounded. */
     double maximum(StabilityMeasure measure) {
         return maxima.getOrDefault(measure, Double.POSITIVE_INFINITY);
     }

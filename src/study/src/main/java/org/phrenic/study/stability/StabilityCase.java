@@ -3,14 +3,14 @@ package org.phrenic.study.stability;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
- * A scene chosen to break a simulation, and what must hold in it.
+ * Scene chosen to provoke instability, with the bounds that must hold.
  *
  * @param key name on the command line
- * @param title what is hard about it
+ * @param title description of the difficulty
  * @param durationS simulated time, s
  * @param quickS simulated time of the short version, s
- * @param periodS of what drives it, s; 0 where it does not repeat itself
- * @param referenceS how much of it the reference solution covers at most, s
+ * @param periodS period of the drive, s; 0 if it is not periodic
+ * @param referenceS maximum time covered by the reference solution, s
  */
 record StabilityCase(
         String key,
@@ -24,8 +24,8 @@ record StabilityCase(
     /** Assembles a scene for an integrator. */
     interface Factory {
         /**
-         * @param refinement parts into which the case's time step is cut: 1 as the case has it, more for a reference
-         * @param durationS how long it will run, s
+         * @param refinement divisor of the case's time step: 1 for the case itself, more for a reference solution
+         * @param durationS duration of the run, s
          * @throws IllegalArgumentException with one sentence, if the scene is refused
          */
         StabilityScene create(IntegratorKind integrator, int refinement, double durationS);

@@ -19,14 +19,14 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 
-/** The stability cases: domes for the engine alone, thoraxes for the whole program. */
+/** The stability cases: synthetic domes that test the engine alone, and thoraxes that test the whole program. */
 final class StabilityCases {
-    /** The rest of the thorax moves little and costs half of the time. */
+    /** Only the diaphragm is simulated: the rest of the thorax moves little and costs half of the time. */
     private static final String[] DIAPHRAGM_ALONE = {
         "resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
     };
 
-    /** The time step of a thorax is half of its limit: its reference solution is refined by half as much. */
+    /** The time step of a thorax is half of its limit, so its reference solution is refined by half as much. */
     private static final double THORAX_REFINEMENT_DIVISOR = 2;
 
     private static final double DOME_REFERENCE_S = 40;
@@ -51,7 +51,7 @@ final class StabilityCases {
         mesh = DomeMesh.regular(rings);
     }
 
-    /** @param quick for the short version, on coarser domes */
+    /** @param quick whether to use the short version with coarser domes */
     static List<StabilityCase> all(boolean quick) {
         StabilityCases cases = new StabilityCases(quick ? 5 : 10);
         cases.addDomes();
@@ -82,8 +82,8 @@ final class StabilityCases {
         dome("rim-thrown", jump, 40, 8, JUMPING, d -> d.rimJumps = true);
         StabilityBounds far = FAST.with(REACH_MM, UNBOUNDED);
         dome("force-50", "muscle force 50 times as strong", 40, 8, far, d -> d.force = 50);
-        // Reference solutions at 1/8, 1/16 and 1/32 of the step agree to 0.001 mm for 10 s and part by 3 mm in the
-        // next 10: how a slack sheet crumples is decided by less than any step resolves.
+        // Reference solutions at 1/8, 1/16 and 1/32 of the step agree to 0.001 mm for 10 s and differ by 3 mm 10 s
+        // later. The buckling of a slack sheet is sensitive to errors smaller than any step resolves.
         String slack = "a sheet that nothing pulls and nothing brings back";
         dome("limp", slack, 60, 4, near.withShapeUntil(10), d -> {
             d.force = 0;
@@ -123,8 +123,8 @@ final class StabilityCases {
         breathing("thorax-limp", "neither muscle nor pressure", 20, 2, near, "muscle=false", "pressure=false");
         String[] stiff = {"muscle_stiffness_n_per_m=3000", "tendon_stiffness_ratio=50", "damping_rate_per_s=0"};
         breathing("thorax-stiff", "muscle as stiff as the slider goes, no damping", 20, 2, near, stiff);
-        // Verlet at 1/8 and at 1/12 of the step differ by 0.4 mm, 3 % of the excursion, up to 1.2 s; then the sheet
-        // snaps through, at a moment that depends on the step, single nodes at 1,400 mm/s however fine it is.
+        // Verlet at 1/8 and at 1/12 of the step differ by 0.4 mm, 3 % of the excursion, up to 1.2 s. Then the sheet
+        // snaps through. The time of the snap depends on the step, and single nodes reach 1,400 mm/s at any step.
         String[] deep = {"preset=deep", "depth=2", "muscle_activation=0.8", "rib_rotation=1.5"};
         breathing("thorax-deep", "breaths as deep as the sliders go", 20, 2, FAST.withShapeUntil(1.2), deep);
         Scenario held = scenario("preset=hold-inspiration", "time_step_s=0.1", "rib_rotation=0");
@@ -134,13 +134,13 @@ final class StabilityCases {
         StabilityBounds far = RETURNING.with(REACH_MM, UNBOUNDED);
         sliders("sliders-paper", "the same with the paper's material", far, "material=paper");
         breathing("hour", "an hour of quiet breathing", 3600, 1, near.with(REPEAT_MM, 0.1));
-        // With its own damping the paper's sheet swings on from breath to breath and never twice alike
-        // (docs/stability.md): its rest shape is seen when the breath is stopped.
+        // With its own damping the paper's sheet keeps oscillating between breaths and its motion is not periodic
+        // (docs/stability.md). The rest shape is therefore measured after the breath is stopped.
         StabilityBounds steady = near.with(DRIFT_MM, 0.1);
         breathing("hour-paper", "the same with the paper's material", 3600, 2, steady, "material=paper");
     }
 
-    /** Steps the ribs' rotation from one end of its range to the other, every other second, as a slider allows it. */
+    /** Switches the ribs' rotation between the ends of its range every other second, as a slider permits. */
     private static final class RibSteps implements Consumer<Simulation> {
         private long done;
 

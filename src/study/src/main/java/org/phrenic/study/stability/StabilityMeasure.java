@@ -2,9 +2,9 @@ package org.phrenic.study.stability;
 
 import java.util.Locale;
 
-/** What is measured in a stability case and may be bounded. */
+/** Quantities measured in a stability case, each with an optional bound. */
 enum StabilityMeasure {
-    /** Largest kinetic energy at a sample over the largest of the reference solution. */
+    /** Largest sampled kinetic energy over the largest of the reference solution. */
     KINETIC_FACTOR("kinetic", "kinetic energy over that of the reference solution"),
     /** Largest speed of a node at a sample, mm/s. */
     SPEED_MM_S("mm/s", "speed of a node, mm/s"),
@@ -16,9 +16,7 @@ enum StabilityMeasure {
     LINK_ERROR("links", "error of a link's length"),
     /** Rms distance of all nodes from the start at the end of the case, mm. */
     RETURN_MM("return mm", "rms distance from the start at the end, mm"),
-    /**
-     * Distance of a node at the end of a period from where it was at the end of the first period after a minute, mm.
-     */
+    /** Distance of a node between the end of a period and the end of the first period after one minute, mm. */
     REPEAT_MM("repeat mm", "distance of a node from where an earlier breath left it, mm"),
     /** Distance of a node from its start after the breath was stopped and the body came to rest, mm. */
     DRIFT_MM("drift mm", "drift of a node of the rest shape, mm");
@@ -31,7 +29,7 @@ enum StabilityMeasure {
         this.description = description;
     }
 
-    /** Name of the column in CSV and of the field in JSON. */
+    /** Column name in CSV and field name in JSON. */
     String key() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -15,7 +15,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.integrator.IntegratorKind;
 
-/** A stability study as Markdown, as CSV and as values for JSON; the same study gives the same text. */
+/** A stability study as Markdown, CSV and values for JSON. The output is deterministic. */
 public final class StabilityReport {
     private final StabilityStudy study;
 
@@ -30,7 +30,7 @@ public final class StabilityReport {
                 .orElseThrow();
     }
 
-    /** How many cells ended in each way: "120 stable, 6 recovered, ...". */
+    /** Number of cells by outcome: "120 stable, 6 recovered, ...". */
     public String summary() {
         return Arrays.stream(CaseResult.Outcome.values())
                 .map(o -> study.cells().stream().filter(c -> c.outcome() == o).count() + " " + o.label())
@@ -38,8 +38,8 @@ public final class StabilityReport {
     }
 
     /**
-     * A header and a row a case, a column an integrator: the outcomes, with the simulated time where the cell ended
-     * before that of the case.
+     * Outcomes as a header and one row per case with one column per integrator. The simulated time is given if the cell
+     * ended early.
      */
     public List<List<String>> table() {
         List<List<String>> rows = new ArrayList<>();
@@ -100,7 +100,7 @@ public final class StabilityReport {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3g", value);
     }
 
-    /** The numbers of a cell by their names in CSV and JSON. */
+    /** Values of a cell by CSV column and JSON field. */
     private static Map<String, Double> figures(CaseResult c) {
         Map<String, Double> figures = new LinkedHashMap<>();
         figures.put("simulated_s", c.simulatedS());
@@ -109,7 +109,7 @@ public final class StabilityReport {
         return figures;
     }
 
-    /** A line a cell, with all figures. */
+    /** One line per cell with all values. */
     public String csv() {
         List<String> header = new ArrayList<>(List.of("case", "integrator", "verdict", "simulated_s", "time_step_s"));
         Arrays.stream(StabilityMeasure.values()).forEach(m -> header.add(m.key()));
@@ -125,7 +125,7 @@ public final class StabilityReport {
         return CsvWriter.format(header, rows);
     }
 
-    /** All of it as values, for JSON. */
+    /** The study as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);

@@ -3,20 +3,20 @@ package org.phrenic.study.stability;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.Stepper;
 
-/** A scene of a stability case under one integrator, ready to be stepped. */
+/** Scene of a stability case under one integrator. */
 interface StabilityScene extends AutoCloseable {
 
-    /** The clock of the scene. */
+    /** The stepper of the scene. */
     Stepper stepper();
 
-    /** Advances the scene by one time step, after what is changed in it on the way. */
+    /** Applies pending changes, then advances the scene by one time step. */
     void step();
 
     /** Largest relative length error of the rigid links; 0 without links. */
     double linkError();
 
     /**
-     * Undoes the change that made the scene diverge, if there is one.
+     * Undoes the change that caused a divergence, if there is one.
      *
      * @return whether to continue
      */
@@ -24,14 +24,14 @@ interface StabilityScene extends AutoCloseable {
         return false;
     }
 
-    /** Stops what drives the scene, with as much damping as brings it to rest within {@link ThoraxScene#SETTLING_S}. */
+    /** Stops the drive and raises damping so that the scene comes to rest within {@link ThoraxScene#SETTLING_S}. */
     default void stopBreathing() {}
 
     default ParticleSystem system() {
         return stepper().system();
     }
 
-    /** Ends the scene's threads. */
+    /** Stops the scene's threads. */
     @Override
     void close();
 }

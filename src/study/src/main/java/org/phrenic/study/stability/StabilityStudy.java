@@ -12,22 +12,22 @@ import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 
 /**
- * Every stability case under every integrator, and how each ended.
+ * Results of all stability cases under all integrators.
  *
  * @param cases titles by key, in order
  * @param integrators in order
- * @param cells one a case and integrator, case by case
+ * @param cells one per case and integrator, grouped by case
  */
 public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> integrators, List<CaseResult> cells) {
     /**
-     * What to run.
+     * Selection and limits of a study.
      *
      * @param only keys of cases; empty for all
      * @param quick whether to run the short version: coarser domes, shorter times
-     * @param nodeEvaluations evaluations of the force on a node that a cell may spend: one that needs more ends
-     *     earlier, which its simulated time shows
+     * @param nodeEvaluations budget of force evaluations times nodes per cell. A cell that needs more ends early, which
+     *     its simulated time shows.
      * @param verletEvaluations the same for velocity Verlet, the default integrator
-     * @param threads cases at a time, one thread each
+     * @param threads number of concurrent cells, one thread each
      */
     public record Settings(
             List<String> only,
@@ -36,7 +36,7 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
             double nodeEvaluations,
             double verletEvaluations,
             int threads) {
-        /** All cells of the long version: Verlet's hour of quiet breathing is an hour. */
+        /** All cells of the long version. The budget of Verlet suffices for one simulated hour of quiet breathing. */
         public static final Settings LONG =
                 new Settings(List.of(), List.of(IntegratorKind.values()), false, 5e8, 5e10, 1);
 
@@ -52,7 +52,7 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
             return new Settings(only, integrators, quick, nodeEvaluations, verletEvaluations, count);
         }
 
-        /** Only these cases under these integrators. */
+        /** A copy with only these cases and integrators. */
         public Settings only(List<String> keys, List<IntegratorKind> kinds) {
             return new Settings(keys, kinds, quick, nodeEvaluations, verletEvaluations, threads);
         }
@@ -74,8 +74,8 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
     }
 
     /**
-     * Runs the cells, the last cases first, for they take longest; the same settings give the same cells on any number
-     * of threads.
+     * Runs the cells. The last cases run first because they take longest. The same settings give the same results on
+     * any number of threads.
      */
     public static StabilityStudy of(Settings settings, ProgressListener progress) {
         List<StabilityCase> cases = StabilityCases.all(settings.quick()).stream()

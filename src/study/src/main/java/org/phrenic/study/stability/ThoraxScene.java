@@ -13,21 +13,21 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 
-/** A thorax of the program and what is changed in it while it runs. */
+/** Scene of a thorax with changes applied during the run. */
 final class ThoraxScene implements StabilityScene {
-    /** How long a body has to come to rest, s. */
+    /** Time in which a body comes to rest, s. */
     static final double SETTLING_S = 20;
 
     /**
-     * About critical, N s/m, for the springs that bring the paper's sheet home; its own 0.02 lets it swing for a
-     * minute.
+     * Node damping while the scene settles, N s/m. It is about critical for the springs that restore the paper's sheet;
+     * with the paper's 0.02 the sheet oscillates for a minute.
      */
     static final double SETTLING_DAMPING = 1;
 
     private final Simulation simulation;
     private final Consumer<Simulation> beforeStep;
 
-    /** @param beforeStep what is done to the simulation before each step */
+    /** @param beforeStep applied to the simulation before each step */
     ThoraxScene(Scenario scenario, Thorax thorax, Consumer<Simulation> beforeStep) {
         simulation = Simulation.of(scenario, thorax);
         this.beforeStep = beforeStep;

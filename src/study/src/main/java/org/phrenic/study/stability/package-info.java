@@ -1,5 +1,6 @@
 /**
- * Stability cases: scenes chosen to break a simulation, the bounds that must hold in each, and their run under every
- * integrator: stable, diverged and recovered, or refused, but never silently wrong. Nothing here is used by a run.
+ * Stability cases: scenes chosen to provoke instability, bounds that must hold in each, and their runs under every
+ * integrator. A case may be stable, recover from a divergence or be refused, but it must never violate a bound
+ * silently.
  */
 package org.phrenic.study.stability;

@@ -3,7 +3,7 @@ package org.phrenic.study.validation;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** How far a number of the physiology table can be trusted. */
+/** Confidence in a range of the physiology table. */
 public enum Confidence {
     SEEN("S", true, "read in a source"),
     MEASURED("M", false, "measured on a public mesh"),
@@ -23,12 +23,12 @@ public enum Confidence {
         this.meaning = meaning;
     }
 
-    /** As in the table. */
+    /** Tag used in the table. */
     public String tag() {
         return tag;
     }
 
-    /** Whether a validation fails if such a range is missed. */
+    /** Whether a value outside such a range makes the validation fail. */
     public boolean isBinding() {
         return binding;
     }
@@ -37,7 +37,7 @@ public enum Confidence {
         return meaning;
     }
 
-    /** The confidence of this tag; empty if there is none. */
+    /** The constant of a tag; empty if the tag is unknown. */
     public static Optional<Confidence> of(String tag) {
         return Arrays.stream(values()).filter(c -> c.tag.equals(tag)).findFirst();
     }

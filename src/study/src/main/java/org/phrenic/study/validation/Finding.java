@@ -1,18 +1,18 @@
 package org.phrenic.study.validation;
 
 /**
- * Result of one row of the physiology table on one body.
+ * Result of one row of the physiology table for one body.
  *
- * @param range the quantity
+ * @param range row of the table
  * @param verdict whether the value lies in the range
- * @param value in the row's unit; NaN where there is none
- * @param reason why there is none, or why it lies outside its range; empty for what lies within
+ * @param value in the row's unit; NaN if not available
+ * @param reason why the value is not available or lies outside the range; empty if it lies in the range
  */
 public record Finding(ReferenceRange range, Verdict verdict, double value, String reason) {
-    /** Reason of a value outside its range where the table gives none. */
+    /** Reason for a value outside its range if the table gives none. */
     static final String UNEXPLAINED = "no reason is known yet";
 
-    /** Whether a value lies in its range. */
+    /** Outcome of the comparison with the range. */
     public enum Verdict {
         WITHIN("within"),
         OUT("out"),
@@ -29,7 +29,7 @@ public record Finding(ReferenceRange range, Verdict verdict, double value, Strin
         }
     }
 
-    /** Whether it makes a validation fail. */
+    /** Whether this result makes the validation fail. */
     public boolean isMiss() {
         return verdict == Verdict.OUT && range.confidence().isBinding();
     }

@@ -20,35 +20,35 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
 /**
- * Excursion of the liver in the four kinds of breathing used for access to it (quiet, deep, held at expiration, held at
- * inspiration), beside published ranges.
+ * Excursion of the liver in the four kinds of breathing used during interventions on it (quiet, deep, held at
+ * expiration, held at inspiration), with published ranges.
  *
- * @param rows one a body and breathing
+ * @param rows one per body and preset
  */
 public record LiverMotion(List<Row> rows) {
-    /** The breathings, in order. */
+    /** Breathing presets, in report order. */
     public static final List<String> PRESETS = List.of("quiet", "deep", "hold-expiration", "hold-inspiration");
 
     private static final List<String> AXES = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
     private static final Set<String> MEASURED = Set.of("liver_top_mm", "liver_edge_mm");
-    /** Of a hold the first second is not counted: tissue comes to rest from the breath before. */
+    /** Initial part of a hold that is ignored, s: the tissue still settles from the breath. */
     private static final int SETTLING_S = 1;
 
     /**
-     * A body under a breathing.
+     * Results for one body and preset.
      *
-     * @param body as asked for
+     * @param body as requested
      * @param preset of breathing
-     * @param siMm how far the liver as a whole goes down from end-expiration to end-inspiration, mm; where the breath
-     *     is held at expiration, in the breath before
-     * @param apMm forward, mm
-     * @param lrMm to the left or right, mm
-     * @param topMm its highest fifth goes down, mm
-     * @param edgeMm its lowest fifth goes down, mm
-     * @param domeMm the right dome of the diaphragm goes down, mm
-     * @param liverCreepMm how far the liver comes up in the hold from its first second on, mm; NaN without a hold
-     * @param domeCreepMm the right dome likewise
-     * @param referenceRanges ranges seen in people, of SI, AP, LR and creep; empty where none is known
+     * @param siMm descent of the whole liver from end-expiration to end-inspiration, mm; for a hold at expiration, in
+     *     the breath before the hold
+     * @param apMm anterior-posterior excursion, mm
+     * @param lrMm left-right excursion, mm
+     * @param topMm descent of the liver's highest fifth, mm
+     * @param edgeMm descent of the liver's lowest fifth, mm
+     * @param domeMm descent of the right dome of the diaphragm, mm
+     * @param liverCreepMm rise of the liver during the hold, after its first second, mm; NaN without a hold
+     * @param domeCreepMm rise of the right dome during the hold, likewise, mm
+     * @param referenceRanges published ranges of SI, AP, LR and dome creep; empty where none is known
      */
     public record Row(
             String body,
@@ -72,7 +72,7 @@ public record LiverMotion(List<Row> rows) {
             return values;
         }
 
-        /** What ranges are known of: SI, AP, LR, creep of the dome. */
+        /** The values with a possible reference range: SI, AP, LR, creep of the dome. */
         public double[] comparedValues() {
             return new double[] {siMm, apMm, lrMm, domeCreepMm};
         }
@@ -83,11 +83,11 @@ public record LiverMotion(List<Row> rows) {
     }
 
     /**
-     * Runs.
+     * Runs the study.
      *
      * @param settings of all runs; preset and anatomy are replaced
      * @param anatomies virtual bodies or folders
-     * @param threads runs at a time
+     * @param threads number of concurrent runs
      */
     public static LiverMotion of(
             PhysiologyTable table, Scenario settings, List<String> anatomies, int threads, ProgressListener progress) {
@@ -106,16 +106,17 @@ public record LiverMotion(List<Row> rows) {
         return new LiverMotion(BatchRunner.run(jobs, threads, progress));
     }
 
-    /** Measures a run. */
+    /** Evaluates one run. */
     static Row row(String body, String preset, BreathSeries series, PhysiologyTable table) {
         int held = series.firstHeldRow();
         int deepest = preset.equals("hold-expiration") ? deepest(series, held) : series.endInspirationRow(0);
         int start = preset.equals("hold-expiration") ? 0 : series.endExpirationRow(0);
         List<Optional<ReferenceRange>> known = new ArrayList<>();
-        // A held breath is as deep as the one it is held in: a quiet one at expiration, a deep one at inspiration.
+        // The depth of a held breath is that of quiet breathing for a hold at expiration, of deep breathing at
+        // inspiration.
         String as = preset.equals("hold-expiration") ? "quiet" : preset.equals("hold-inspiration") ? "deep" : preset;
         AXES.forEach(axis -> known.add(known(table, as, axis, Reduction.SIZE)));
-        // None is known at expiration.
+        // The table has no creep range for a hold at expiration.
         known.add(known(table, preset, "dome_right_mm", Reduction.CREEP));
         return new Row(
                 body,
@@ -131,7 +132,7 @@ public record LiverMotion(List<Row> rows) {
                 known);
     }
 
-    /** Where the domes are lowest before a row. */
+    /** Row before a given one at which the domes are lowest. */
     private static int deepest(BreathSeries series, int before) {
         int best = 0;
         for (int i = 0; i < before; i++) {
@@ -157,7 +158,7 @@ public record LiverMotion(List<Row> rows) {
         return from < to ? series.value(column, to) - series.value(column, from) : Double.NaN;
     }
 
-    /** The first range of the table for an observable under a breathing. */
+    /** The first range of the table for an observable and a preset. */
     private static Optional<ReferenceRange> known(
             PhysiologyTable table, String preset, String observable, Reduction reduction) {
         return table.ranges().stream()
@@ -168,7 +169,7 @@ public record LiverMotion(List<Row> rows) {
                 .findFirst();
     }
 
-    /** Header and rows as text, ranges in brackets, what is out of its range marked. */
+    /** Table cells with header; ranges are in brackets and values outside their range are marked. */
     public List<List<String>> table() {
         List<List<String>> lines = new ArrayList<>();
         lines.add(List.of(
@@ -198,7 +199,7 @@ public record LiverMotion(List<Row> rows) {
                 .orElse(text);
     }
 
-    /** How many figures lie outside what is known. */
+    /** Number of values outside their range. */
     public long outOfRangeCount() {
         return rows.stream()
                 .flatMap(r -> Arrays.stream(new int[] {0, 1, 2, 3})
@@ -208,7 +209,7 @@ public record LiverMotion(List<Row> rows) {
                 .count();
     }
 
-    /** All of it as values, for JSON. */
+    /** The study as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("rows", rows.stream().map(Row::values).toList());

@@ -17,7 +17,8 @@ import org.phrenic.study.ShippedFile;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
- * Ranges of human breathing with their sources: a YAML file with a list {@code rows}, each a {@link ReferenceRange}.
+ * Published ranges of human breathing with their sources: a YAML file with a list {@code rows}, each a
+ * {@link ReferenceRange}.
  *
  * @param name of the file
  * @param ranges in the order of the file
@@ -33,7 +34,7 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
         ranges = List.copyOf(ranges);
     }
 
-    /** The table that comes with the program. */
+    /** The table distributed with the program. */
     public static PhysiologyTable shipped() {
         return ShippedFile.read(
                         "validation/physiology.yaml",

@@ -7,53 +7,54 @@ import java.util.Optional;
 import org.phrenic.study.BreathSeries;
 
 /**
- * How curves are reduced to one number: from end-expiration to end-inspiration of a breath, averaged over whole breaths
- * ({@link BreathSeries}).
+ * Reductions of a time series to one number. Changes are from end-expiration to end-inspiration of a breath, averaged
+ * over complete breaths ({@link BreathSeries}).
  */
 public enum Reduction {
     /** Value at end-expiration. */
     START,
     /** Value at end-inspiration. */
     END,
-    /** Change to end-inspiration. */
+    /** Change. */
     RISE,
-    /** Change to end-inspiration, falling positive. */
+    /** Negative change: a fall is positive. */
     FALL,
-    /** Change to end-inspiration without its sign. */
+    /** Absolute value of the change. */
     SIZE,
     /** Fall in per cent of the value at end-expiration. */
     PERCENT_FALL,
     /**
-     * Smallest step down in a row of observables by the sizes of their changes; positive if they stand in this order.
+     * Smallest difference of absolute changes between consecutive observables of a list; positive if the absolute
+     * changes are in descending order.
      */
     ORDER,
-    /** Size of the change over that of another observable, in another preset where one is named. */
+    /** Absolute change divided by that of another observable, which may be taken from another preset. */
     RATIO,
     /**
-     * Slope of an observable over another in inspiration, by least squares between 15 and 87 % of the other's change
-     * (Houston et al. 1994), without its sign.
+     * Absolute slope of an observable over another in inspiration, by least squares between 15 and 87 % of the other's
+     * change (Houston et al. 1994).
      */
     SLOPE,
     /**
-     * Size of the change when, in inspiration, another observable has first reached a share of its own change in
-     * another preset or this one.
+     * Absolute change at the time in inspiration at which another observable first reaches a given share of its own
+     * change, in this preset or another.
      */
     AT_SHARE,
     /** Change from end-inspiration to the end of a hold. */
     CREEP,
-    /** Farthest that inspiration and expiration are apart at equal values of another observable. */
+    /** Largest difference between inspiration and expiration at equal values of another observable. */
     HYSTERESIS;
 
     private static final double SLOPE_FROM = 0.15;
     private static final double SLOPE_TO = 0.87;
     private static final int HYSTERESIS_LEVELS = 50;
 
-    /** As in the table. */
+    /** Label used in the table. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** The reduction of this label; empty if there is none. */
+    /** The constant of a label; empty if the label is unknown. */
     public static Optional<Reduction> of(String label) {
         return Arrays.stream(values()).filter(r -> r.label().equals(label)).findFirst();
     }
@@ -63,20 +64,20 @@ public enum Reduction {
         return Arrays.stream(values()).map(Reduction::label).toList();
     }
 
-    /** Whether a second observable is needed. */
+    /** Whether the reduction needs a second observable. */
     public boolean needsSecondObservable() {
         return this == RATIO || this == SLOPE || this == AT_SHARE || this == HYSTERESIS;
     }
 
     /**
-     * The number.
+     * Computes the reduction.
      *
      * @param series of the preset
-     * @param other series of the other preset; the same where none is named
-     * @param observables one, for {@link #ORDER} at least two
+     * @param other series of the other preset; {@code series} if none is named
+     * @param observables one; at least two for {@link #ORDER}
      * @param against second observable, where it {@linkplain #needsSecondObservable() is needed}
      * @param share for {@link #AT_SHARE}
-     * @return NaN where the series does not have it
+     * @return the reduced value; NaN if the series does not contain it
      */
     public double of(BreathSeries series, BreathSeries other, List<String> observables, String against, double share) {
         String x = observables.get(0);
@@ -168,7 +169,7 @@ public enum Reduction {
         return most;
     }
 
-    /** Value of x where the other first passes a level between two rows; NaN if it does not. */
+    /** Value of x where {@code against} first crosses a level between two rows; NaN if it does not. */
     private static double crossing(BreathSeries series, String x, String against, double level, int from, int to) {
         for (int i = from + 1; i <= to; i++) {
             double before = series.value(against, i - 1) - level;

@@ -5,24 +5,24 @@ import java.util.Optional;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
- * One quantity of people that a simulated breath is held against.
+ * Published range of one quantity, compared with a simulated breath.
  *
- * @param key name, each once in a table
- * @param preset breathing preset; empty for a quantity that cannot be measured here
- * @param body {@code male} or {@code female} where the range is of one sex; empty for all
+ * @param key unique name in the table
+ * @param preset breathing preset; empty for a quantity that the model cannot measure
+ * @param body {@code male} or {@code female} if the range is of one sex; empty for all
  * @param observables columns of {@code observables.csv} or of {@link SceneObservables}
- * @param reduction how one number is made of them
- * @param against second observable, empty where none is needed
- * @param againstPreset preset of the second observable where it is another
+ * @param reduction of the observables to one number
+ * @param against second observable; empty if none is needed
+ * @param againstPreset preset of the second observable, if different
  * @param share of {@link Reduction#AT_SHARE}; 1 for others
- * @param factor what the number is multiplied with, to have the unit
- * @param low least value; NaN for none
- * @param high greatest value; NaN for none
- * @param unit of low and high; {@code 1} for a plain number
+ * @param factor that converts the number to the unit
+ * @param low lower bound; NaN for none
+ * @param high upper bound; NaN for none
+ * @param unit of low and high; {@code 1} for a dimensionless number
  * @param confidence in the range
- * @param source where it comes from
- * @param note what to know about it, or why it cannot be measured here; may be empty
- * @param missReason why the model misses the range, where it is known to; empty where no reason is known
+ * @param source publication or other origin
+ * @param note remark, or why the quantity cannot be measured; may be empty
+ * @param missReason known reason why the model is outside the range; empty if none is known
  */
 public record ReferenceRange(
         String key,

@@ -20,22 +20,22 @@ import org.phrenic.study.PresetRun;
 import org.phrenic.study.validation.Finding.Verdict;
 
 /**
- * Compares simulated breaths with the physiology table: each preset that a row asks for is run once on each body, and
- * every row gets a verdict.
+ * Compares simulated breaths with the physiology table. Each preset of the table is run once on each body, and every
+ * row receives a verdict.
  *
- * @param table what was asked
- * @param settings what all runs had in common, beyond preset and body
- * @param bodies in the order they were given
+ * @param table the ranges
+ * @param settings common to all runs, apart from preset and body
+ * @param bodies in the order given
  */
 public record Validation(PhysiologyTable table, Scenario settings, List<Body> bodies) {
 
     /**
-     * One body.
+     * Results of one body.
      *
      * @param anatomy as given
      * @param name of the thorax
-     * @param sex as its name has it
-     * @param findings one a row of the table
+     * @param sex derived from the name
+     * @param findings one per row of the table
      */
     public record Body(String anatomy, String name, Optional<String> sex, List<Finding> findings) {
         public Body {
@@ -52,12 +52,12 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
     }
 
     /**
-     * Runs and judges.
+     * Runs the simulations and compares the results with the table.
      *
      * @param settings of all runs; preset and anatomy are replaced
      * @param anatomies virtual bodies or folders
-     * @param only presets to run; empty for all that the table asks for
-     * @param threads runs at a time
+     * @param only presets to run; empty for all presets of the table
+     * @param threads number of concurrent runs
      */
     public static Validation of(
             PhysiologyTable table,
@@ -110,7 +110,7 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         return presets;
     }
 
-    /** Observables that rows need of a preset. */
+    /** Observables that the rows of a preset need. */
     private static Set<String> observables(PhysiologyTable table, String preset) {
         Set<String> names = new LinkedHashSet<>();
         for (ReferenceRange row : table.ranges()) {
@@ -125,14 +125,14 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         return names;
     }
 
-    /** Male or female, where the name of a body has the word. */
+    /** Male or female, if the name of a body contains the word. */
     static Optional<String> sex(String name) {
         List<String> words = List.of(name.toLowerCase(Locale.ROOT).split("[^a-z]+"));
         return List.of("female", "male").stream().filter(words::contains).findFirst();
     }
 
     /**
-     * A verdict for each row.
+     * Evaluates each row.
      *
      * @param runs by preset
      */
@@ -171,7 +171,7 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         return new Finding(row, Verdict.NOT_MEASURABLE, Double.NaN, reason);
     }
 
-    /** Whether no range in which there is confidence was missed. */
+    /** Whether no binding range is missed. */
     public boolean passes() {
         return bodies.stream().flatMap(b -> b.findings().stream()).noneMatch(Finding::isMiss);
     }

@@ -13,7 +13,7 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.validation.Finding.Verdict;
 
-/** A validation as Markdown and as values for JSON; the same validation gives the same text. */
+/** A validation as Markdown and as values for JSON. The output is deterministic. */
 public final class ValidationReport {
     private static final List<Column> COLUMNS = List.of(
             Column.text("quantity"),
@@ -62,7 +62,7 @@ public final class ValidationReport {
                 + row.againstPreset().map(p -> " (" + p + ")").orElse("");
     }
 
-    /** One line that sums a body up. */
+    /** One-line summary of a body. */
     public static String summary(Validation.Body body) {
         long within = body.count(Verdict.WITHIN);
         long out = body.count(Verdict.OUT);
@@ -120,7 +120,7 @@ public final class ValidationReport {
                 hasNote ? row.source() + " (" + row.note() + ")" : row.source());
     }
 
-    /** All of it as values, for JSON. */
+    /** The validation as values for JSON. */
     public Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("notice", Disclaimer.TEXT);

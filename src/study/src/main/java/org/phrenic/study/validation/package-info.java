@@ -1,5 +1,5 @@
 /**
- * Simulated breaths compared with ranges of human physiology: the table of ranges, reductions of curves to one number,
- * verdicts and their report; motion of the liver beside published ranges.
+ * Comparison of simulated breaths with published ranges of human physiology: the table of ranges, reductions of time
+ * series, verdicts and report, and liver motion.
  */
 package org.phrenic.study.validation;

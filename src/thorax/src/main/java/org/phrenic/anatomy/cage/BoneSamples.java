@@ -13,25 +13,25 @@ import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Points of all bones and costal cartilages with what moves each: a bone's points move with its body; those of a
- * cartilage blend from the rib at its lateral end to the sternum (or, for cartilages 8 to 10, the cartilage above) at
- * its medial end.
+ * Sample points on all bones and costal cartilages, with body weights. Points of a bone have the weight of its body.
+ * Weights of a cartilage blend from the rib at its lateral end to the sternum (for cartilages 8 to 10, the cartilage
+ * above) at its medial end.
  */
 final class BoneSamples {
-    /** Samples a structure: a few millimetres apart on a rib. */
+    /** Samples per structure; on a rib they are a few millimetres apart. */
     private static final int SAMPLES = 240;
 
     private final int bodies;
-    /** Each three numbers, mm. */
+    /** Three coordinates each, mm. */
     final List<double[]> points = new ArrayList<>();
-    /** Weight of each body, summing to 1; one for each point. */
+    /** Weight of every body for each point; the weights of a point sum to 1. */
     final List<double[]> weights = new ArrayList<>();
 
     private BoneSamples(int bodies) {
         this.bodies = bodies;
     }
 
-    /** Samples of the bones of a thorax. */
+    /** Samples the bones of a thorax. */
     static BoneSamples of(Thorax thorax, RibCage cage) {
         BoneSamples all = new BoneSamples(cage.bodies().size());
         for (Structure s : thorax.structures()) {
@@ -40,7 +40,7 @@ final class BoneSamples {
                 case STERNUM -> all.addRigid(s.mesh(), cage.sternum());
                 case VERTEBRA -> all.addRigid(s.mesh(), RibCage.TRUNK);
                 default -> {
-                    // Soft parts move no point.
+                    // Soft tissue has no samples.
                 }
             }
         }

@@ -4,8 +4,8 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * Linear blend skinning of points by bones: each by up to {@value SkinningWeights#MAX_BODIES} bodies, x = Σ w T_k X
- * with weights that sum to 1 (linear blending: exact for a point on one bone, smooth between two).
+ * Linear blend skinning of points: x = Σ w_k T_k X over up to {@value SkinningWeights#MAX_BODIES} bodies, with weights
+ * that sum to 1. The motion is rigid for a point on one bone and smooth between bones.
  */
 public final class LinearBlendSkinning implements PrescribedMotion {
     private static final int POINTS_PER_BLOCK = 512;
@@ -20,10 +20,10 @@ public final class LinearBlendSkinning implements PrescribedMotion {
     private double[] velocity;
 
     /**
-     * @param pose of the rib cage
-     * @param rest where the points are at rest, mm
-     * @param bones the weights of each point
-     * @param workers who share the points; {@link #at} is called by their caller alone
+     * @param pose pose of the rib cage
+     * @param rest positions of the points at rest, mm
+     * @param bones skinning weights of the points
+     * @param workers threads that share the points; only the thread that owns them may call {@link #at}
      */
     public LinearBlendSkinning(RibCagePose pose, double[] rest, SkinningWeights.Weights bones, Workers workers) {
         this.pose = pose;

@@ -4,21 +4,20 @@ import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * The inner surface of the chest wall (the parietal pleura), as a radius over angle and height about a vertical line in
- * the middle of the chest: the outer envelope, at rest, of what lies against it, lungs and the apposed part of the
- * diaphragm. It is carried by the ribs: each cell of the grid moves with the bones near it, so what is pressed against
- * the wall is pressed against moving ribs.
+ * The inner surface of the chest wall (the parietal pleura) as a radius r_wall(φ, z) about a vertical line through the
+ * middle of the chest. At rest it is the outer envelope of the lungs and the apposed part of the diaphragm. Each grid
+ * cell moves with the bones near it, so that contact is with the moving ribs.
  *
- * <p>A point of the current state is taken back to rest by the displacement of the wall near it; there the signed
- * distance to the radius surface is formed, G = r_wall(φ, z) - r, and its gradient gives the plane.
+ * <p>A point is mapped back to rest by the local displacement of the wall. There the level-set function G = r_wall(φ,
+ * z) - r is evaluated; G and its gradient define the tangent plane.
  */
 public final class MovingChestWall {
     private static final int SECTORS = 96;
     private static final int QUARTER = SECTORS / 4;
     private static final double LAYER_MM = 5;
     /**
-     * Points of what lies against the wall must not be farther apart than this, or a cell that holds none of the outer
-     * surface would take a point behind it for the wall.
+     * Maximum spacing of the points that define the wall, mm. With wider spacing a cell could contain no point of the
+     * outer surface, and a point behind it would define the wall.
      */
     public static final double MAX_SPACING_MM = LAYER_MM / 2;
 
@@ -36,13 +35,13 @@ public final class MovingChestWall {
     private double time = Double.NaN;
 
     /**
-     * @param contents points at rest (three numbers each, mm) whose envelope is the wall: all over lungs and thoracic
-     *     face of the diaphragm, no farther apart than {@link #MAX_SPACING_MM}
-     * @param centreX of the vertical line, mm
-     * @param centreY of the vertical line, mm
-     * @param bones what carries the wall
-     * @param pose of the rib cage
-     * @param workers who move it
+     * @param contents points at rest (three numbers each, mm) whose envelope is the wall: all of the lungs and of the
+     *     thoracic face of the diaphragm, at most {@link #MAX_SPACING_MM} apart
+     * @param centreX x of the vertical line, mm
+     * @param centreY y of the vertical line, mm
+     * @param bones skinning weights of the wall
+     * @param pose pose of the rib cage
+     * @param workers threads that move the wall
      */
     public MovingChestWall(
             double[] contents,
@@ -78,11 +77,11 @@ public final class MovingChestWall {
     }
 
     /**
-     * The wall for nodes that may not pass it. A node that lies beyond the wall at rest, which is smoothed, keeps that
-     * much allowance.
+     * Contact surface for nodes that must stay inside the wall. A node that lies outside the smoothed wall at rest may
+     * stay outside by that distance.
      *
-     * @param points the nodes at rest, mm
-     * @param inset how far inside the wall each is stopped: 0 for the face that lies on it, more for the face behind
+     * @param points positions of the nodes at rest, mm
+     * @param inset minimum depth of each node inside the wall, mm: 0 for the outer face, more for the face behind it
      */
     public ContactSurface limitingContact(double[] points, double[] inset) {
         double[] allowance = new double[points.length / 3];
@@ -92,7 +91,7 @@ public final class MovingChestWall {
         return surface(allowance);
     }
 
-    /** The wall for nodes that slide along it at the distance they have at rest. */
+    /** Contact surface for nodes that slide along the wall at their distance at rest. */
     public ContactSurface slidingContact(double[] points) {
         double[] allowance = new double[points.length / 3];
         for (int i = 0; i < allowance.length; i++) {
@@ -115,14 +114,14 @@ public final class MovingChestWall {
         };
     }
 
-    /** How far inside the wall a point lies at rest, along the radius, mm; negative beyond it. */
+    /** Radial depth of a point inside the wall at rest, mm; negative outside. */
     public double depth(double px, double py, double pz) {
         double x = px - centreX;
         double y = py - centreY;
         return radiusAt(diamondAngle(x, y), (pz - bottom) / LAYER_MM) - Math.sqrt(x * x + y * y);
     }
 
-    /** How far a direction at a point looks outward, -1 to 1. */
+    /** Radially outward component of a unit vector at a point, -1 to 1. */
     public double outwardComponent(double px, double py, double nx, double ny) {
         double x = px - centreX;
         double y = py - centreY;
@@ -130,8 +129,8 @@ public final class MovingChestWall {
     }
 
     /**
-     * Where round the line a direction lies, 0 to {@value #SECTORS}: the "diamond angle", which grows with the angle
-     * from quarter to quarter as y / (|x| + |y|) does, and costs a division where an arc tangent costs thirty.
+     * Angular coordinate about the line, 0 to {@value #SECTORS}: the "diamond angle", which grows within each quadrant
+     * as y / (|x| + |y|). It costs one division; an arc tangent costs about thirty times as much.
      */
     private static double diamondAngle(double x, double y) {
         double size = Math.abs(x) + Math.abs(y);
@@ -143,7 +142,7 @@ public final class MovingChestWall {
         return quarters < 4 ? quarters * QUARTER : 0;
     }
 
-    /** The direction of a sector, from which {@link #diamondAngle} gives it back; unit length. */
+    /** Unit vector with the given {@link #diamondAngle}. */
     private static double[] direction(int sector) {
         double quarters = sector / (double) QUARTER;
         double y = quarters <= 1 ? quarters : quarters <= 3 ? 2 - quarters : quarters - 4;
@@ -169,7 +168,7 @@ public final class MovingChestWall {
         return r;
     }
 
-    /** Cells that nothing lies in take the mean of their filled neighbours, ring by ring. */
+    /** Fills empty cells with the mean of their filled neighbours, repeatedly until none is empty. */
     private void fillEmptyCells(double[] r) {
         boolean empty = true;
         while (empty) {
@@ -221,7 +220,7 @@ public final class MovingChestWall {
         };
     }
 
-    /** Bilinear radius at fractional sector and layer. */
+    /** Bilinear radius at a fractional sector and layer. */
     private double radiusAt(double sector, double layer) {
         int below = (int) clampLayer(layer);
         return bilinearRadius(below, clampLayer(layer) - below, (int) sector, sector - (int) sector);
@@ -231,7 +230,7 @@ public final class MovingChestWall {
         return Math.max(0, Math.min(layers - 1.001, layer));
     }
 
-    /** Radius between four cells: so far above a layer, so far past a sector. */
+    /** Bilinear radius; {@code above} and {@code past} are the fractions within the cell. */
     private double bilinearRadius(int layer, double above, int sector, double past) {
         int lower = layer * SECTORS;
         int next = sector + 1 < SECTORS ? sector + 1 : 0;
@@ -240,7 +239,7 @@ public final class MovingChestWall {
         return (1 - above) * below + above * over;
     }
 
-    /** Radius so far above a layer, at a sector that may lie a little before the first or behind the last. */
+    /** Bilinear radius at a fractional sector that may lie just outside the range; it is wrapped. */
     private double bilinearRadiusWrapped(int layer, double above, double sector) {
         double round = sector < 0 ? sector + SECTORS : sector < SECTORS ? sector : sector - SECTORS;
         return bilinearRadius(layer, above, (int) round, round - (int) round);
@@ -260,8 +259,8 @@ public final class MovingChestWall {
     private void plane(double allowance, double px, double py, double pz, double[] plane, int at) {
         double x = px - centreX;
         double y = py - centreY;
-        // Displacement of the wall near the point, interpolated between cells: taken from the nearest cell it would
-        // jump where a point changes cells.
+        // Interpolate the displacement of the wall between cells. The displacement of the nearest cell would be
+        // discontinuous where a point changes cells.
         double here = diamondAngle(x, y);
         double height = clampLayer((pz - bottom) / LAYER_MM);
         int cell = ((int) height) * SECTORS + (int) here;
@@ -291,7 +290,7 @@ public final class MovingChestWall {
         double slopeHeight = (bilinearRadius((int) higher, higher - (int) higher, whole, beyond)
                         - bilinearRadius((int) lower, lower - (int) lower, whole, beyond))
                 / LAYER_MM;
-        // Gradient of G = r_wall - r: the sector grows along (-y, x) / (|x| + |y|)².
+        // Gradient of G = r_wall - r: the gradient of the sector is parallel to (-y, x) / (|x| + |y|)².
         double size = Math.max(1, Math.abs(x) + Math.abs(y));
         double turn = slopeSector * QUARTER / (size * size);
         double gx = -turn * y - x / r;
@@ -312,7 +311,7 @@ public final class MovingChestWall {
                 + gz * mean(v, 3 * cell + 2, 3 * next + 2, w00, w01, w10, w11);
     }
 
-    /** A coordinate of a vector that each cell has, between two cells of a layer and the two above them. */
+    /** Bilinear interpolation of one component of a per-cell vector field between two cells and the two above them. */
     private static double mean(double[] of, int cell, int next, double w00, double w01, double w10, double w11) {
         return w00 * of[cell] + w01 * of[next] + w10 * of[cell + 3 * SECTORS] + w11 * of[next + 3 * SECTORS];
     }

@@ -13,18 +13,18 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * How far and about which direction each rib turns from end-expiration to full inspiration.
+ * Rotation of each rib from end-expiration to full inspiration.
  *
- * <p>The rotation vector of the right rib in LPS is {@code (-pump, bucket, swing)}, of the left rib {@code (-pump,
- * -bucket, -swing)}: its direction is the axis, its length the angle. The axis passes through the head of the rib. Two
- * tables come with the program, {@code data/ribs/axes-wilson-ct.csv} and {@code axes-neck.csv}; they name their
- * sources, row by row, and {@code docs/rib-kinematics.md} says how the first was chosen.
+ * <p>The rotation vector in LPS is {@code (-pump, bucket, swing)} for a right rib and {@code (-pump, -bucket, -swing)}
+ * for a left rib. Its direction is the axis and its length the angle. The axis passes through the head of the rib. Two
+ * tables are built in, {@code data/ribs/axes-wilson-ct.csv} and {@code axes-neck.csv}; each row states its source.
+ * {@code docs/rib-kinematics.md} gives the reasons for the first.
  */
 public final class RibAxisTable {
-    /** Measured axes of motion: T. A. Wilson et al. 1987 and CT; the default. */
+    /** Measured axes (T. A. Wilson et al. 1987 and CT); the default. */
     public static final String WILSON_CT = "axes-wilson-ct";
 
-    /** The anatomical axes of the necks of the ribs. */
+    /** Anatomical axes of the rib necks. */
     public static final String NECK = "axes-neck";
 
     private static final int LEVELS = 12;
@@ -34,15 +34,15 @@ public final class RibAxisTable {
     private final List<Row> rows;
 
     /**
-     * One rib.
+     * Motion of one rib.
      *
      * @param level 1 to 12
-     * @param pumpDeg about the transverse axis, positive raises the anterior end
-     * @param bucketDeg about the antero-posterior axis, positive raises the lateral arc
-     * @param swingDeg about the superior axis, positive carries the anterior end to the midline, negative away from it
-     * @param slideMm along the axis (of the right rib; the left mirrors it)
+     * @param pumpDeg rotation about the transverse axis; positive raises the anterior end
+     * @param bucketDeg rotation about the antero-posterior axis; positive raises the lateral arc
+     * @param swingDeg rotation about the superior axis; positive moves the anterior end toward the midline
+     * @param slideMm translation along the axis (right rib; mirrored for the left)
      * @param confidence good, fair or weak
-     * @param source where the numbers come from
+     * @param source source of the numbers
      */
     public record Row(
             int level,
@@ -64,10 +64,10 @@ public final class RibAxisTable {
     }
 
     /**
-     * A table that comes with the program.
+     * Returns a built-in table.
      *
      * @param name {@link #WILSON_CT} or {@link #NECK}
-     * @throws BadInputException if there is none of that name
+     * @throws BadInputException if there is no table of this name
      */
     public static RibAxisTable preset(String name) {
         try (InputStream in = RibAxisTable.class.getResourceAsStream("/org/phrenic/data/ribs/" + name + ".csv")) {
@@ -82,9 +82,9 @@ public final class RibAxisTable {
     }
 
     /**
-     * Reads a table; lines that begin with # are comments.
+     * Parses a table in CSV; lines that begin with # are comments.
      *
-     * @throws BadInputException naming line and column for a value that is missing or out of range
+     * @throws BadInputException if a value is missing or out of range; the message names line and column
      */
     static RibAxisTable parse(String name, String text) {
         CsvTable table = CsvTable.parse(name, text, '#');
@@ -126,22 +126,22 @@ public final class RibAxisTable {
         return new RibAxisTable(Arrays.asList(rows));
     }
 
-    /** Ribs 1 to 12. */
+    /** Rows of ribs 1 to 12. */
     public List<Row> rows() {
         return rows;
     }
 
-    /** The row of a rib, level 1 to 12. */
+    /** Row of a rib, level 1 to 12. */
     public Row row(int level) {
         return rows.get(level - 1);
     }
 
     /**
-     * The motion of a rib to full inspiration.
+     * Motion of a rib to full inspiration.
      *
      * @param level 1 to 12
      * @param side right or left
-     * @param head of the rib, LPS, mm
+     * @param head head of the rib, LPS, mm
      */
     public HelicalAxis axis(int level, Side side, double[] head) {
         Row row = row(level);
@@ -152,7 +152,7 @@ public final class RibAxisTable {
         return side == Side.LEFT ? right.mirroredX() : right;
     }
 
-    /** The motion of a rib to full inspiration, its head found on its surface (LPS, mm). */
+    /** Motion of a rib to full inspiration, with its head located on the surface (LPS, mm). */
     public HelicalAxis axis(int level, Side side, TriangleMesh rib) {
         return axis(level, side, RibEnds.find(rib, side).head());
     }

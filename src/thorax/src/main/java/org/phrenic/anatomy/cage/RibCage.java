@@ -13,12 +13,12 @@ import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.engine.kinematics.RigidMotion;
 
 /**
- * The moving bones, each a rigid body on a helical axis with one common amplitude: the ribs by a {@link RibAxisTable},
- * the sternum by the rigid motion that best follows the anterior ends of ribs 1 to 7, and the trunk (spine), which
- * stays. Costal cartilages are no bodies: they blend between the rib and the sternum ({@link SkinningWeights}).
+ * The bones as rigid bodies on helical axes with one common amplitude. Ribs follow a {@link RibAxisTable}; the sternum
+ * has the best-fit rigid motion of the anterior ends of ribs 1 to 7; the trunk (spine) is fixed. Costal cartilages are
+ * not bodies: they are blended between rib and sternum ({@link SkinningWeights}).
  */
 public final class RibCage {
-    /** The body that does not move. */
+    /** Index of the fixed body. */
     public static final int TRUNK = 0;
 
     private static final int LAST_TRUE_RIB = 7;
@@ -26,11 +26,11 @@ public final class RibCage {
     /**
      * One rigid body.
      *
-     * @param name of its structure; {@code trunk} or {@code sternum}
-     * @param level of a rib, 0 otherwise
-     * @param side of a rib
-     * @param axis its motion to full inspiration; empty for the trunk
-     * @param ends of a rib; empty otherwise
+     * @param name name of its structure, or {@code trunk} or {@code sternum}
+     * @param level level of a rib, 0 otherwise
+     * @param side side of a rib
+     * @param axis motion to full inspiration; empty for the trunk
+     * @param ends ends of a rib; empty otherwise
      */
     public record Body(String name, int level, Side side, Optional<HelicalAxis> axis, Optional<RibEnds> ends) {}
 
@@ -46,9 +46,9 @@ public final class RibCage {
     }
 
     /**
-     * The ribs that a thorax has, its sternum if at least three true ribs move it, and the trunk.
+     * Creates bodies for the trunk, the ribs of a thorax and, if at least three true ribs are present, its sternum.
      *
-     * @param movingSternum false leaves the sternum to the trunk, which stays
+     * @param movingSternum false to make the sternum part of the fixed trunk
      */
     public static RibCage of(Thorax thorax, RibAxisTable table, boolean movingSternum) {
         List<Body> bodies = new ArrayList<>();
@@ -75,7 +75,7 @@ public final class RibCage {
         return body.ends().isPresent() && body.level() <= LAST_TRUE_RIB;
     }
 
-    /** The rigid motion that best follows the anterior ends of the true ribs, each turning about its axis. */
+    /** Best-fit rigid motion of the anterior ends of the true ribs, each of which rotates about its axis. */
     private static HelicalAxis sternumAxis(List<Body> bodies, Function<Body, HelicalAxis> axes) {
         List<Body> ribs = bodies.stream().filter(RibCage::leadsSternum).toList();
         double[] from = new double[3 * ribs.size()];
@@ -93,7 +93,7 @@ public final class RibCage {
         return bodies;
     }
 
-    /** The body of a rib, -1 if there is none. */
+    /** Index of the body of a rib, or -1. */
     public int rib(int level, Side side) {
         for (int i = 0; i < bodies.size(); i++) {
             if (bodies.get(i).level() == level && bodies.get(i).side() == side) {
@@ -103,14 +103,15 @@ public final class RibCage {
         return -1;
     }
 
-    /** The body of the sternum; the trunk where there is none. */
+    /** Index of the body of the sternum, or of the trunk if there is none. */
     public int sternum() {
         return bodies.get(bodies.size() - 1).name().equals("sternum") ? bodies.size() - 1 : TRUNK;
     }
 
     /**
-     * Motion of every body, null for one that stays, if each rib's turn about the antero-posterior axis (the bucket
-     * handle) is multiplied and the rest of its turn is not; its head stays on the axis. The sternum follows the ribs.
+     * Motions of all bodies with the bucket-handle component of each rib's rotation (about the antero-posterior axis)
+     * scaled by a factor; null for a fixed body. The axis still passes through the rib's head. The sternum follows the
+     * ribs.
      */
     HelicalBody[] motions(double bucket) {
         if (bucket == 1) {

@@ -2,23 +2,23 @@ package org.phrenic.anatomy.cage;
 
 import org.phrenic.engine.kinematics.HelicalBody;
 
-/** Poses and twists of the bodies of a rib cage at a time, computed once for each time. */
+/** Poses and twists of the bodies of a rib cage at a time; cached until the time changes. */
 public final class RibCagePose {
 
-    /** How far the rib cage is inspired at a time. */
+    /** Amplitude of the rib cage as a function of time. */
     @FunctionalInterface
     public interface RibDrive {
         /**
          * @param time s
-         * @param amplitudeAndRate where to write the amplitude s (0 end-expiration, 1 full inspiration) and ds/dt (1/s)
+         * @param amplitudeAndRate receives the amplitude s (0 end-expiration, 1 full inspiration) and ds/dt (1/s)
          */
         void at(double time, double[] amplitudeAndRate);
 
         /**
          * Factors on the rotation of groups of ribs.
          *
-         * @param gains where to write it
-         * @return false if all factors are 1; then nothing is written
+         * @param gains receives the factors
+         * @return false if all factors are 1; then {@code gains} is not written
          */
         default boolean gains(double time, RibGains gains) {
             return false;
@@ -50,7 +50,7 @@ public final class RibCagePose {
         }
     }
 
-    /** Moves all bodies to a time. */
+    /** Updates all bodies to a time. */
     public void update(double now) {
         if (now == time) {
             return;
@@ -80,17 +80,17 @@ public final class RibCagePose {
         return cage;
     }
 
-    /** Amplitude of the last update. */
+    /** Amplitude at the last update. */
     public double amplitude() {
         return amplitudeAndRate[0];
     }
 
-    /** Rows of [R | t] of a body as last updated; read only. */
+    /** Rows of [R | t] of a body at the last update. The array is shared and must not be modified. */
     public double[] pose(int body) {
         return pose[body];
     }
 
-    /** Twist of a body as last updated; read only. */
+    /** Twist of a body at the last update. The array is shared and must not be modified. */
     double[] twist(int body) {
         return twist[body];
     }

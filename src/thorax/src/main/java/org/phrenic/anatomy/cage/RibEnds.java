@@ -8,17 +8,17 @@ import org.phrenic.mesh.TriangleMesh;
 /**
  * The two ends of a rib, found from its surface: the head, at the vertebra, and the anterior end, at the cartilage.
  *
- * <p>The ends are the two points of the rib farthest apart along it: vertices are gathered into cells of about a
- * hundredth of the rib, neighbouring cells are linked (and cells that share a triangle, and the nearest cells of
- * patches that touch nowhere, so that seams and holes do not matter), and the longest of the shortest paths is sought
- * by two sweeps of Dijkstra's method. An end is the mean of the vertices within {@value #END_REGION_MM} mm of the
- * farthest one, along the rib. The head is the end that lies more posterior and medial.
+ * <p>The ends are the two points with the largest geodesic distance. Vertices are clustered into cells of about a
+ * hundredth of the rib's length. Edges link neighbouring cells, cells that share a triangle, and the nearest cells of
+ * disconnected patches, so that seams and holes do not matter. Two Dijkstra sweeps find the longest shortest path. An
+ * end is the mean of the vertices within {@value #END_REGION_MM} mm of the farthest one, along the rib. The head is the
+ * more posterior and medial end.
  */
 public final class RibEnds {
-    /** Half of the thickness of a rib or so: the end as a whole, not its sharpest vertex. */
+    /** About half the thickness of a rib, mm, so that an end is not defined by a single vertex. */
     static final double END_REGION_MM = 5;
 
-    /** Cells along the diagonal of the rib's box: 3 to 4 mm for a middle rib, finer than it is thick. */
+    /** Cells along the diagonal of the rib's bounding box: 3 to 4 mm for a middle rib, less than its thickness. */
     private static final int CELLS_ALONG = 80;
 
     private final double[] head;
@@ -34,8 +34,8 @@ public final class RibEnds {
     /**
      * Finds the ends of a rib.
      *
-     * @param rib surface in LPS, mm; it may be in several patches and open
-     * @param side of the body, right or left
+     * @param rib surface in LPS, mm; may be open and consist of several patches
+     * @param side right or left
      * @throws IllegalArgumentException if the mesh has no extent or the side is the midline
      */
     public static RibEnds find(TriangleMesh rib, Side side) {
@@ -54,7 +54,7 @@ public final class RibEnds {
         double[] one = cells.region(fromOther);
         double[] other = cells.region(fromOne);
         double length = fromOne[farthest(fromOne)];
-        // Posterior is +y; medial is away from the sign of the side.
+        // Posterior is +y; medial is opposite to the sign of the side.
         boolean oneIsHead = one[1] - side.sign() * one[0] > other[1] - side.sign() * other[0];
         return oneIsHead ? new RibEnds(one, other, length) : new RibEnds(other, one, length);
     }
@@ -69,7 +69,7 @@ public final class RibEnds {
         return anterior.clone();
     }
 
-    /** Length along the surface from end to end, mm; some per cent above that of the centre line. */
+    /** Length along the surface from end to end, mm; a few per cent longer than the centre line. */
     public double lengthMm() {
         return lengthMm;
     }
@@ -88,13 +88,13 @@ public final class RibEnds {
         return value * value;
     }
 
-    /** The graph of cells: each stands at the mean of its vertices. */
+    /** Graph of cells; the position of a cell is the mean of its vertices. */
     private static final class Cells {
         private static final int NONE = -1;
         private final TriangleMesh rib;
         private final int[] cellOf;
         private final double[] centres;
-        /** Cells each cell is linked with, and how many those are. */
+        /** Neighbours of each cell; {@code linkCount} holds their numbers. */
         private int[][] links = new int[256][];
 
         private int[] linkCount = new int[256];
@@ -105,7 +105,7 @@ public final class RibEnds {
         Cells(TriangleMesh rib, double size) {
             this.rib = rib;
             double[] box = rib.bounds();
-            // One more on each side, so that every cell has neighbours on the grid.
+            // One extra cell on each side, so that every cell has all neighbours on the grid.
             int[] grid = new int[3];
             for (int axis = 0; axis < 3; axis++) {
                 grid[axis] = (int) ((box[3 + axis] - box[axis]) / size) + 3;
@@ -200,8 +200,8 @@ public final class RibEnds {
         }
 
         /**
-         * Links the patch of the first cell to the nearest cell outside it until there is none outside; returns the
-         * distances from the first cell.
+         * Links the component of the first cell to the nearest cell outside it until all cells are connected. Returns
+         * the distances from the first cell.
          */
         private double[] bridgePatches() {
             boolean[] reached = new boolean[count];
@@ -225,7 +225,7 @@ public final class RibEnds {
             return distances(0);
         }
 
-        /** Marks what hangs together with a cell; returns how many were not marked before. */
+        /** Marks the connected component of a cell; returns the number of newly marked cells. */
         private int spread(int from, boolean[] reached) {
             int[] queue = new int[reached.length];
             queue[0] = from;
@@ -243,7 +243,7 @@ public final class RibEnds {
             return tail;
         }
 
-        /** Distance along the rib from a cell to each, mm. */
+        /** Geodesic distance along the rib from a cell to each cell, mm. */
         double[] distances(int start) {
             double[] found = new double[count];
             Arrays.fill(found, Double.POSITIVE_INFINITY);
@@ -264,7 +264,7 @@ public final class RibEnds {
             return found;
         }
 
-        /** Mean of the vertices of the cells that are farthest. */
+        /** Mean of the vertices of the farthest cells. */
         double[] region(double[] distances) {
             double limit = distances[farthest(distances)] - END_REGION_MM;
             double[] mean = new double[3];

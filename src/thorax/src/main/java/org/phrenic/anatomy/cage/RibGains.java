@@ -3,10 +3,10 @@ package org.phrenic.anatomy.cage;
 import org.phrenic.anatomy.Side;
 
 /**
- * Factors on the rotation of the bodies of a rib cage, by group and side: {@code (1 + u (upper - 1) + l (lower - 1))
- * w}. u is 1 for ribs 1 to 3 and falls to 0 at rib 6, l rises from 0 at rib 6 to 1 for ribs 9 to 12, both by thirds; w
- * is 1 on the side that turns farther and the ratio of the sides on the other. The sternum has the mean of ribs 1 to 7.
- * Rates are derivatives, 1/s.
+ * Factors on the rotation of ribs by level and side: {@code (1 + u (upper - 1) + l (lower - 1)) w}. Weight u is 1 for
+ * ribs 1 to 3 and falls to 0 at rib 6; l rises from 0 at rib 6 to 1 for ribs 9 to 12; both change by thirds. Weight w
+ * is 1 on the side with the larger rotation and the ratio of the sides on the other. The sternum has the mean factor of
+ * ribs 1 to 7. Rates are time derivatives, 1/s.
  */
 public final class RibGains {
     private static final int MIDDLE = 6;
@@ -29,9 +29,9 @@ public final class RibGains {
     /**
      * Sets the factors.
      *
-     * @param upperRibs of the upper ribs
-     * @param lowerRibs of the lower ribs
-     * @param leftOverRight turn of the left ribs over that of the right, above 0
+     * @param upperRibs factor of the upper ribs
+     * @param lowerRibs factor of the lower ribs
+     * @param leftOverRight ratio of left to right rotation, above 0
      */
     public void setFactors(double upperRibs, double lowerRibs, double leftOverRight) {
         upper = upperRibs;
@@ -39,14 +39,14 @@ public final class RibGains {
         sideRatio = leftOverRight;
     }
 
-    /** Sets how fast the factors change, in their order. */
+    /** Sets the time derivatives of the factors, 1/s. */
     public void setRates(double upperRibs, double lowerRibs, double leftOverRight) {
         upperRate = upperRibs;
         lowerRate = lowerRibs;
         sidesRate = leftOverRight;
     }
 
-    /** Sets by how much what raises the side of each rib is multiplied ({@link RibCage#motions}). */
+    /** Sets the factor on the bucket-handle component of each rib's rotation ({@link RibCage#motions}). */
     public void setBucket(double factor) {
         bucket = factor;
     }
@@ -62,7 +62,7 @@ public final class RibGains {
                 : ribFactor(cage.bodies().get(body), false);
     }
 
-    /** Its derivative. */
+    /** Time derivative of the factor of a body, 1/s. */
     double factorRateOf(int body) {
         return body == cage.sternum()
                 ? meanOfTrueRibs(true)

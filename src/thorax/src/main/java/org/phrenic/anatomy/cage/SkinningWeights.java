@@ -11,43 +11,40 @@ import org.phrenic.engine.math.RadixSort;
 import org.phrenic.mesh.BoundingBoxes;
 
 /**
- * Skinning weights: the bones that move a point, and their shares. A point takes the mean of the {@link BoneSamples}
- * around it, which fades smoothly with distance, so that a row of points along the costal margin moves as one smooth
- * band.
+ * Skinning weights of points: the bodies that move a point and their weights. The weights of a point are a mean over
+ * the nearby {@link BoneSamples} with smooth radial fall-off, so that points along the costal margin move smoothly.
  */
 public final class SkinningWeights {
-    /** Bodies that may carry one point. */
+    /** Maximum number of bodies per point. */
     public static final int MAX_BODIES = 4;
 
-    /**
-     * How much farther than the nearest sample a sample may be and still count, mm: half the space between two ribs.
-     */
+    /** Support radius beyond the distance of the nearest sample, mm: half the width of an intercostal space. */
     private static final double SUPPORT_MM = 14;
-    /** Points within a cube of this size are searched for together. */
+    /** Points within a cube of this size, mm, are searched together. */
     private static final double BATCH_CELL_MM = 25;
 
     /**
-     * What carries some points.
+     * Weights of a set of points.
      *
-     * @param body {@link #MAX_BODIES} entries a point
-     * @param weight of each entry, 0 for one not used
-     * @param distance of each point from the nearest bone, mm
+     * @param body body indices, {@link #MAX_BODIES} per point
+     * @param weight weight of each entry; 0 if unused
+     * @param distance distance of each point from the nearest bone, mm
      */
     public record Weights(int[] body, double[] weight, double[] distance) {}
 
-    /** Samples are searched by cells of this size: a few samples each. */
+    /** Cell size of the search grid, mm: a few samples per cell. */
     private static final double CELL_MM = 20;
 
     private static final int SEVERAL_BODIES = -1;
 
     private final int bodies;
-    /** Samples sorted by cell, x, y, z each, and what moves each. */
+    /** Coordinates x, y, z of the samples, sorted by cell. */
     private double[] sample;
 
     private double[][] sampleWeights;
-    /** The one body that carries a sample; {@link #SEVERAL_BODIES} for a sample of cartilage. */
+    /** Body of each sample; {@link #SEVERAL_BODIES} for a sample of cartilage. */
     private int[] sampleBody;
-    /** First sample of each cell that holds any, and the box of its samples: low x, y, z, high x, y, z. */
+    /** First sample of each non-empty cell; {@code cellBox} bounds its samples (low x, y, z, high x, y, z). */
     private int[] cellStart;
 
     private double[] cellBox;
@@ -57,7 +54,7 @@ public final class SkinningWeights {
         sortIntoCells(samples.points, samples.weights);
     }
 
-    /** Samples of the bones of a thorax. */
+    /** Builds the weights from samples of the bones of a thorax. */
     public static SkinningWeights of(Thorax thorax, RibCage cage) {
         return new SkinningWeights(cage.bodies().size(), BoneSamples.of(thorax, cage));
     }
@@ -102,7 +99,7 @@ public final class SkinningWeights {
         return SEVERAL_BODIES;
     }
 
-    /** Weights of points, mm; shared out among the cores by runs of points, each of which is found by itself. */
+    /** Computes the weights of points (mm) in parallel; the result does not depend on the number of threads. */
     public Weights weightsAt(double[] where) {
         int n = where.length / 3;
         Weights blend = new Weights(new int[n * MAX_BODIES], new double[n * MAX_BODIES], new double[n]);
@@ -115,7 +112,7 @@ public final class SkinningWeights {
         return blend;
     }
 
-    /** Distance of points from the nearest bone, mm: what {@link #weightsAt} gives too, without the weights. */
+    /** Distance of points from the nearest bone, mm, as in {@link #weightsAt}, without computing weights. */
     public double[] distances(double[] where) {
         double[] out = new double[where.length / 3];
         forEachBatch(where, (points, search) -> {
@@ -126,12 +123,12 @@ public final class SkinningWeights {
         return out;
     }
 
-    /** Gives points that lie together to one search, which then looks at few cells; on all cores. */
+    /** Runs a task in parallel on batches of nearby points. Each batch shares one search, which visits few cells. */
     private void forEachBatch(double[] where, BiConsumer<int[], Search> task) {
         int n = where.length / 3;
         long[] order = new long[n];
         for (int i = 0; i < n; i++) {
-            // Two points far apart may share a cube's number, which makes their search slower and no less exact.
+            // Key collisions of distant points make their search slower but remain exact.
             order[i] = key(where, 3 * i, BATCH_CELL_MM) << 32 | i;
         }
         RadixSort.sort(order);
@@ -150,7 +147,7 @@ public final class SkinningWeights {
         runs.parallelStream().forEach(run -> task.accept(run, new Search(where, run)));
     }
 
-    /** Number of the cube of this size that holds a point; each axis takes ten of its low 30 bits. */
+    /** Key of the cube that contains a point: ten low bits of each coordinate's index, 30 bits in all. */
     private static long key(double[] p, int at, double size) {
         long key = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -159,9 +156,7 @@ public final class SkinningWeights {
         return key;
     }
 
-    /**
-     * The cells that can matter to any of some points, with the squared distance of each from the point looked at last.
-     */
+    /** Candidate cells for a batch of points, with the squared distance of each to the point searched last. */
     private final class Search {
         private final int[] cells;
         private final double[] toCell;
@@ -189,7 +184,7 @@ public final class SkinningWeights {
             toCell = new double[count];
         }
 
-        /** Distance from the nearest sample. */
+        /** Distance to the nearest sample. */
         double nearest(double x, double y, double z) {
             int first = 0;
             for (int k = 0; k < cells.length; k++) {
@@ -206,7 +201,7 @@ public final class SkinningWeights {
         }
     }
 
-    /** Greatest squared distance of a point of a box from one of a cell's box. */
+    /** Largest squared distance between a box and the box of a cell. */
     private double maxSquaredDistance(int cell, double[] box) {
         double sum = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -216,7 +211,7 @@ public final class SkinningWeights {
         return sum;
     }
 
-    /** Least squared distance of a point of a box from one of a cell's box. */
+    /** Smallest squared distance between a box and the box of a cell. */
     private double minSquaredDistance(int cell, double[] box) {
         double sum = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -243,7 +238,7 @@ public final class SkinningWeights {
         keepLargestWeights(sum, blend.body, blend.weight, i * MAX_BODIES);
     }
 
-    /** Squared distance from the box of a cell's samples. */
+    /** Squared distance of a point to the box of a cell's samples. */
     private double squaredDistanceToBox(int cell, double x, double y, double z) {
         return BoundingBoxes.squaredDistance(cellBox, 6 * cell, x, y, z);
     }

@@ -9,19 +9,19 @@ import org.phrenic.anatomy.virtual.shape.VerticalAxis;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The inner surface of the chest and upper belly wall: what lungs and diaphragm lie against, and what ribs, cartilages
- * and sternum lie outside of. In each horizontal plane it is a closed curve about the body's axis,
+ * The inner surface of the chest wall and the upper abdominal wall. Lungs and diaphragm lie inside it; ribs, cartilages
+ * and sternum lie outside. Its horizontal section is a superellipse about the axis of the body,
  *
  * <p>{@code r(azimuth) = (|sin/a|^n + |cos/b|^n)^(-1/n)},
  *
- * <p>half-breadth a, depth b to the front or back, with a squarer back than front; around the spine the curve comes
- * forward to the front of the vertebral bodies, and so forms the gutter beside them. Breadth and depths go smoothly
- * with height.
+ * <p>with half-breadth a and depth b to the front or back; the exponent n differs between front and back. At the spine
+ * the section bends forward to the front of the vertebral bodies, which forms the paravertebral gutters. The measures
+ * vary smoothly with height.
  */
 final class ChestWallShape implements VerticalAxis, ImplicitSurface {
-    /** Between wall and vertebral bodies, mm: ligament and fat. */
+    /** Distance from the vertebral bodies to the wall, mm: ligament and fat. */
     private static final double SPINE_COVER_MM = 3;
-    /** How much of the bodies' half-breadth the flat in front of them covers. */
+    /** Half-breadth of the flat part in front of the vertebral bodies, as a fraction of theirs. */
     private static final double SPINE_FLAT = 0.5;
 
     private static final double LOW_MM = -160;
@@ -81,7 +81,7 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
         return table[low][0] + (at - low) * (table[low + 1][0] - table[low][0]);
     }
 
-    /** Place of a height in the table. */
+    /** Fractional row of the table at height {@code z}. */
     private double tableRow(double z) {
         return Math.max(0, Math.min(table.length - 1.000001, (z - LOW_MM) / STEP_MM));
     }
@@ -95,7 +95,7 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
         return new Section(z).breadth;
     }
 
-    /** Half-breadth, depths and spine at one height, from which the section's curve follows. */
+    /** Half-breadth, depths and spine at one height; they define the section. */
     private final class Section {
         private final double axisY;
         private final double frontDepth;
@@ -120,7 +120,7 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
             slope = a[6] + t * (b[6] - a[6]);
         }
 
-        /** Radius at the azimuth with this sine and cosine, and in {@code steepness[0]} its derivative over itself. */
+        /** Radius r at an azimuth; writes {@code (dr/d azimuth) / r} to {@code steepness[0]}. */
         double radius(double sin, double cos, boolean withSpine, double[] steepness) {
             double across = Math.max(Math.abs(sin), 1e-9);
             double along = Math.max(Math.abs(cos), 1e-9);
@@ -153,7 +153,7 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
         return StrictMath.atan2(p[0], p[1] - y(p[2]));
     }
 
-    /** Distance to the wall within the horizontal plane, to first order; negative inside, mm. */
+    /** First-order distance to the wall within the horizontal plane, mm; negative inside. */
     @Override
     public double at(double x, double y, double z) {
         return at(x, y, z, true);
@@ -172,8 +172,8 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
     }
 
     /**
-     * The point at this azimuth and height of the bed on which ribs and cartilages lie: the wall as if there were no
-     * spine, moved {@code outward} mm along its normal.
+     * Point of the surface on which ribs and cartilages lie, at an azimuth and a height. The surface is the wall
+     * without the spine, offset by {@code outward} mm along its normal.
      */
     double[] boneBed(double azimuth, double z, double outward) {
         double radius = new Section(z).radius(StrictMath.sin(azimuth), StrictMath.cos(azimuth), false, new double[1]);
@@ -181,7 +181,7 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
         return Vectors.addScaled(p, boneBedNormal(p), outward);
     }
 
-    /** Outward unit normal of the bed through this point. */
+    /** Outward unit normal of that surface at a point. */
     double[] boneBedNormal(double[] p) {
         ImplicitSurface bed = (x, y, z) -> at(x, y, z, false);
         return bed.normal(p);

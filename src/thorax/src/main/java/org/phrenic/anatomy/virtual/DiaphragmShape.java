@@ -5,9 +5,9 @@ import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 
 /**
- * The middle surface of the diaphragm as the border of a region (negative below it and inside the chest wall): two
- * domes and the plateau under the heart, each a paraboloid, flow into one roof; roof and inner wall meet in a turn of a
- * given radius, below which the sheet runs along the wall.
+ * The middle surface of the diaphragm as an implicit surface; negative below the roof and inside the chest wall. The
+ * roof is the log-sum-exp smooth maximum of three paraboloids: two domes and the plateau under the heart. A rounded
+ * edge of given radius joins the roof to the zone of apposition, where the sheet runs along the inner wall.
  */
 final class DiaphragmShape implements ImplicitSurface {
     private final VirtualThoraxParameters.Diaphragm measures;
@@ -36,17 +36,17 @@ final class DiaphragmShape implements ImplicitSurface {
                 measures.rim().stream().mapToDouble(row -> row.at(1)).toArray());
     }
 
-    /** Height of the line of insertion at this azimuth (rad, -pi to pi). */
+    /** Height z of the line of insertion at an azimuth (rad, -pi to pi), mm. */
     double rimZ(double azimuth) {
         return rim.at(StrictMath.toDegrees(azimuth));
     }
 
-    /** From the inner wall to the middle of the sheet in the zone of apposition, mm. */
+    /** Distance from the inner wall to the middle of the sheet in the zone of apposition, mm. */
     double wallInset() {
         return measures.gapMm() + measures.muscleMm() / 2;
     }
 
-    /** A paraboloid: the roof of one dome, or of the plateau. */
+    /** A paraboloid {@code z = z0 - u^2 / (2 radiusX) - v^2 / (2 radiusY)}: the roof of one dome or of the plateau. */
     private static final class Cap {
         private final double x;
         private final double y;
@@ -96,7 +96,7 @@ final class DiaphragmShape implements ImplicitSurface {
         return SmoothBlends.roundIntersection(above, outside, turn);
     }
 
-    /** Of the highest cap 1, without an exponential; of those below it less. */
+    /** Unnormalised softmax weight of a cap. The highest cap has weight 1, for which no exponential is computed. */
     private double share(double height, double most) {
         return height == most ? 1 : StrictMath.exp((height - most) / blend);
     }

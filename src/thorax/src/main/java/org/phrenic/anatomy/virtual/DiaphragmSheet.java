@@ -9,9 +9,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The diaphragm as one closed sheet of two faces: its middle surface is meshed and moved half a thickness to either
- * side. Vertex i lies on the thoracic face, vertex i + n/2 is its partner on the abdominal face; the rim's vertices are
- * the last of each half.
+ * The diaphragm as a closed sheet with two faces: its middle surface offset by half the thickness to either side. Of n
+ * vertices, vertex i lies on the thoracic face and vertex i + n/2 is its partner on the abdominal face. The rim
+ * vertices are the last of each half.
  */
 final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
@@ -54,8 +54,8 @@ final class DiaphragmSheet {
     }
 
     /**
-     * Rounds the crura's edges, where the sheet bends more sharply than its thickness allows; farther out, the liver
-     * lies close.
+     * Smooths sharp edges near the crura, where the sheet bends more than its thickness allows. Edges farther lateral
+     * stay, because the liver lies close to them.
      */
     private TriangleMesh softenCrura(TriangleMesh middle, int firstRim) {
         int n = middle.vertexCount();
@@ -129,7 +129,10 @@ final class DiaphragmSheet {
         return new TriangleMesh(positions, triangles);
     }
 
-    /** Normals averaged over neighbours, so that the inner face does not fold where the sheet bends round the spine. */
+    /**
+     * Vertex normals averaged over neighbours, so that the inner face does not fold where the sheet bends round the
+     * spine.
+     */
     private double[][] smoothNormals(TriangleMesh middle) {
         int n = middle.vertexCount();
         double[][] normals = new double[n][];
@@ -153,7 +156,9 @@ final class DiaphragmSheet {
         return normals;
     }
 
-    /** Thinner within the central tendon: a trefoil of the stated area about the domes and the plateau. */
+    /**
+     * Thickness, mm. It is smaller within the central tendon, a trefoil of given area around the domes and the plateau.
+     */
     private double thickness(double[] p) {
         double edge = tendonEdge(p[0], p[1], p[2]);
         return measures.muscleMm()

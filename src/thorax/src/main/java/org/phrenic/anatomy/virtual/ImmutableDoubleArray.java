@@ -2,7 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
 
-/** A row of numbers that does not change. */
+/** An immutable array of doubles. */
 public final class ImmutableDoubleArray {
     private final double[] values;
 
@@ -10,22 +10,22 @@ public final class ImmutableDoubleArray {
         this.values = values;
     }
 
-    /** These numbers; the array is copied. */
+    /** Creates an array of these values; the argument is copied. */
     public static ImmutableDoubleArray of(double... values) {
         return new ImmutableDoubleArray(values.clone());
     }
 
-    /** The number at this place, from 0. */
+    /** Returns the element at a zero-based index. */
     public double at(int index) {
         return values[index];
     }
 
-    /** How many there are. */
+    /** Number of elements. */
     public int size() {
         return values.length;
     }
 
-    /** A copy of them. */
+    /** Returns a copy of the elements. */
     public double[] toArray() {
         return values.clone();
     }

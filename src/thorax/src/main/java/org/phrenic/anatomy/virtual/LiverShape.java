@@ -9,8 +9,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The liver: what lies under the diaphragm's abdominal face, inside the wall, and above its visceral surface, a plane
- * that rises to the left and to the back. How high that plane stands is found from the volume wanted.
+ * The liver: the region below the abdominal face of the diaphragm, inside the chest wall and above the visceral
+ * surface. The visceral surface is a plane that rises to the left and to the back; its height follows from the given
+ * volume.
  */
 final class LiverShape {
     private static final double EDGE_MM = 10;

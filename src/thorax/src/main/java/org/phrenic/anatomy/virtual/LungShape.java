@@ -12,8 +12,8 @@ import org.phrenic.anatomy.virtual.shape.VerticalAxis;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * A lung: what lies inside the chest wall, above the diaphragm and beside the mediastinum. Two pieces meet in the sharp
- * lower border: the side (costal, mediastinal and apex) and the base.
+ * A lung: the region inside the chest wall, above the diaphragm and lateral to the mediastinum. Its surface has two
+ * pieces, the side (costal, mediastinal and apex) and the base, which meet in the sharp inferior border.
  */
 final class LungShape implements VerticalAxis {
     private static final double COSTAL_EDGE_MM = 18;
@@ -69,7 +69,7 @@ final class LungShape implements VerticalAxis {
         return Math.max(-0.5, Math.min(1.2, (z - baseZ) / (apex[2] - baseZ)));
     }
 
-    /** The region of the lung but for its base. */
+    /** Implicit function of the lung without its base. */
     private double sideRegion(double x, double y, double z) {
         double costal = wall.at(x, y, z) + measures.wallInsetMm();
         double bulge = measures.heartMm().at(index) - measures.mediastinumMm().at(index);
@@ -91,9 +91,7 @@ final class LungShape implements VerticalAxis {
                 SmoothBlends.roundIntersection(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
     }
 
-    /**
-     * The point of the lower border at this azimuth: the first place, coming down the side, where it meets the base.
-     */
+    /** Point of the inferior border at an azimuth: the first intersection of the side with the base, from above. */
     private double[] lowerBorder(double azimuth) {
         double high = baseZ + PIVOT_ABOVE_DOME_MM;
         double low = high;
@@ -152,7 +150,7 @@ final class LungShape implements VerticalAxis {
                 - border;
     }
 
-    /** One mesh of both; the border's vertices, last in each, become one. */
+    /** Joins both meshes at the inferior border, whose vertices come last in each. */
     private static TriangleMesh join(TriangleMesh upper, TriangleMesh lower, int border) {
         int upperCount = upper.vertexCount();
         int lowerInner = lower.vertexCount() - border;

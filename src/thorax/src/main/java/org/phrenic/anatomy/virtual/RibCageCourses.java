@@ -7,11 +7,11 @@ import org.phrenic.anatomy.virtual.shape.Polyline;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.mesh.Vectors;
 
-/** The courses of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */
+/** Centre lines of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */
 final class RibCageCourses {
-    /** Clear space between the inner chest wall and the bones on it, mm: pleura and fascia. */
+    /** Gap between the inner chest wall and the bones on it, mm: pleura and fascia. */
     private static final double CLEARANCE_MM = 0.6;
-    /** How far parts that join reach into each other, mm. */
+    /** Overlap of adjoining parts, mm. */
     static final double OVERLAP_MM = 0.4;
 
     private static final int PUSHES = 3;
@@ -36,7 +36,7 @@ final class RibCageCourses {
         this.sternum = sternum;
     }
 
-    /** Course of the middle of a rib from its head to its anterior end. */
+    /** Centre line of a rib from its head to its anterior end. */
     Polyline ribCourse(int level, Side side) {
         int sign = side.sign();
         VertebraShape vertebra = vertebrae[level - 1];
@@ -84,7 +84,7 @@ final class RibCageCourses {
         return whole.resample(0, Math.min(arc, whole.length()), 120);
     }
 
-    /** The same course, pushed away from the wall where it comes closer than this and smoothed; its ends stay. */
+    /** Pushes a curve away from the wall to at least {@code offset} and smooths it; its ends are fixed. */
     private Polyline pushOutside(Polyline course, double offset) {
         int n = (int) Math.ceil(course.length() / 2);
         double[][] points = new double[n + 1][];
@@ -105,14 +105,14 @@ final class RibCageCourses {
         return new Polyline(List.of(points));
     }
 
-    /** Course of a costal cartilage 1-7 from its rib to the sternum. */
+    /** Centre line of a costal cartilage 1-7 from its rib to the sternum. */
     Polyline trueCartilage(int level, Side side, Polyline rib) {
         double[] notch = sternum.edge(parameters.sternum().notchFraction().at(level - 1), side.sign());
         double[] end = Vectors.addScaled(notch, Vectors.of(side.sign(), 0, 0), -0.5);
         return alongWall(rib, end, side, StrictMath.toRadians(level <= 2 ? 5 : 12 + 6 * (level - 3)));
     }
 
-    /** Course of cartilages 8-10 from the rib to the cartilage above. */
+    /** Centre line of a cartilage 8-10 from its rib to the cartilage above. */
     Polyline falseCartilage(int level, Side side, Polyline rib, Polyline above) {
         double path = parameters.cartilages().joinFraction().at(level - 8) * above.length();
         double[] on = above.pointAt(path);
@@ -126,7 +126,9 @@ final class RibCageCourses {
         return alongWall(rib, Vectors.addScaled(on, Vectors.normalize(below), apart), side, StrictMath.toRadians(40));
     }
 
-    /** A smooth way on the wall from a rib's end to a point, arriving at this rise (rad) above the horizontal. */
+    /**
+     * Smooth curve on the wall from a rib's end to a point; {@code rise} is its final angle (rad) above the horizontal.
+     */
     private Polyline alongWall(Polyline rib, double[] end, Side side, double rise) {
         double overlap = OVERLAP_MM;
         double[] start = Vectors.addScaled(rib.last(), rib.direction(rib.length()), -overlap);

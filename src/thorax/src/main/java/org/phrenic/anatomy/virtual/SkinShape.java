@@ -7,7 +7,7 @@ import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** The skin of the trunk from the loins to the neck, arms left off: superelliptic sections, closed below and above. */
+/** The skin of the trunk from the loins to the neck, without arms: a closed surface of superelliptic sections. */
 final class SkinShape {
     private static final int AROUND = 72;
     private static final int ALONG = 62;

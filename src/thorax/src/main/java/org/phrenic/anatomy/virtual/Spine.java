@@ -4,12 +4,12 @@ import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The spine T1 to L3 in the midplane: a kyphotic circle above the disc T12/L1 and a lordotic one below, along which
- * bodies and discs are stacked. The level of a vertebra is 1 (T1) to 15 (L3).
+ * The spine T1 to L3 in the midsagittal plane. Its middle line is a kyphotic arc above the disc T12/L1 and a lordotic
+ * arc below; bodies and discs are stacked along it. Levels run from 1 (T1) to 15 (L3).
  */
 final class Spine {
     private final VirtualThoraxParameters.Spine measures;
-    /** Path above the disc T12/L1 of each body's middle, mm. */
+    /** Path from the disc T12/L1 up to the centre of each body, mm. */
     private final double[] middle = new double[VirtualThoraxParameters.VERTEBRAE];
 
     private final double endLean;
@@ -49,12 +49,12 @@ final class Spine {
         halfWidth = new ProfileCurve(z, half);
     }
 
-    /** How far the spine leans from upright at this path, rad; positive where going up means going back. */
+    /** Inclination of the spine from vertical at a path, rad; positive where it runs backward going up. */
     private double lean(double path) {
         return path >= 0 ? endLean - path / measures.kyphosisRadiusMm() : endLean + path / measures.lordosisRadiusMm();
     }
 
-    /** The point of the spine's middle line at this path above the disc T12/L1 (mm). */
+    /** Point of the middle line at a path above the disc T12/L1 (mm). */
     double[] centre(double path) {
         double radius = path >= 0 ? measures.kyphosisRadiusMm() : -measures.lordosisRadiusMm();
         double lean = lean(path);
@@ -64,34 +64,34 @@ final class Spine {
                 radius * (StrictMath.sin(endLean) - StrictMath.sin(lean)));
     }
 
-    /** Path of the middle of the body of this vertebra, mm. */
+    /** Path of the centre of a vertebral body, mm. */
     double bodyPath(int level) {
         return middle[level - 1];
     }
 
-    /** Path of the middle of the disc under this vertebra, mm. */
+    /** Path of the centre of the disc below a vertebra, mm. */
     double discPath(int level) {
         return middle[level - 1]
                 - measures.bodyHeightMm().at(level - 1) / 2
                 - measures.discHeightMm().at(level - 1) / 2;
     }
 
-    /** Height z of the middle of the body of this vertebra, mm. */
+    /** Height z of the centre of a vertebral body, mm. */
     double bodyZ(int level) {
         return centre(bodyPath(level))[2];
     }
 
-    /** y of the front of the bodies at this height, mm. */
+    /** y of the anterior surface of the bodies at a height, mm. */
     double frontY(double z) {
         return front.at(z);
     }
 
-    /** Half the breadth of the bodies at this height, mm. */
+    /** Half-width of the bodies at a height, mm. */
     double halfWidth(double z) {
         return halfWidth.at(z);
     }
 
-    /** A point given in a frame along the spine: across (left), back, up, from the middle line at this path. */
+    /** Converts local coordinates (across to the left, back, up) about the middle line at a path to LPS, mm. */
     double[] local(double path, double across, double back, double up) {
         double[] centre = centre(path);
         double lean = lean(path);
@@ -100,7 +100,7 @@ final class Spine {
         return Vectors.of(across, centre[1] + back * cos + up * sin, centre[2] - back * sin + up * cos);
     }
 
-    /** The frame of {@link #local} at one path: where a point stands in it, without working the frame out anew. */
+    /** Local frame of {@link #local} at one path. It converts points to local coordinates with precomputed axes. */
     static final class Frame {
         private final double y;
         private final double z;
@@ -123,7 +123,7 @@ final class Spine {
         }
     }
 
-    /** The frame along the spine at this path. */
+    /** Local frame of the spine at a path. */
     Frame frame(double path) {
         return new Frame(centre(path), lean(path));
     }

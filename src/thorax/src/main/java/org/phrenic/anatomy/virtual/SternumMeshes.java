@@ -11,7 +11,7 @@ import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Meshes of sternum and costal cartilages that together have a wanted number of vertices. */
+/** Meshes of the sternum and the costal cartilages with a given total number of vertices. */
 final class SternumMeshes {
     private static final double CAP_MM = 2;
     private static final double SECTION_FLATNESS = 2.4;

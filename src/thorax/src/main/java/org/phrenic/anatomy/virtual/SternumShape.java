@@ -7,11 +7,11 @@ import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** The sternum: manubrium, body and xiphoid as flat bars along a middle line with a bend at the sternal angle. */
+/** The sternum: manubrium, body and xiphoid as flat bars along a middle line that bends at the sternal angle. */
 final class SternumShape {
     /**
-     * Outline: fraction of manubrium and body from the notch (above 1: xiphoid), half-width over the body's thickness
-     * scale.
+     * Abscissae of the outline: path from the jugular notch over the length of manubrium plus body (above 1: xiphoid).
+     * The ordinates are half-widths in mm for a body of 101.1 mm.
      */
     private static final double[] FRACTION = {0, 0.06, 0.14, 0.25, 0.345, 0.40, 0.55, 0.75, 0.90, 1.0, 1.02, 1.12, 1.25
     };
@@ -39,7 +39,7 @@ final class SternumShape {
                 joint, Vectors.of(0, StrictMath.sin(0.02), -StrictMath.cos(0.02)), measures.xiphoidMm());
     }
 
-    /** A point of the middle line at this path from the notch over the length of manubrium and body. */
+    /** Point of the middle line; {@code fraction} is the path from the notch over the length of manubrium plus body. */
     private double[] middle(double fraction) {
         double path = fraction * (measures.manubriumMm() + measures.bodyMm());
         if (path < measures.manubriumMm()) {
@@ -48,7 +48,7 @@ final class SternumShape {
         return Vectors.lerp(angle, joint, (path - measures.manubriumMm()) / measures.bodyMm());
     }
 
-    /** A point of its side where a cartilage meets it; {@code sign} of x. */
+    /** Point of the lateral edge where a cartilage attaches; {@code sign} is the sign of x. */
     double[] edge(double fraction, int sign) {
         return Vectors.addScaled(middle(fraction), Vectors.of(sign, 0, 0), halfWidth.at(fraction) * widthFactor);
     }

@@ -6,8 +6,8 @@ import org.phrenic.anatomy.virtual.shape.TaperedCapsule;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A vertebra as one region: waisted body, pedicles, laminae, spinous, transverse and articular processes, flowing into
- * each other; the canal stays open between them. Described in the frame of its own body: across, back, up.
+ * A vertebra as an implicit surface: the smooth union of a waisted body, pedicles, laminae and the spinous, transverse
+ * and articular processes. The vertebral canal stays open. Coordinates are relative to the body: across, back, up.
  */
 final class VertebraShape implements ImplicitSurface {
     private static final double FILLET_MM = 4;
@@ -22,7 +22,7 @@ final class VertebraShape implements ImplicitSurface {
     private final TaperedCapsule pedicle;
     private final TaperedCapsule lamina;
     private final TaperedCapsule spinous;
-    /** Makes the spinous process of a lumbar vertebra tall. */
+    /** Second capsule that makes the spinous process of a lumbar vertebra tall. */
     private final TaperedCapsule spinousAbove;
 
     private final TaperedCapsule transverseBar;
@@ -60,12 +60,12 @@ final class VertebraShape implements ImplicitSurface {
         articularDown = new TaperedCapsule(pedicleTo, Vectors.of(11, halfDepth + 16, -height * 0.60), 4.0, 3.4);
     }
 
-    /** Middle of the end of the transverse process of this side, mm. */
+    /** Centre of the tip of the transverse process on one side, mm. */
     double[] transverseTip(int sign) {
         return spine.local(path, sign * transverse[0], transverse[1], transverse[2]);
     }
 
-    /** The first point from {@code inside} in this direction where the region's value is {@code value}. */
+    /** First point from {@code inside} along a direction where the implicit function equals {@code value}. */
     double[] fromInside(double[] inside, double[] direction, double value) {
         double low = 0;
         double high = 1;

@@ -18,7 +18,7 @@ import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** Generates a thorax at end-expiration from its measures. The same measures give the same bits. */
+/** Generates a thorax at end-expiration from its measures. Equal measures give bitwise equal meshes. */
 public final class VirtualThorax {
     private static final double VERTEBRA_GRID_MM = 4.0;
     private static final double RIGHT_LUNG_SHARE = 0.53;
@@ -49,8 +49,8 @@ public final class VirtualThorax {
     /**
      * Generates the thorax.
      *
-     * @param resolution how finely what springs move is meshed; rigid parts are the same at every resolution
-     * @throws IllegalStateException if the measures do not fit together, such as a dome above the lung's apex
+     * @param resolution mesh resolution of the deformable parts; rigid parts do not depend on it
+     * @throws IllegalStateException if the measures contradict each other, such as a dome above the apex of the lung
      */
     public static Thorax generate(VirtualThoraxParameters parameters, Resolution resolution) {
         return new VirtualThorax(parameters, resolution).build();
@@ -60,7 +60,7 @@ public final class VirtualThorax {
     private Thorax build() {
         int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
         int left = resolution.lungVertices() - right;
-        // Other threads steal the oldest task, this one runs the newest: the longest are forked first.
+        // Fork the longest tasks first: other threads steal the oldest task, this thread runs the newest.
         var diaphragm = fork(() -> structureList(
                 "diaphragm",
                 StructureKind.DIAPHRAGM,
@@ -80,7 +80,7 @@ public final class VirtualThorax {
         }
         List<Structure> structures = new ArrayList<>(bones());
         spineParts.forEach(part -> structures.addAll(part.join()));
-        // Joined in the reverse order of forking, so that this thread runs what no other has begun.
+        // Join in reverse order of forking, so that this thread runs tasks that have not started.
         for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
             part.join();
         }

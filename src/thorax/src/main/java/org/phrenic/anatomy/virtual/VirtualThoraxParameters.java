@@ -9,10 +9,11 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
 
 /**
- * The measures a virtual thorax is generated from, at end-expiration. Lengths in mm, angles in degrees, volumes in ml;
- * arrays run from the first rib or from T1 down. The files in {@code data/thorax} say where each number comes from.
+ * Measures from which a parametric thorax is generated, at end-expiration. Lengths are in mm, angles in degrees,
+ * volumes in ml. Arrays are ordered from cranial to caudal, starting at rib 1 or T1. The files in {@code data/thorax}
+ * give the source of each number.
  *
- * @param name what the body is called
+ * @param name name of the body
  */
 public record VirtualThoraxParameters(
         String name,
@@ -26,16 +27,16 @@ public record VirtualThoraxParameters(
         Liver liver,
         Skin skin) {
 
-    /** T1 to L3. */
+    /** Number of vertebrae, T1 to L3. */
     public static final int VERTEBRAE = 15;
 
     private static final String FOLDER = "/org/phrenic/data/thorax/";
 
     /**
-     * The measures that come with the program.
+     * Returns a built-in set of measures.
      *
      * @param preset {@code adult-male} or {@code adult-female}
-     * @throws IllegalArgumentException if there is no such body
+     * @throws IllegalArgumentException if there is no preset of this name
      */
     public static VirtualThoraxParameters preset(String preset) {
         String file = preset + ".yaml";
@@ -51,30 +52,30 @@ public record VirtualThoraxParameters(
     }
 
     /**
-     * Measures from a YAML text; unknown keys, missing keys and wrong counts are errors.
+     * Reads measures from YAML text. Unknown keys, missing keys and wrong counts are errors.
      *
-     * @param source what to call the text in messages
-     * @throws BadInputException with one sentence naming source, line and key if the text is no full set of measures
+     * @param source name of the text in messages
+     * @throws BadInputException if the text is not a complete set of measures; the message names source, line and key
      */
     public static VirtualThoraxParameters read(String source, String text) {
         return YamlDocument.parse(source, text).bind(VirtualThoraxParameters.class);
     }
 
     /**
-     * The column T1 to L3.
+     * The vertebral column, T1 to L3.
      *
      * @param kyphosisRadiusMm radius of the thoracic curve
-     * @param kyphosisApexMm path from the disc T12/L1 up to where the spine stands upright
-     * @param apexYMm y of the bodies' middle there
+     * @param kyphosisApexMm path from the disc T12/L1 up to the point where the spine is vertical
+     * @param apexYMm y of the centre of the vertebral bodies at that point
      * @param lordosisRadiusMm radius of the lumbar curve
      * @param bodyHeightMm heights of the bodies T1-L3
-     * @param bodyWidthMm breadths of the bodies T1-L3
+     * @param bodyWidthMm widths of the bodies T1-L3
      * @param bodyDepthMm depths of the bodies T1-L3
      * @param discHeightMm heights of the discs T1/T2 to L2/L3
-     * @param transverseReachMm from the midplane to the tip of the transverse process, T1-L3
-     * @param transverseBackMm from the back of the body to the middle of that tip, T1-L3
-     * @param spinousLengthMm length of the free spinous process, T1-L3
-     * @param spinousDropDeg how far it points down, T1-L3
+     * @param transverseReachMm distance from the midplane to the tip of the transverse process, T1-L3
+     * @param transverseBackMm distance from the back of the body to the centre of that tip, T1-L3
+     * @param spinousLengthMm length of the free part of the spinous process, T1-L3
+     * @param spinousDropDeg downward inclination of the spinous process, T1-L3
      */
     public record Spine(
             double kyphosisRadiusMm,
@@ -93,12 +94,12 @@ public record VirtualThoraxParameters(
     /**
      * The inner surface of the chest wall.
      *
-     * @param axisFraction where the axis stands between spine (0) and front wall (1)
-     * @param exponentFront exponent of the section's front half (2: ellipse)
-     * @param exponentBack exponent of its back half
-     * @param leftBreadthFactor left half-breadth over right
-     * @param sections rows of height z, half-breadth, y of the front, y of the back, width of the gutter's slope in
-     *     degrees; from below upward
+     * @param axisFraction position of the axis between spine (0) and front wall (1)
+     * @param exponentFront superellipse exponent of the front half of a section (2: ellipse)
+     * @param exponentBack superellipse exponent of the back half
+     * @param leftBreadthFactor ratio of left to right half-breadth
+     * @param sections rows of height z, half-breadth, y of the front, y of the back, and angular width in degrees of
+     *     the slope of the paravertebral gutter; ordered from below upward
      */
     public record ChestWall(
             double axisFraction,
@@ -115,11 +116,11 @@ public record VirtualThoraxParameters(
      * The twelve pairs of ribs.
      *
      * @param arcMm length along the rib, ribs 1-12
-     * @param pumpDeg how far the rib falls from back to front
-     * @param bucketDeg how far it falls from the middle to the side
-     * @param leftArcFactor left length over right
-     * @param heightMm height of the section at mid-length
-     * @param thicknessMm its thickness
+     * @param pumpDeg descent angle from back to front
+     * @param bucketDeg descent angle from the middle to the side
+     * @param leftArcFactor ratio of left to right length
+     * @param heightMm height of the cross-section at mid-length
+     * @param thicknessMm thickness of the cross-section
      */
     public record Ribs(
             @Key(count = 12) ImmutableDoubleArray arcMm,
@@ -132,10 +133,10 @@ public record VirtualThoraxParameters(
     /**
      * The costal cartilages.
      *
-     * @param joinFraction where along the cartilage above it the end of cartilages 8, 9 and 10 lies (0 at the rib, 1 at
+     * @param joinFraction position along the cartilage above at which cartilages 8, 9 and 10 end (0 at the rib, 1 at
      *     the other end)
-     * @param heightMm height of the section
-     * @param thicknessMm its thickness
+     * @param heightMm height of the cross-section
+     * @param thicknessMm thickness of the cross-section
      */
     public record Cartilages(@Key(count = 3) ImmutableDoubleArray joinFraction, double heightMm, double thicknessMm) {}
 
@@ -143,14 +144,15 @@ public record VirtualThoraxParameters(
      * The sternum.
      *
      * @param manubriumMm length from the jugular notch to the sternal angle
-     * @param bodyMm length from there to the xiphisternal joint
+     * @param bodyMm length from the sternal angle to the xiphisternal joint
      * @param xiphoidMm length of the xiphoid
-     * @param angleDeg angle between manubrium and body, seen from behind
-     * @param bodyLeanDeg how far the body's upper end leans back
+     * @param angleDeg angle between manubrium and body, measured on the posterior side
+     * @param bodyLeanDeg backward tilt of the body's upper end
      * @param jointY y of the xiphisternal joint (middle of the bone)
-     * @param jointLevel vertebra at whose middle the joint lies (T1 = 1)
+     * @param jointLevel vertebra whose centre is level with the joint (T1 = 1)
      * @param thicknessMm thickness of the body
-     * @param notchFraction where cartilages 1-7 meet it: path from the notch over the length of manubrium and body
+     * @param notchFraction attachments of cartilages 1-7: path from the jugular notch over the length of manubrium plus
+     *     body
      */
     public record Sternum(
             double manubriumMm,
@@ -166,22 +168,22 @@ public record VirtualThoraxParameters(
     /**
      * The diaphragm.
      *
-     * @param right dome: x, y, z of its top
-     * @param left the same of the left dome
-     * @param heart the same of the plateau under the heart
-     * @param domeRadiusXMm radius of the domes' curve from side to side
-     * @param domeRadiusYMm radius from back to front
-     * @param heartRadiusXMm radius of the plateau from side to side
-     * @param heartRadiusYMm radius from back to front
-     * @param blendMm height over which domes and plateau flow together
-     * @param turnRadiusMm radius of the turn from dome to zone of apposition, at the sides and back
-     * @param midlineTurnRadiusMm the same at the sternum and the spine
-     * @param gapMm from the inner chest wall to the thoracic face in the zone of apposition
-     * @param muscleMm thickness of the sheet
+     * @param right x, y, z of the top of the right dome
+     * @param left x, y, z of the top of the left dome
+     * @param heart x, y, z of the top of the plateau under the heart
+     * @param domeRadiusXMm radius of curvature of the domes from side to side
+     * @param domeRadiusYMm radius of curvature of the domes from back to front
+     * @param heartRadiusXMm radius of curvature of the plateau from side to side
+     * @param heartRadiusYMm radius of curvature of the plateau from back to front
+     * @param blendMm height over which domes and plateau blend
+     * @param turnRadiusMm radius of the transition from dome to zone of apposition, at the sides and back
+     * @param midlineTurnRadiusMm radius of that transition at the sternum and the spine
+     * @param gapMm distance from the inner chest wall to the thoracic face in the zone of apposition
+     * @param muscleMm thickness of the muscular part
      * @param tendonMm thickness of the central tendon
      * @param tendonAreaCm2 area of the central tendon
-     * @param rim azimuth in degrees (0 back, positive left) and height z of points of the line of insertion, from -180
-     *     to 180
+     * @param rim points of the line of insertion: azimuth in degrees (0 back, positive left) and height z, from -180 to
+     *     180
      */
     public record Diaphragm(
             @Key(value = "right_dome_mm", count = 3) ImmutableDoubleArray right,
@@ -207,18 +209,18 @@ public record VirtualThoraxParameters(
     /**
      * The lungs and the space for the heart.
      *
-     * @param wallInsetMm from the inner chest wall to the lung
-     * @param diaphragmGapMm from the diaphragm to the lung's base
+     * @param wallInsetMm distance from the inner chest wall to the lung
+     * @param diaphragmGapMm distance from the diaphragm to the base of the lung
      * @param apexRight x, y, z of the right apex
      * @param apexLeft x, y, z of the left apex
-     * @param apexRadiusMm radius of its curve
-     * @param baseRight x and y of the middle of the right base
-     * @param baseLeft x and y of the middle of the left base
-     * @param mediastinumMm from the midplane to the right and left lung above the heart
-     * @param heartMm from the midplane to the right and left lung beside the heart
-     * @param heartCentre y and z of the heart's middle
-     * @param heartRadiiMm over which its bulge fades to the back and upward
-     * @param heartFrontShare share of the bulge that reaches the front wall, right and left
+     * @param apexRadiusMm radius of curvature of the apex
+     * @param baseRight x and y of the centre of the right base
+     * @param baseLeft x and y of the centre of the left base
+     * @param mediastinumMm distance from the midplane to the right and left lung above the heart
+     * @param heartMm distance from the midplane to the right and left lung beside the heart
+     * @param heartCentre y and z of the centre of the heart
+     * @param heartRadiiMm lengths over which the cardiac bulge fades backward and upward
+     * @param heartFrontShare fraction of the bulge that reaches the front wall, right and left
      */
     public record Lungs(
             double wallInsetMm,
@@ -238,10 +240,9 @@ public record VirtualThoraxParameters(
      * The liver.
      *
      * @param volumeMl volume
-     * @param diaphragmGapMm from the abdominal face of the diaphragm to the liver
-     * @param visceralSlope rise of the lower surface: to the left and to the back
-     * @param backCut the plane that ends the left lobe behind: y at the midplane, and how much it comes forward per mm
-     *     to the left
+     * @param diaphragmGapMm distance from the abdominal face of the diaphragm to the liver
+     * @param visceralSlope rise of the visceral surface to the left and to the back
+     * @param backCut plane that bounds the left lobe behind: y at the midplane, and forward shift per mm to the left
      * @param leftEndX x of the tip of the left lobe
      */
     public record Liver(
@@ -254,8 +255,8 @@ public record VirtualThoraxParameters(
     /**
      * The skin of the trunk.
      *
-     * @param exponent exponent of the section
-     * @param sections rows of height z, half-breadth, y of the front, y of the back; from below upward
+     * @param exponent superellipse exponent of the cross-section
+     * @param sections rows of height z, half-breadth, y of the front, y of the back; ordered from below upward
      */
     public record Skin(double exponent, @Key(count = 4) List<ImmutableDoubleArray> sections) {
         public Skin {

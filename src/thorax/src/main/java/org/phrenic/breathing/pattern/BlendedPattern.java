@@ -6,10 +6,10 @@ import org.phrenic.breathing.Ramp;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * A smooth crossfade from one pattern to another, for a change of preset or parameter while the simulation runs.
+ * A smooth crossfade between two patterns, for changes of preset or parameter during a simulation.
  *
- * <p>Between start and end of the ramp it asks for {@code (1 - r) a + r b}, {@code r} the ramp's value; rates follow by
- * the product rule, so that value and derivative stay continuous for any two patterns. The count of breaths goes on.
+ * <p>During the ramp the values are {@code (1 - r) a + r b}, where {@code r} is the value of the ramp. The rates follow
+ * by the product rule, so that values and derivatives are continuous. The breath count continues.
  */
 public final class BlendedPattern implements BreathingPattern {
     private final BreathingPattern from;
@@ -25,13 +25,13 @@ public final class BlendedPattern implements BreathingPattern {
     }
 
     /**
-     * Changes to another pattern, both told the same time.
+     * Crossfades to another pattern; both are evaluated at the same time.
      *
-     * @param from what is breathed until now; ramps it has finished are let go
-     * @param to what follows, at its place at {@code nowS}
+     * @param from current pattern; its finished ramps are dropped
+     * @param to next pattern; it starts from its state at {@code nowS}
      * @param nowS time of the change, s
-     * @param rampS how long it takes, s, above 0
-     * @param newBreath whether a breath begins with the change, or the one at hand goes on
+     * @param rampS duration of the crossfade, s, above 0
+     * @param newBreath true if a breath begins with the change, false if the current breath continues
      */
     public static BlendedPattern crossfade(
             BreathingPattern from, BreathingPattern to, double nowS, double rampS, boolean newBreath) {
@@ -42,7 +42,7 @@ public final class BlendedPattern implements BreathingPattern {
         return new BlendedPattern(dropFinished(from, nowS), to, new Ramp(0, 1, nowS, rampS), before - state.breath);
     }
 
-    /** The second pattern alone once the ramp is over, so that many changes make no long chain. */
+    /** Drops the first pattern of every finished blend, so that repeated changes do not build a chain. */
     private static BreathingPattern dropFinished(BreathingPattern pattern, double nowS) {
         if (!(pattern instanceof BlendedPattern blended) || blended.from == null) {
             return pattern;

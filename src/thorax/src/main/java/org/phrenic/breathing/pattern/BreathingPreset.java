@@ -16,15 +16,18 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 
 /**
- * A named way to breathe, from a YAML file: a kind of pattern and its parameters, which may be changed before it is
- * used.
+ * A named breathing pattern, read from a YAML file: a kind of pattern and its parameters, which may be replaced.
  *
- * <p>Keys of every kind: {@code name}, {@code kind} (periodic, hold, cough, waxing or trace), and those of
- * {@link BreathingParameters}. Besides these, hold has {@code at} (inspiration or expiration; the latter has no depth
- * of its own), {@code around} (preset of the other breaths), {@code breaths_before}, {@code hold_s},
- * {@code creep_fraction}; cough has {@code compression_s}, {@code expulsion_s}, {@code abdominal_pressure}; waxing has
- * {@code breaths}, {@code apnoea_s}; trace has {@code file} (beside the YAML file), {@code detrend} and {@code loop}
- * (true or false).
+ * <p>Keys of every kind: {@code name}, {@code kind} (periodic, hold, cough, waxing or trace) and those of
+ * {@link BreathingParameters}. Further keys by kind:
+ *
+ * <ul>
+ *   <li>hold: {@code at} (inspiration or expiration; the latter has no depth of its own), {@code around} (preset of the
+ *       other breaths), {@code breaths_before}, {@code hold_s}, {@code creep_fraction}
+ *   <li>cough: {@code compression_s}, {@code expulsion_s}, {@code abdominal_pressure}
+ *   <li>waxing: {@code breaths}, {@code apnoea_s}
+ *   <li>trace: {@code file} (beside the YAML file), {@code detrend} and {@code loop} (true or false)
+ * </ul>
  */
 public final class BreathingPreset {
     private static final List<String> NAMES = List.of(
@@ -49,15 +52,15 @@ public final class BreathingPreset {
         this.kind = kind;
     }
 
-    /** Names of the presets that come with the program. */
+    /** Names of the built-in presets. */
     public static List<String> names() {
         return NAMES;
     }
 
     /**
-     * A preset that comes with the program.
+     * Returns a built-in preset.
      *
-     * @throws BadInputException if there is none of that name
+     * @throws BadInputException if there is no preset of this name
      */
     public static BreathingPreset named(String name) {
         if (!NAMES.contains(name)) {
@@ -77,8 +80,8 @@ public final class BreathingPreset {
     /**
      * Reads a preset from a file.
      *
-     * @throws BadInputException if it cannot be read or a key is missing, unknown or out of range; the message names
-     *     file, line and key
+     * @throws BadInputException if the file cannot be read or a key is missing, unknown or out of range; the message
+     *     names file, line and key
      */
     public static BreathingPreset read(Path file) {
         return read(
@@ -91,7 +94,7 @@ public final class BreathingPreset {
         }
         try {
             BreathingPreset preset = ofKind(yaml, folder);
-            // What a kind refuses is refused while the file's name is known.
+            // Build the pattern here, so that its errors are reported with the name of the file.
             preset.pattern();
             return preset;
         } catch (IllegalArgumentException e) {
@@ -152,7 +155,9 @@ public final class BreathingPreset {
         return new BreathingPreset(name, parameters, p -> new TracePattern(trace, p, loops));
     }
 
-    /** The keys of {@link BreathingParameters}; besides them, name and kind the mapping may have these alone. */
+    /**
+     * Reads the keys of {@link BreathingParameters}. Apart from these, name and kind, only {@code others} are allowed.
+     */
     private static BreathingParameters parameters(YamlMap yaml, String... others) {
         List<String> known = new ArrayList<>(List.of("name", "kind"));
         known.addAll(YamlMap.keysOf(BreathingParameters.class));
@@ -161,22 +166,22 @@ public final class BreathingPreset {
         return yaml.bindPart(BreathingParameters.class);
     }
 
-    /** What to call it. */
+    /** Display name. */
     public String name() {
         return name;
     }
 
-    /** Its parameters: of the held breath where a breath is held at inspiration, else of every breath. */
+    /** Parameters of the held breath for a hold at inspiration, otherwise of every breath. */
     public BreathingParameters parameters() {
         return parameters;
     }
 
-    /** The pattern as it stands. */
+    /** Creates the pattern with the preset's own parameters. */
     public BreathingPattern pattern() {
         return pattern(parameters);
     }
 
-    /** The same kind of pattern with other parameters. */
+    /** Creates the pattern with other parameters. */
     public BreathingPattern pattern(BreathingParameters changed) {
         return kind.apply(changed);
     }

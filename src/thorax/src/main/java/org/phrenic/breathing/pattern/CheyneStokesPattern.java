@@ -6,10 +6,10 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * Cheyne-Stokes breathing: breaths that wax and wane, then none for a while, again and again.
+ * Cheyne-Stokes breathing: cycles of waxing and waning breaths, each followed by an apnoea.
  *
- * <p>Of the {@code n} breaths of a cycle, breath {@code k} (from 0) has the depth {@code sin^2(pi (k + 1/2) / n)} of
- * the deepest. Each begins and ends at end-expiration, so that the change of depth shows nowhere as a step.
+ * <p>Breath {@code k} (from 0) of the {@code n} breaths of a cycle has the relative depth {@code sin^2(pi (k + 1/2) /
+ * n)}. Each breath begins and ends at end-expiration, so that changes of depth cause no discontinuity.
  */
 public final class CheyneStokesPattern extends NamedPattern {
     private final double oneBreathS;
@@ -18,12 +18,12 @@ public final class CheyneStokesPattern extends NamedPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * Waxing and waning breaths.
+     * Creates the pattern.
      *
-     * @param name what to call it
-     * @param deepest the deepest breath; all have its rate
-     * @param breaths in a cycle, at least 1
-     * @param apnoeaS time without breaths after them, s, from 0
+     * @param name display name
+     * @param deepest parameters of a breath of relative depth 1; its rate applies to all breaths
+     * @param breaths number of breaths in a cycle, at least 1
+     * @param apnoeaS duration of the apnoea after them, s, at least 0
      */
     public CheyneStokesPattern(String name, BreathingParameters deepest, int breaths, double apnoeaS) {
         super(name, breaths * deepest.periodS() + apnoeaS);
@@ -49,7 +49,7 @@ public final class CheyneStokesPattern extends NamedPattern {
         int breath = (int) breaths;
         if (breath >= depths.length) {
             state.setAtRest(RespiratoryPhase.PAUSE);
-            // The apnoea belongs to the last breath.
+            // The apnoea counts as part of the last breath.
             state.breath = (cycle + 1) * depths.length - 1;
             state.phase = 0;
             return;

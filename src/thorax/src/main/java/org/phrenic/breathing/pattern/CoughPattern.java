@@ -6,12 +6,12 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.Smootherstep;
 
 /**
- * Coughs, one a period: a breath in, some 0.2 s against the closed glottis while the abdominal muscles press, then
- * expulsion, the diaphragm gives way and the pressure of the abdomen pushes its domes up.
+ * Periodic coughs, one per period: an inspiration, about 0.2 s of compression against the closed glottis by the
+ * abdominal muscles, then expulsion, in which the diaphragm relaxes and abdominal pressure pushes its domes up.
  *
- * <p>Over the breath: inspiration (drive and ribs rise), compression (both stay, abdominal pressure rises), expulsion
- * (drive falls in its first half, ribs fall over all of it, pressure stays for its first half), then pressure falls
- * over a recovery as long as expulsion; rest to the end of the period.
+ * <p>Phases: inspiration (drive and ribs rise), compression (both are held, abdominal pressure rises), expulsion (drive
+ * falls in the first half, ribs fall throughout, pressure is held for the first half), recovery as long as the
+ * expulsion (pressure falls), then rest until the end of the period.
  */
 public final class CoughPattern extends NamedPattern {
     private final RespiratoryDrive drive;
@@ -21,13 +21,13 @@ public final class CoughPattern extends NamedPattern {
     private final double abdominalPressure;
 
     /**
-     * Coughs of a depth.
+     * Creates the pattern.
      *
-     * @param name what to call it
-     * @param parameters depth of the breath in; rate of the coughs; Ti is its inspiratory fraction of the period
-     * @param compressionS glottis closed, s
-     * @param expulsionS glottis open, s
-     * @param abdominalPressure at the height of the cough, as a share of the greatest, 0 to 1
+     * @param name display name
+     * @param parameters depth of the inspiration and rate of the coughs; Ti is its inspiratory fraction of the period
+     * @param compressionS time with closed glottis, s
+     * @param expulsionS time with open glottis, s
+     * @param abdominalPressure peak abdominal pressure as a fraction of the maximum, 0 to 1
      */
     public CoughPattern(
             String name,
@@ -64,7 +64,7 @@ public final class CoughPattern extends NamedPattern {
         double fallS = expulsionS / 2;
         double in = Smootherstep.value(t / inspirationS);
         double inRate = Smootherstep.slope(t / inspirationS) / inspirationS;
-        // In and out never overlap, so that their difference is the depth.
+        // Inspiration and expiration do not overlap, so that their difference is the depth.
         drive.write(
                 in - Smootherstep.value(expelled / fallS),
                 inRate - Smootherstep.slope(expelled / fallS) / fallS,

@@ -6,18 +6,18 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
- * Some breaths, then one that is held, then breaths again.
+ * Breathing with one breath hold.
  *
- * <p>Held at inspiration, the diaphragm creeps back although the breath is held: its drive decays as {@code exp(-lambda
- * g)}, {@code g} the time held (with a smooth first second), so that it has lost the creep fraction after
- * {@value #CREEP_TIME_S} s. Measured in 15 people: up to 5.6 mm towards the head in 24 s, 123 ml less in the lung
- * (PMC7055431). The ribs stay. Held at expiration everything rests, and there is nothing that could creep.
+ * <p>During a hold at inspiration the diaphragm slowly moves up: its drive decays as {@code exp(-lambda g)}, where
+ * {@code g} is the time held (with a smooth first second), and loses the creep fraction in {@value #CREEP_TIME_S} s.
+ * Measured in 15 people: up to 5.6 mm cranial displacement in 24 s and 123 ml less lung volume (PMC7055431). The ribs
+ * do not move. During a hold at expiration everything is at rest and nothing creeps.
  */
 public final class HoldPattern extends NamedPattern {
-    /** Hold over which the creep is stated, s. */
+    /** Hold time for which the creep fraction is given, s. */
     public static final double CREEP_TIME_S = 24;
 
-    /** Creep gathers speed over this time, s, so that the hold begins without a jerk. */
+    /** Time over which creep sets in, s, so that the hold begins smoothly. */
     private static final double CREEP_ONSET_S = 1;
 
     private final PeriodicPattern around;
@@ -33,15 +33,15 @@ public final class HoldPattern extends NamedPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * A held breath among others.
+     * Creates the pattern.
      *
-     * @param name what to call it
-     * @param around the breaths before and after
-     * @param breathsBefore how many before
-     * @param held the breath that is held: its depth, and its rate and fractions for the way in and out; null to hold
-     *     at end-expiration
-     * @param holdS how long, s, above 0
-     * @param creepFraction share of the drive lost in {@value #CREEP_TIME_S} s, from 0 to below 1
+     * @param name display name
+     * @param around parameters of the breaths before and after the hold
+     * @param breathsBefore number of breaths before the hold
+     * @param held parameters of the held breath: its depth, and the rate and fractions of its inspiration and
+     *     expiration; null to hold at end-expiration
+     * @param holdS duration of the hold, s, above 0
+     * @param creepFraction fraction of the drive lost in {@value #CREEP_TIME_S} s, at least 0 and below 1
      */
     public HoldPattern(
             String name,
@@ -73,7 +73,7 @@ public final class HoldPattern extends NamedPattern {
         creepRate = -StrictMath.log1p(-creepFraction) / effectiveHoldTime(CREEP_TIME_S);
     }
 
-    /** Until the hold is over and one more breath has been taken. */
+    /** Duration up to the end of the hold and one further breath. */
     @Override
     public double fullDurationS() {
         return resumeS + around.periodS();
@@ -98,7 +98,7 @@ public final class HoldPattern extends NamedPattern {
             state.setAtRest(RespiratoryPhase.HOLD);
             return;
         }
-        // The breath's own clock stands still while it is held.
+        // Time within the breath stands still during the hold.
         double heldS = timeS - inspirationS;
         boolean holding = heldS > 0 && heldS < holdS;
         double clockS = holding ? inspirationS : heldS <= 0 ? timeS : timeS - holdS;
@@ -116,7 +116,7 @@ public final class HoldPattern extends NamedPattern {
         }
     }
 
-    /** Time held, its first second eased in: the integral of {@code min(1, t / onset)}. */
+    /** Time held, with a smooth first second: the integral of {@code min(1, t / onset)}. */
     private static double effectiveHoldTime(double heldS) {
         return heldS < CREEP_ONSET_S ? heldS * heldS / (2 * CREEP_ONSET_S) : heldS - CREEP_ONSET_S / 2;
     }

@@ -3,17 +3,16 @@ package org.phrenic.breathing.pattern;
 import java.util.Arrays;
 
 /**
- * A curve through points, continuous with its derivative, that never leaves the range between two neighbours: cubic
- * Hermite pieces with the slopes of F. N. Fritsch and J. Butland 1984, doi 10.1137/0905021 (0 at extrema, else the
- * weighted harmonic mean of the neighbouring secants), and 0 at both ends. Outside the points it stays at the end
- * values.
+ * A C1 monotone interpolant that stays within the range of the two neighbouring points: piecewise cubic Hermite with
+ * the slopes of F. N. Fritsch and J. Butland 1984, doi 10.1137/0905021 (0 at extrema, else the weighted harmonic mean
+ * of the neighbouring secants), and slope 0 at both ends. Outside the points it is constant.
  */
 final class MonotoneCubic {
     private final double[] x;
     private final double[] y;
     private final double[] slopes;
 
-    /** Through {@code y} at {@code x}, which rises strictly; at least two points. */
+    /** Interpolates {@code y} at {@code x}, which is strictly increasing; at least two points. */
     MonotoneCubic(double[] x, double[] y) {
         this.x = x;
         this.y = y;

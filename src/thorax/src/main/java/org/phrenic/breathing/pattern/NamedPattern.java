@@ -7,7 +7,7 @@ abstract class NamedPattern implements BreathingPattern {
     private final String name;
     private final double periodS;
 
-    /** @param periodS s; infinite for a pattern that does not repeat itself */
+    /** @param periodS period, s; infinite for a pattern that does not repeat */
     NamedPattern(String name, double periodS) {
         this.name = name;
         this.periodS = periodS;

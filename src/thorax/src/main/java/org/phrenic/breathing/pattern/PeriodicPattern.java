@@ -5,12 +5,12 @@ import org.phrenic.breathing.BreathWaveform;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.RespiratoryPhase;
 
-/** The same breath again and again: quiet, deep, rapid and shallow, sniffs. */
+/** Identical periodic breaths, such as quiet, deep, rapid shallow breathing or sniffs. */
 public final class PeriodicPattern extends NamedPattern {
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
 
-    /** Breaths of these parameters. */
+    /** Creates the pattern. */
     public PeriodicPattern(String name, BreathingParameters parameters) {
         super(name, parameters.periodS());
         wave = parameters.wave();

@@ -5,11 +5,10 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.engine.kinematics.SaturatingAmplitude;
 
 /**
- * Maps the depth of a breath to activation, pressure and rotation of the ribs: the turn of the ribs along the
- * saturating curve, so that deep breaths turn them mostly at their beginning, and muscle and pressure along the same
- * curve. With muscle in proportion to the depth the dome would go down mostly at the end of a deep breath, when the
- * ribs have all but come to rest; in people it follows the inspired volume in proportion (Houston et al. 1994, PMID
- * 7940428: a straight line, r of 0.976 or more).
+ * Maps the depth of a breath to activation, pressure and rib rotation, all along the same saturating curve. Deep
+ * breaths therefore rotate the ribs mostly at their beginning. If activation were proportional to depth, the dome would
+ * descend mostly at the end of a deep breath, when the ribs have almost stopped. In people its descent is proportional
+ * to the inspired volume (Houston et al. 1994, PMID 7940428: linear, r of 0.976 or more).
  */
 final class RespiratoryDrive {
     private static final SaturatingAmplitude CURVE = SaturatingAmplitude.DEFAULT;
@@ -17,7 +16,7 @@ final class RespiratoryDrive {
     private final double activation;
     private final double pressure;
     private final double volume;
-    /** How far along the muscle's curve the end-inspiration is. */
+    /** Argument of the saturating curve at end-inspiration. */
     private final double effort;
 
     RespiratoryDrive(BreathingParameters parameters) {
@@ -28,10 +27,10 @@ final class RespiratoryDrive {
     }
 
     /**
-     * Writes all but phase, count and label.
+     * Writes all fields except phase, breath count and respiratory phase.
      *
-     * @param depth 0 end-expiration, 1 the end-inspiration of the parameters
-     * @param rate its derivative, 1/s
+     * @param depth 0 at end-expiration, 1 at the end-inspiration of the parameters
+     * @param rate time derivative of the depth, 1/s
      */
     void write(double depth, double rate, BreathState state) {
         state.activation = CURVE.at(effort * depth);
@@ -41,13 +40,13 @@ final class RespiratoryDrive {
         writeRibTurn(depth, rate, state);
     }
 
-    /** Writes the ribs alone. */
+    /** Writes rib rotation and its rate only. */
     void writeRibTurn(double depth, double rate, BreathState state) {
         state.ribTurn = CURVE.at(volume * depth);
         state.ribTurnRate = CURVE.slope(volume * depth) * volume * rate;
     }
 
-    /** Depth of full activation and full turn, whichever is less: no deeper than the body goes. */
+    /** Largest possible depth: the lower of the depths of full activation and full rib rotation. */
     double maxDepth() {
         return 1 / Math.max(Math.max(effort, pressure), Math.max(volume, Double.MIN_NORMAL));
     }

@@ -5,16 +5,16 @@ import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.TimeWarp;
 
-/** A pattern evaluated at warped time: at time t its values are those at tau(t), its rates those times tau'(t). */
+/** A pattern at warped time: its values at time t are those at tau(t), its rates are those at tau(t) times tau'(t). */
 public final class TimeWarpedPattern implements BreathingPattern {
     private final BreathingPattern pattern;
     private final TimeWarp clock;
     private final double originS;
 
     /**
-     * @param pattern by the breath's own time
-     * @param clock shows the breath's own time
-     * @param originS what the clock shows where the pattern begins, s
+     * @param pattern function of warped time
+     * @param clock time warp tau
+     * @param originS warped time at which the pattern begins, s
      */
     public TimeWarpedPattern(BreathingPattern pattern, TimeWarp clock, double originS) {
         this.pattern = pattern;
@@ -37,7 +37,7 @@ public final class TimeWarpedPattern implements BreathingPattern {
         return pattern.fullDurationS();
     }
 
-    /** How far into the pattern it is at a time, s. */
+    /** Time within the pattern at a simulated time, s. */
     public double patternTimeS(double timeS) {
         return clock.warpedTime(timeS) - originS;
     }

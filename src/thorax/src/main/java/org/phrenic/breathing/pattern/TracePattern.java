@@ -11,14 +11,14 @@ import org.phrenic.breathing.Smootherstep;
 /**
  * Breathing from a recorded trace.
  *
- * <p>The trace is normalised (0 at its 5th, 1 at its 95th percentile), cut to begin and end near end-expiration, kept
- * from 0 to what the body can do, and joined by monotone cubics. Its first and last {@value #FADE_S} s are faded, so
- * that it starts and ends exactly at end-expiration; at its end it rests there or begins again.
+ * <p>The trace is normalised (0 at the 5th, 1 at the 95th percentile), trimmed to begin and end near end-expiration,
+ * clamped to the possible range of depth and interpolated by monotone cubics. Its first and last {@value #FADE_S} s are
+ * faded, so that it starts and ends exactly at end-expiration. After its end it rests or repeats.
  */
 public final class TracePattern implements BreathingPattern {
     private static final double FADE_S = 0.5;
 
-    /** A breath rises and falls by more than this share of a usual one; less is noise or the beat of the heart. */
+    /** Minimum rise and fall of a breath as a fraction of a typical one. Smaller peaks are noise or cardiac motion. */
     private static final double PROMINENCE = 0.4;
 
     private final String name;
@@ -29,12 +29,12 @@ public final class TracePattern implements BreathingPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * A recorded pattern.
+     * Creates the pattern.
      *
-     * @param trace the recording; detrend it before where it drifts
-     * @param parameters depth at the 95th percentile; its rate and fractions mean nothing here
-     * @param loops whether it begins again at its end, or rests
-     * @throws IllegalArgumentException if the signal does not change or is too short to fade
+     * @param trace recording; remove any drift beforehand
+     * @param parameters depth at the 95th percentile; rate and fractions are ignored
+     * @param loops true to repeat the trace, false to rest after its end
+     * @throws IllegalArgumentException if the signal is constant or too short to fade
      */
     public TracePattern(BreathingTrace trace, BreathingParameters parameters, boolean loops) {
         this.loops = loops;
@@ -74,7 +74,7 @@ public final class TracePattern implements BreathingPattern {
         return loops ? durationS : Double.POSITIVE_INFINITY;
     }
 
-    /** The recording once. */
+    /** Duration of the recording, played once. */
     @Override
     public double fullDurationS() {
         return durationS;
@@ -104,7 +104,7 @@ public final class TracePattern implements BreathingPattern {
         }
     }
 
-    /** Breaths found in one round of the trace. */
+    /** Number of breaths in one pass of the trace. */
     public int breaths() {
         return onsetsS.length - 1;
     }
@@ -117,8 +117,8 @@ public final class TracePattern implements BreathingPattern {
     }
 
     /**
-     * The lowest sample before each breath and after the last; first and last sample where there are no breaths. Found
-     * by the rise and fall around them and not by their level, which drifts.
+     * Indices of the lowest sample before each breath and after the last; the first and last sample if there are no
+     * breaths. Breaths are detected by prominence, not by level, because the level drifts.
      */
     private static int[] endExpirations(double[] depth) {
         int[] found = new int[depth.length + 2];

@@ -1,5 +1,5 @@
 /**
- * Breathing patterns (periodic, held, coughed, blended, recorded) and the presets that make them. Stateless functions
- * of time.
+ * Breathing patterns (periodic, breath hold, cough, blended, recorded) and presets for them. Patterns are stateless
+ * functions of time.
  */
 package org.phrenic.breathing.pattern;

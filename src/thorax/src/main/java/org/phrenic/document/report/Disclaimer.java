@@ -1,6 +1,6 @@
 package org.phrenic.document.report;
 
-/** What the program is not for: said on the first screen and in every report. */
+/** The limits of intended use, shown on the first screen and in every report. */
 public final class Disclaimer {
     public static final String TEXT = "For research and training only. Not for clinical use.";
 

@@ -20,13 +20,13 @@ import org.phrenic.document.report.ReportDocument.Section;
 import org.phrenic.document.report.ReportDocument.Table;
 
 /**
- * A {@link ReportDocument} as one HTML page: its style within it, no script, nothing fetched from elsewhere,
- * well-formed as XML too. It prints on A4 without a cut through a table's row or a figure.
+ * Formats a {@link ReportDocument} as one HTML page that is also well-formed XML. It has an embedded style sheet, no
+ * scripts and no external resources. In A4 print, page breaks do not divide table rows or figures.
  */
 public final class HtmlPage {
-    /** Sections from which on a list of contents is worth its room. */
+    /** Least number of sections for a table of contents. */
     private static final int MIN_SECTIONS_FOR_CONTENTS = 4;
-    /** Rows up to which a table is kept on one page. */
+    /** Tables with up to this number of rows are kept on one page. */
     private static final int MAX_UNBROKEN_ROWS = 8;
 
     private final StringBuilder text = new StringBuilder();
@@ -34,12 +34,12 @@ public final class HtmlPage {
 
     private HtmlPage() {}
 
-    /** The page. */
+    /** Formats a report as HTML. */
     public static String format(ReportDocument document) {
         return new HtmlPage().page(document);
     }
 
-    /** A text as it has to stand in HTML, also within an attribute. */
+    /** Escapes a text for HTML content and attributes. */
     public static String escaped(String plain) {
         StringBuilder out = new StringBuilder(plain.length() + 16);
         plain.codePoints().forEach(c -> {
@@ -98,7 +98,7 @@ public final class HtmlPage {
         }
     }
 
-    /** A name for a heading that none of {@code used} has; it is added to them. */
+    /** A unique anchor name for a heading, which is added to {@code used}. */
     private static String anchor(String heading, List<String> used) {
         String plain =
                 heading.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-").replaceAll("^-|-$", "");

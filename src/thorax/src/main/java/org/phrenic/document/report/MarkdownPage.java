@@ -12,11 +12,11 @@ import org.phrenic.document.report.ReportDocument.Remark;
 import org.phrenic.document.report.ReportDocument.Section;
 import org.phrenic.document.report.ReportDocument.Table;
 
-/** A {@link ReportDocument} as Markdown with the tables of GitHub. */
+/** Formats a {@link ReportDocument} as Markdown with GitHub tables. */
 public final class MarkdownPage {
     private MarkdownPage() {}
 
-    /** The text. */
+    /** Formats a report as Markdown. */
     public static String format(ReportDocument document) {
         return "# " + escaped(document.title()) + "\n\n"
                 + (document.lead().isEmpty() ? "" : escaped(document.lead()) + "\n\n")
@@ -24,9 +24,7 @@ public final class MarkdownPage {
                 + document.blocks().stream().map(MarkdownPage::block).collect(Collectors.joining());
     }
 
-    /**
-     * A text as it has to stand in Markdown: what would be mark-up or HTML is taken literally, a line break is a space.
-     */
+    /** Escapes a text for Markdown: Markdown and HTML syntax is shown literally, and a line break becomes a space. */
     public static String escaped(String plain) {
         return cell(plain).replaceAll("^([#+-])", "\\\\$1");
     }

@@ -6,38 +6,37 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A report as its parts, in order: sections, paragraphs, points, tables, figures. Texts are plain: whatever stands in
- * them is shown as it is. {@link HtmlPage} and {@link MarkdownPage} write it; both carry the notice of
- * {@link Disclaimer}.
+ * A report as an ordered list of blocks: sections, paragraphs, lists, tables, figures. Texts are plain and shown
+ * literally. {@link HtmlPage} and {@link MarkdownPage} format it; both include the {@link Disclaimer}.
  */
 public final class ReportDocument {
-    /** A part of a report. */
+    /** A block of a report. */
     public sealed interface Block permits Section, Paragraph, Remark, Points, Code, Table, Figure {}
 
     /**
-     * Where a section begins.
+     * A section heading.
      *
-     * @param level 1 for a section, 2 for one within it
+     * @param level 1 for a section, 2 for a subsection
      */
     public record Section(int level, String heading) implements Block {}
 
     /** A paragraph. */
     public record Paragraph(String text) implements Block {}
 
-    /** A paragraph that stands out: a limit, a warning, what is missing. */
+    /** A highlighted paragraph: a limit, a warning or missing information. */
     public record Remark(String text) implements Block {}
 
-    /** A list. */
+    /** A bulleted list. */
     public record Points(List<String> items) implements Block {
         public Points {
             items = List.copyOf(items);
         }
     }
 
-    /** Lines in type of one width: a command, a listing. */
+    /** Lines in monospaced type, such as a command or a listing. */
     public record Code(String lines) implements Block {}
 
-    /** A column: its heading, and whether it holds numbers, which stand to the right. */
+    /** A table column: its heading, and whether it contains numbers, which are right-aligned. */
     public record Column(String heading, boolean number) {
         public static Column text(String heading) {
             return new Column(heading, false);
@@ -51,11 +50,11 @@ public final class ReportDocument {
     /**
      * A table.
      *
-     * @param caption above it; empty for none
-     * @param rows a cell a column; a row of one cell is a heading within the table
+     * @param caption text above the table; empty for none
+     * @param rows one cell per column; a row of one cell is a subheading in the table
      */
     public record Table(String caption, List<Column> columns, List<List<String>> rows) implements Block {
-        /** @throws IllegalArgumentException if a row has neither a cell a column nor one cell */
+        /** @throws IllegalArgumentException if a row has neither one cell per column nor a single cell */
         public Table {
             columns = List.copyOf(columns);
             rows = rows.stream().map(List::copyOf).toList();
@@ -69,18 +68,18 @@ public final class ReportDocument {
     }
 
     /**
-     * A picture of a figure.
+     * An image in a figure.
      *
-     * @param source path from the report's folder, or a {@code data:} address
-     * @param alternative what it shows, for those who do not see it
-     * @param caption below this picture alone; empty for none
+     * @param source path relative to the report's folder, or a {@code data:} URL
+     * @param alternative text alternative for screen readers
+     * @param caption text below this image; empty for none
      */
     public record Picture(String source, String alternative, String caption) {}
 
     /**
-     * Pictures side by side.
+     * Images side by side.
      *
-     * @param caption below all of them
+     * @param caption text below all images
      */
     public record Figure(String caption, List<Picture> pictures) implements Block {
         public Figure {
@@ -93,9 +92,9 @@ public final class ReportDocument {
     private final List<Block> blocks = new ArrayList<>();
 
     /**
-     * A report without parts.
+     * Creates a report without blocks.
      *
-     * @param lead what it is, in a sentence or two below the title
+     * @param lead summary in one or two sentences, below the title
      */
     public ReportDocument(String title, String lead) {
         this.title = title;
@@ -134,7 +133,7 @@ public final class ReportDocument {
         return add(new Figure(caption, Arrays.asList(pictures)));
     }
 
-    /** Adds a part. */
+    /** Appends a block. */
     public ReportDocument add(Block block) {
         blocks.add(block);
         return this;

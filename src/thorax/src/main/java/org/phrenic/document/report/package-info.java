@@ -1,4 +1,5 @@
 /**
- * Reports as HTML and Markdown pages, with the disclaimer that every report carries. Knows nothing of what is reported.
+ * Reports as HTML and Markdown pages, with the disclaimer that every report contains. Independent of the content of the
+ * reports.
  */
 package org.phrenic.document.report;

@@ -6,17 +6,17 @@ import org.phrenic.breathing.BreathState;
 import org.phrenic.engine.ForceField;
 
 /**
- * Carries the breathing pattern into the scene: before forces are evaluated it tells the parts what the breath asks
- * for. It pulls on nothing itself.
+ * Applies the breathing pattern to a scene: before every force evaluation it updates the parts that the breath drives.
+ * It exerts no force itself.
  */
 public final class BreathDrive implements ForceField {
-    /** Sets what a part does at a time. */
+    /** Updates a part for a time and a breath state. */
     @FunctionalInterface
     public interface Action {
         void set(double timeS, BreathState breath);
     }
 
-    /** A number that depends on time and breath. */
+    /** A quantity that depends on time and breath state. */
     @FunctionalInterface
     public interface Quantity {
         double at(double timeS, BreathState breath);
@@ -29,34 +29,34 @@ public final class BreathDrive implements ForceField {
     private boolean heldAtExpiration;
     private double stateTime = Double.NaN;
 
-    /** @param pattern what is breathed */
+    /** @param pattern breathing pattern */
     public BreathDrive(LiveBreathing pattern) {
         this.pattern = pattern;
     }
 
-    /** Begins anew with other breathing. */
+    /** Restarts with another breathing pattern. */
     public void restart(LiveBreathing anew) {
         pattern = anew;
         stateTime = Double.NaN;
     }
 
-    /** Has something set before every evaluation of the forces. */
+    /** Adds an action that runs before every force evaluation. */
     public void beforeForces(Action action) {
         actions.add(action);
     }
 
-    /** Says what the pressure on the abdominal face is. */
+    /** Sets the quantity that gives the pressure on the abdominal face. */
     public void measurePressure(Quantity transdiaphragmatic) {
         pressure = transdiaphragmatic;
     }
 
-    /** Keeps everything at end-expiration, whatever the time, while a scene settles; or lets it breathe. */
+    /** Holds the breath at end-expiration at all times while a scene settles, or releases it. */
     public void holdAtExpiration(boolean still) {
         heldAtExpiration = still;
         stateTime = Double.NaN;
     }
 
-    /** What breathing asks for at a time. */
+    /** Breath state at a time. */
     public BreathState breathAt(double time) {
         if (time != stateTime) {
             stateTime = time;
@@ -69,13 +69,13 @@ public final class BreathDrive implements ForceField {
         return pattern;
     }
 
-    /** Told that the pattern, or what multiplies it, is another from now on. */
+    /** Called when the pattern or one of its factors has changed. */
     @Override
     public void invalidate() {
         stateTime = Double.NaN;
     }
 
-    /** Pressure on the abdominal face at a time, kPa; 0 where none acts. */
+    /** Pressure on the abdominal face at a time, kPa; 0 without pressure. */
     public double pressureAt(double time) {
         return pressure.at(time, breathAt(time));
     }

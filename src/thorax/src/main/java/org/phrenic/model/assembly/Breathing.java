@@ -20,13 +20,13 @@ import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SettingValues;
 import org.phrenic.parameter.SwitchSetting;
 
-/** What is breathed: a preset or a recording, with the rate, depth and balance that are stated. */
+/** The breathing pattern: a preset or a recording, with rate, depth and balance from the settings. */
 public final class Breathing implements ScenePart {
-    /** The preset from {@code data/breathing}, as it comes with the program. */
+    /** A preset from {@code data/breathing} that is part of the program. */
     public static final Setting<BreathingPreset> PRESET = new PresetSetting();
-    /** A recording whose curve replaces that of the preset. */
+    /** A recording whose curve replaces the preset's. */
     public static final Setting<Optional<Path>> TRACE = new TraceSetting();
-    /** Whether the breath is held where it is. */
+    /** Whether the breath is held. */
     public static final SwitchSetting HOLD =
             new SwitchSetting("hold", "Hold", Effect.DRIVE, false, "The breath is held where it is.");
 
@@ -64,7 +64,7 @@ public final class Breathing implements ScenePart {
     }
 
     /**
-     * The breathing pattern of some settings.
+     * The breathing pattern for given settings.
      *
      * @throws BadInputException if the recording cannot be read
      */
@@ -94,13 +94,13 @@ public final class Breathing implements ScenePart {
         return BreathingPreset.named(name);
     }
 
-    /** The preset by its name. */
+    /** The preset, given by name. */
     private static final class PresetSetting extends Setting<BreathingPreset> {
         PresetSetting() {
             super("preset", "Breathing", Effect.NEW_PATTERN, "Way to breathe, from data/breathing.");
         }
 
-        /** Read once, when it is first asked for. */
+        /** Lazy holder of the default preset. */
         private static final class Quiet {
             static final BreathingPreset PRESET = preset("quiet");
         }
@@ -133,7 +133,7 @@ public final class Breathing implements ScenePart {
         }
     }
 
-    /** The recording by its path; {@code none} for no recording. */
+    /** The recording, given by path; {@code none} for no recording. */
     private static final class TraceSetting extends Setting<Optional<Path>> {
         private static final String NONE = "none";
 

@@ -9,9 +9,9 @@ import org.phrenic.breathing.pattern.TimeWarpedPattern;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * The breathing pattern of a run, which changes while it runs: another preset begins anew, another rate, depth or
- * balance goes on at the same place of the pattern, and the whole can be held. A function of the time and of the
- * changes made.
+ * Breathing pattern that can change during a run. Another preset starts from its beginning; another rate, depth or
+ * balance continues at the same phase; the breath can be held. The result is a function of the time and of the changes
+ * made.
  */
 public final class LiveBreathing implements BreathingPattern {
     private final TimeWarp clock;
@@ -30,16 +30,16 @@ public final class LiveBreathing implements BreathingPattern {
         pattern = warped;
     }
 
-    /** Holds the breath where it is, or lets it go on. */
+    /** Holds or releases the breath. */
     public void hold(boolean held, double nowS) {
         clock.setRunning(!held, nowS, Ramp.DEFAULT_S);
     }
 
     /**
-     * Goes over to another pattern; of two changes at one step the first is as if it had not been.
+     * Changes to another pattern. Of two changes at one step only the second applies.
      *
-     * @param next its pattern
-     * @param anew whether it begins with a breath of its own, or goes on where the breath is
+     * @param next the new pattern
+     * @param anew whether it starts from its beginning instead of continuing at the current phase
      */
     public void change(BreathingPattern next, boolean anew, long step, double nowS) {
         if (step == changedAtStep) {
@@ -58,7 +58,10 @@ public final class LiveBreathing implements BreathingPattern {
         warped = nextLeaf;
     }
 
-    /** The same share of the period; the same time from the beginning where one of the two does not repeat itself. */
+    /**
+     * Time in the next pattern at the same phase of the period. If one of the patterns is not periodic, the time since
+     * the start is kept.
+     */
     private double matchPhase(BreathingPattern next, double intoS) {
         double from = base.periodS();
         double to = next.periodS();

@@ -5,9 +5,9 @@ import org.phrenic.engine.math.ConjugateGradient;
 import org.phrenic.engine.math.DenseVectors;
 
 /**
- * Spring tensions that hold a given shape against a given load: the least change of a first guess t0 that solves, in
- * the sense of least squares, Σ_e t_e d_e + load = 0 at every node, by conjugate gradients on the normal equations.
- * Rest lengths then follow as l - t / k, and the scan's shape is the equilibrium at rest.
+ * Spring tensions that hold a given shape in equilibrium under a given load. Starting from a first guess t0, it finds
+ * the closest least-squares solution of Σ_e t_e d_e + load = 0 at every node, by conjugate gradients on the normal
+ * equations. Rest lengths follow as l - t / k, so the scanned shape is the equilibrium at rest.
  */
 public final class Prestress {
     private final int[] nodeA;
@@ -18,12 +18,12 @@ public final class Prestress {
     private final double[] wallNormal;
 
     /**
-     * @param positions at rest, three numbers a node, mm
-     * @param nodeA one end of each spring
-     * @param nodeB the other end
-     * @param free whether forces at a node must balance (not so where bone holds it)
-     * @param wallNormal unit normal of the wall at a node that leans on it, zero elsewhere: only forces along the wall
-     *     must balance there
+     * @param positions at rest, three numbers per node, mm
+     * @param nodeA first end of each spring
+     * @param nodeB second end of each spring
+     * @param free whether forces at a node must balance; false where it is attached to bone
+     * @param wallNormal unit normal of the wall at a node in contact with it, zero elsewhere: at a node in contact only
+     *     the tangential forces must balance
      */
     Prestress(double[] positions, int[] nodeA, int[] nodeB, boolean[] free, double[] wallNormal) {
         this.nodeA = nodeA;
@@ -47,10 +47,12 @@ public final class Prestress {
     }
 
     /**
+     * Solves for the tensions.
+     *
      * @param load force on each node, mN
-     * @param tension first guess in, result out, mN
+     * @param tension first guess on input, result on output, mN
      * @param iterations of conjugate gradients
-     * @return what remains unbalanced as a share of the load (root mean square); 0 without load
+     * @return relative residual: unbalanced force over load (root mean square); 0 without load
      */
     double solve(double[] load, double[] tension, int iterations) {
         double[] residual = load.clone();
@@ -66,7 +68,7 @@ public final class Prestress {
         return norm > 0 ? Math.sqrt(DenseVectors.dot(residual, residual)) / norm : 0;
     }
 
-    /** Least squares: the projected matrix of edge directions, and its transpose. */
+    /** Least-squares problem: the projected matrix of edge directions and its transpose. */
     private final class TensionSolver extends ConjugateGradient {
         TensionSolver() {
             super(nodeA.length, 3 * nodes);
@@ -95,7 +97,7 @@ public final class Prestress {
         }
     }
 
-    /** Force left over at each node, mN; nothing at held nodes, nothing across the wall. */
+    /** Unbalanced force at each node, mN; zero at attached nodes and in the direction of the wall normal. */
     double[] unbalancedForce(double[] load, double[] tension) {
         double[] out = load.clone();
         addForces(tension, out);

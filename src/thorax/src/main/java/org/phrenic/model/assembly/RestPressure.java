@@ -9,14 +9,13 @@ import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.SpringList;
 
 /**
- * What holds the sheet in its given shape against the pressure at rest: tensions of its springs ({@link Prestress}) and
- * a dead load for what they leave. All three are in proportion to each other, so that the shape stays whatever the
- * pressure at rest is.
+ * Equilibrium of the sheet under the pressure at rest: spring tensions ({@link Prestress}) and a constant load for the
+ * residual. Both are proportional to the pressure, so the rest shape does not depend on its value.
  */
 public final class RestPressure {
-    /** Conjugate-gradient iterations: beyond, tensions grow and the residual hardly falls. */
+    /** Conjugate-gradient iterations. With more, tensions grow while the residual hardly decreases. */
     private static final int ITERATIONS = 40;
-    /** Nodes nearer than this to the wall lean on it at rest. */
+    /** Nodes within this distance of the wall are in contact with it at rest. */
     private static final double WALL_CONTACT_MM = 1;
 
     private static final double MIN_REST_SHARE = 0.3;
@@ -29,18 +28,17 @@ public final class RestPressure {
     private final double residual;
 
     /**
-     * Gives the sheet's springs the rest lengths that go with the pressure at rest, and adds the dead load to the
-     * scene.
+     * Sets the rest lengths of the sheet's springs for the pressure at rest, and adds the constant load to the scene.
      *
-     * @param pressure on the abdominal face; is left at a pressure above 0
-     * @param atRest kPa, 0 where none acts
-     * @param usual kPa, for which tensions are worked out where none acts at first
-     * @param leans whether the sheet leans on the chest wall
+     * @param pressure on the abdominal face; left at a positive pressure
+     * @param atRest kPa, 0 for no pressure
+     * @param usual kPa, used to compute the tensions if {@code atRest} is 0
+     * @param leans whether the sheet is in contact with the chest wall
      */
     public RestPressure(Scene scene, FacePressure pressure, double atRest, double usual, boolean leans) {
         DiaphragmPart diaphragm = scene.diaphragm();
         SpringList springs = scene.nodes().sheetSprings;
-        // Where none acts at first, tensions are at hand for when it is turned on.
+        // Without pressure at first, tensions are computed for when it is turned on.
         nominal = atRest > 0 ? atRest : usual;
         shareAtAssembly = atRest / nominal;
         double[] pressing = load(scene, pressure);
@@ -53,7 +51,7 @@ public final class RestPressure {
                 scene.restPositions(), springs.nodeA(), springs.nodeB(), free, wallNormals(scene, diaphragm, leans));
         tension = new double[springs.count()];
         double spacing = Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices);
-        // Laplace's law for a dome shared by two faces, times the width of tissue that an edge stands for.
+        // Laplace's law for a dome, shared by the two faces, times the width of tissue that an edge represents.
         Arrays.fill(tension, nominal * DOME_RADIUS_MM / 2 / 2 * spacing);
         solver.solve(pressing, tension, ITERATIONS);
         setRestLengths(springs);
@@ -67,7 +65,7 @@ public final class RestPressure {
         scene.system().add(load);
     }
 
-    /** Forces of the nominal pressure, caller's order, mN. */
+    /** Nodal forces of the nominal pressure, caller's order, mN. */
     private double[] load(Scene scene, FacePressure pressure) {
         NodeLayout layout = scene.layout();
         double[] internal = new double[3 * layout.nodeCount()];
@@ -100,12 +98,12 @@ public final class RestPressure {
         return all > 0 ? Math.sqrt(squares / all) : 0;
     }
 
-    /** A rest length that muscle can be shortened from, mm. */
+    /** Rest length limited to a range that leaves room for muscle shortening, mm. */
     public static double limitedRestLength(double length, double rest) {
         return Math.max(MIN_REST_SHARE * length, rest);
     }
 
-    /** Normals of the wall at nodes that lean on it at rest, zero elsewhere. */
+    /** Wall normals at nodes in contact with the wall at rest, zero elsewhere. */
     private static double[] wallNormals(Scene scene, DiaphragmPart diaphragm, boolean leans) {
         double[] normals = new double[3 * scene.layout().nodeCount()];
         if (!leans) {
@@ -128,17 +126,17 @@ public final class RestPressure {
         return normals;
     }
 
-    /** Share of the load at rest that the dead load carries. */
+    /** Share of the load at rest that the constant load carries. */
     public double residual() {
         return residual;
     }
 
-    /** Tension of each spring of the sheet beyond that at the beginning when the pressure at rest is another, mN. */
+    /** Change of the tension of a sheet spring from that at assembly if the pressure at rest changes, mN. */
     public double additionalTension(int spring, double pressure) {
         return (pressure / nominal - shareAtAssembly) * tension[spring];
     }
 
-    /** Scales the dead load with the pressure at rest, kPa. */
+    /** Scales the constant load with the pressure at rest, kPa. */
     public void scaleLoad(double pressure) {
         load.setLoadFactor(pressure / nominal);
     }

@@ -28,8 +28,8 @@ import org.phrenic.parameter.SettingValues;
 import org.phrenic.parameter.SwitchSetting;
 
 /**
- * A thorax put together for a run: the nodes and what acts on them, and which nodes belong to which organ. The assembly
- * puts the nodes in place; then the parts of the material add what acts on them.
+ * A thorax assembled for a run: the nodes, the forces and constraints on them, and the nodes of each organ. The
+ * assembly creates the nodes; then the parts of the material add forces and constraints.
  */
 public final class Scene {
     private final SettingValues settings;
@@ -98,7 +98,7 @@ public final class Scene {
         return workers;
     }
 
-    /** Nodes, springs and attachments as they are collected. */
+    /** Collects nodes, springs and attachments during assembly. */
     public MassSpringBuilder nodes() {
         return nodes;
     }
@@ -131,12 +131,12 @@ public final class Scene {
         return liver;
     }
 
-    /** Where sternum and cartilages are a mass-spring system. */
+    /** Sternum and cartilages, if they are a mass-spring system. */
     public Optional<SternumPart> sternum() {
         return sternum;
     }
 
-    /** Where the lungs are carried instead of stepped. */
+    /** Lungs that follow diaphragm and chest wall without nodes of their own. */
     public List<Structure> embeddedLungs() {
         return embeddedLungs;
     }
@@ -149,7 +149,7 @@ public final class Scene {
         bones = weights;
     }
 
-    /** The wall on which diaphragm and lungs slide; empty where attachments alone hold them. */
+    /** The wall on which diaphragm and lungs slide; empty if attachments alone hold them. */
     public Optional<MovingChestWall> wall() {
         return wall;
     }
@@ -158,7 +158,7 @@ public final class Scene {
         wall = chestWall;
     }
 
-    /** The paths of the lungs' border; empty without lungs or wall. */
+    /** Tracks of the lung border; empty without lungs or wall. */
     public Optional<RecessTracks> recessTracks() {
         return tracks.map(Supplier::get);
     }
@@ -167,12 +167,12 @@ public final class Scene {
         tracks = supplier;
     }
 
-    /** Number of the first node of the lungs; greater than all nodes where they are not stepped. */
+    /** Number of the first lung node; greater than all node numbers if the lungs have no nodes. */
     public int firstLungNode() {
         return lungs.map(l -> l.firstNodes.get(0)).orElse(Integer.MAX_VALUE);
     }
 
-    /** Puts the nodes in place, after which forces can be added. */
+    /** Sets the particle system. Forces can be added afterwards. */
     public void setSystem(
             ParticleSystem particles, double[] positionsAtRest, double refreshIntervalS, double massAdded) {
         massAddedPercent = massAdded;
@@ -189,17 +189,17 @@ public final class Scene {
         return system.layout();
     }
 
-    /** Positions of all nodes at end-expiration, caller's order, mm; written again when the scene has settled. */
+    /** Positions of all nodes at end-expiration, caller's order, mm; updated when the scene has settled. */
     public double[] restPositions() {
         return positions;
     }
 
-    /** Time after which anchors and wall planes are taken anew, s. */
+    /** Interval after which anchors and wall planes are updated, s. */
     public double refreshS() {
         return refreshS;
     }
 
-    /** The vertices of the sheet that the wall stops; worked out once. Only where there is a wall. */
+    /** The vertices of the sheet in contact with the wall, computed once. Requires a wall. */
     public SlidingSheet slidingSheet() {
         if (slidingSheet == null) {
             slidingSheet = SlidingSheet.of(diaphragm, wall.orElseThrow(), positions);
@@ -237,7 +237,7 @@ public final class Scene {
         system.add(springs);
     }
 
-    /** All other springs between nodes. */
+    /** All springs between nodes that are not part of the diaphragm. */
     public Optional<Springs> passiveSprings() {
         return Optional.ofNullable(passive);
     }
@@ -248,28 +248,28 @@ public final class Scene {
         system.add(tendon);
     }
 
-    /** The tendon's rigid links, on or off. */
+    /** The tendon's rigid links, whether switched on or off. */
     public Optional<RigidLinks> links() {
         return Optional.ofNullable(links);
     }
 
-    /** The tendon's rigid links, while they are switched on. */
+    /** The tendon's rigid links if they are switched on. */
     public Optional<RigidLinks> activeLinks() {
         return links().filter(system::isEnabled);
     }
 
-    /** Adds what holds the base of the lungs. */
+    /** Adds the attachments of the base of the lungs. */
     public void addLungBase(Attachments springs) {
         lungBase = springs;
         system.add(springs);
     }
 
-    /** What holds the base of the lungs to the diaphragm, where they are a mass-spring system. */
+    /** Attachments of the base of the lungs to the diaphragm, if the lungs are a mass-spring system. */
     public Optional<Attachments> lungBase() {
         return Optional.ofNullable(lungBase);
     }
 
-    /** Says which nodes bone holds, exactly or by springs. */
+    /** Marks nodes as attached to bone, rigidly or by springs. */
     public void holdNodes(int[] held) {
         heldNodes = held;
     }
@@ -278,70 +278,71 @@ public final class Scene {
         return heldNodes;
     }
 
-    /** Shows a vertical action line at x and y, mm. */
+    /** Adds a vertical action line at x and y, mm, for display. */
     public void drawActionLine(double[] place) {
         actionLines.add(place);
     }
 
-    /** Places x, y of vertical action lines, mm. */
+    /** Positions x, y of the vertical action lines, mm. */
     public List<double[]> actionLines() {
         return List.copyOf(actionLines);
     }
 
-    /** The value of a parameter in the run. */
+    /** Value of a parameter during the run. */
     public RampedValue ramped(Parameter parameter) {
         return values.of(parameter);
     }
 
-    /** A switch in the run: 1 on, 0 off. */
+    /** Value of a switch during the run: 1 on, 0 off. */
     public RampedValue ramped(SwitchSetting setting) {
         return values.of(setting);
     }
 
-    /** Has a constraint switched on and off. */
+    /** Registers a constraint that can be switched on and off. */
     public void switches(SwitchedConstraint constraint) {
         tuning.switches(constraint);
         constraint.restart(system);
     }
 
     /**
-     * Has springs, attachments or masses tuned whenever one of some parameters has another value.
+     * Registers an action that tunes springs, attachments or masses when one of some parameters changes.
      *
-     * @param action makes what tunes them, when the scene has settled
+     * @param parameters that the action depends on
+     * @param action creates the action when the scene has settled
      */
     public void tunes(List<Parameter> parameters, Supplier<TissueTuner.Action> action) {
         RampedValue[] ramped = parameters.stream().map(values::of).toArray(RampedValue[]::new);
         tuning.whenSettled(() -> new TissueTuner(ramped, action.get()));
     }
 
-    /** Springs whose numbers can be tuned, at rest where the scene has settled. */
+    /** Tunable view of springs. Create it when the scene has settled at rest. */
     public TunableSprings tunable(Springs springs) {
         return new TunableSprings(springs, layout(), positions);
     }
 
-    /** Attachments whose numbers can be tuned. */
+    /** Tunable view of attachments. */
     public TunableAttachments tunable(Attachments springs) {
         return new TunableAttachments(springs, positions, firstLungNode());
     }
 
-    /** Told that all parts are added: what was collected for them is let go. */
+    /** Ends the assembly and releases its temporary data. */
     public void close() {
         springCount = nodes.sheetSprings.count() + nodes.passiveSprings.count();
         nodes = null;
         tracks = Optional.empty();
     }
 
-    /** How many springs there are between nodes. */
+    /** Number of springs between nodes. */
     public int springCount() {
         return springCount;
     }
 
-    /** What mass scaling added to the mass of all nodes, per cent. */
+    /** Total mass added by mass scaling, per cent. */
     public double massAddedPercent() {
         return massAddedPercent;
     }
 
-    /** What can be changed while it runs. */
+    /** Values that can change during the run. */
     public SceneTuning tuning() {
         return tuning;
     }

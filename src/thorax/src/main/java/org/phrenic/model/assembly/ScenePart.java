@@ -4,14 +4,14 @@ import java.util.List;
 import org.phrenic.parameter.Parameter;
 
 /**
- * Something that acts on the nodes of a scene, and the parameters that it uses. A part holds no state of a scene: one
- * object serves all scenes of a material. What it adds to a scene reads its values from the
- * {@link org.phrenic.parameter.RampedValue}s that it takes from the builder.
+ * A force, constraint or drive that acts on the nodes of a scene, with the parameters that it uses. A part holds no
+ * state of a scene: one object serves all scenes of a material. What it adds to a scene reads its values from the
+ * {@link org.phrenic.parameter.RampedValue}s of that scene.
  */
 public interface ScenePart {
     /**
-     * When parts are added. Forces are summed in the order in which they are added, and the last bit of a sum depends
-     * on the order.
+     * Order in which parts are added. Forces are summed in this order, and the last bit of a floating-point sum depends
+     * on it.
      */
     enum Stage {
         BOUNDARY,
@@ -23,7 +23,7 @@ public interface ScenePart {
         LOADS
     }
 
-    /** When it is added; parts of one stage in the order in which the material lists them. */
+    /** Stage of this part. Parts of one stage are added in the order in which the material lists them. */
     default Stage stage() {
         return Stage.LOADS;
     }
@@ -33,6 +33,9 @@ public interface ScenePart {
         return List.of();
     }
 
-    /** Adds what acts to a scene whose nodes are in place; nothing for a part that only declares parameters. */
+    /**
+     * Adds forces and constraints to a scene whose nodes exist. The default does nothing, for parts that only declare
+     * parameters.
+     */
     default void addTo(Scene scene) {}
 }

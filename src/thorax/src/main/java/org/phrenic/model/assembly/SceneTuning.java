@@ -8,7 +8,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.parameter.RampedValues;
 import org.phrenic.parameter.SettingValues;
 
-/** What of a scene can be changed while it runs, as the parts said it. */
+/** Parts of a scene that can change during a run, as registered during assembly. */
 public final class SceneTuning {
     private final RampedValues values;
     private final List<Supplier<TissueTuner>> pending = new ArrayList<>();
@@ -24,7 +24,9 @@ public final class SceneTuning {
         pending.add(tuner);
     }
 
-    /** Has something set step by step while a setting of {@link org.phrenic.parameter.Effect#SCENE} is on its way. */
+    /**
+     * Registers an action that runs at every step while a setting of {@link org.phrenic.parameter.Effect#SCENE} ramps.
+     */
     public void whileRamping(DoubleConsumer action) {
         whileRamping.add(action);
     }
@@ -33,44 +35,44 @@ public final class SceneTuning {
         switched.add(constraint);
     }
 
-    /** Told when the scene has settled: its shape is now that at rest, which tuning leaves as it is. */
+    /** Called when the scene has settled. Its shape is then the rest shape, which tuning preserves. */
     public void settled() {
         pending.forEach(tuner -> tissue.add(tuner.get()));
         pending.clear();
     }
 
-    /** The values of all parameters. */
+    /** Values of all parameters. */
     public RampedValues values() {
         return values;
     }
 
-    /** Gives tissue the numbers of a time, s. */
+    /** Applies the tissue parameters at a time, s. */
     public void applyTissue(double timeS) {
         for (TissueTuner tuner : tissue) {
             tuner.applyAt(timeS);
         }
     }
 
-    /** Gives tissue the numbers of some settings. */
+    /** Applies the tissue parameters of given settings. */
     public void applyTissue(SettingValues settings) {
         tissue.forEach(tuner -> tuner.apply(settings));
     }
 
-    /** Sets what else ramps to where it is at a time, s. */
+    /** Applies all other ramping values at a time, s. */
     public void applyRamps(double timeS) {
         for (DoubleConsumer action : whileRamping) {
             action.accept(timeS);
         }
     }
 
-    /** All parameters and switches go to their values in some settings. */
+    /** Ramps all parameters and switches to their values in given settings. */
     public void rampTo(SettingValues settings, ParticleSystem system, long step, double nowS) {
         switched.forEach(SwitchedConstraint::beforeChange);
         values.rampTo(settings, step, nowS);
         switched.forEach(constraint -> constraint.afterChange(system, step));
     }
 
-    /** All stand at their values in some settings, with the tissue as assembled. */
+    /** Resets all values to those of given settings, with the tissue as assembled. */
     public void restart(SettingValues settings, ParticleSystem system) {
         values.restart(settings);
         tissue.forEach(TissueTuner::restoreAssembled);

@@ -7,10 +7,11 @@ import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 
 /**
- * Vertices of the sheet that the chest wall stops.
+ * Vertices of the sheet in contact with the chest wall.
  *
- * @param restPositions three numbers a vertex, mm
- * @param wall as the vertices feel it, in their order
+ * @param vertices of the sheet
+ * @param restPositions three numbers per vertex, mm
+ * @param wall contact surface of the vertices, in their order
  */
 public record SlidingSheet(int[] vertices, double[] restPositions, ContactSurface wall) {
     public static SlidingSheet of(DiaphragmPart diaphragm, MovingChestWall wall, double[] positions) {

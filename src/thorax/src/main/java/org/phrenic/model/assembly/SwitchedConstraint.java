@@ -4,7 +4,7 @@ import org.phrenic.engine.Constraint;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.parameter.RampedValue;
 
-/** A constraint that can be switched on and off while a scene runs. */
+/** A constraint that can be switched on and off during a run. */
 public final class SwitchedConstraint {
     private final RampedValue on;
     private final Constraint constraint;
@@ -12,7 +12,7 @@ public final class SwitchedConstraint {
     private boolean wasOn;
     private long disabledAtStep = -1;
 
-    /** @param beforeOn done when it is switched on, unless it was switched off at the same step */
+    /** @param beforeOn runs when the constraint is switched on, unless it was switched off at the same step */
     public SwitchedConstraint(RampedValue on, Constraint constraint, Runnable beforeOn) {
         this.on = on;
         this.constraint = constraint;
@@ -23,12 +23,12 @@ public final class SwitchedConstraint {
         return on.target() == 1;
     }
 
-    /** Told before the switch may go to another value. */
+    /** Called before the value of the switch may change. */
     public void beforeChange() {
         wasOn = isOn();
     }
 
-    /** Told when the switch may have gone to another value. */
+    /** Called after the value of the switch may have changed. */
     public void afterChange(ParticleSystem system, long step) {
         if (isOn() && !wasOn && disabledAtStep != step) {
             beforeOn.run();
@@ -39,7 +39,7 @@ public final class SwitchedConstraint {
         system.setEnabled(constraint, isOn());
     }
 
-    /** Takes the state of the switch, as at the start of a run. */
+    /** Applies the state of the switch at the start of a run. */
     public void restart(ParticleSystem system) {
         disabledAtStep = -1;
         system.setEnabled(constraint, isOn());

@@ -14,8 +14,8 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * What the springs of a scene stand for: the parts that act on its nodes with their parameters, how tissue becomes
- * springs and masses, and how it is stepped where a scenario does not say.
+ * Material model of a scene: the parts that act on its nodes with their parameters, the mapping from tissue to springs
+ * and masses, and the default integration settings.
  */
 public abstract class TissueMaterial {
     private final String label;
@@ -33,51 +33,51 @@ public abstract class TissueMaterial {
         return label;
     }
 
-    /** What acts on the nodes, in the order in which its parameters are documented. */
+    /** Parts that act on the nodes, in the order in which their parameters are documented. */
     public final List<ScenePart> parts() {
         return parts;
     }
 
-    /** The parameters of its parts. */
+    /** Parameters of all parts. */
     public final List<Parameter> parameters() {
         return List.copyOf(parameters);
     }
 
-    /** Whether a part of it uses a parameter. */
+    /** Whether one of its parts uses a parameter. */
     public final boolean uses(Parameter parameter) {
         return parameters.contains(parameter);
     }
 
-    /** Value of a parameter where a scenario states none; NaN if no part uses it. */
+    /** Default value of a parameter; NaN if no part uses it. */
     public double defaultOf(Parameter parameter, SettingValues values) {
         return uses(parameter) ? parameter.defaultValue(values) : Double.NaN;
     }
 
-    /** Scheme where a scenario names none. */
+    /** Default integrator. */
     public abstract IntegratorKind integrator();
 
-    /** Time step where a scenario gives none, s. */
+    /** Default time step, s. */
     public abstract double timeStepS();
 
-    /** Sweeps over all constraints a step where a scenario gives none. */
+    /** Default number of Gauss-Seidel sweeps over all constraints per step. */
     public abstract int projectionSweeps();
 
-    /** How far from rest a node may go before the run counts as diverged, mm; infinite for no limit. */
+    /** Displacement from rest beyond which a run counts as diverged, mm; infinite for no limit. */
     public abstract double maxDisplacementMm();
 
-    /** How tissue becomes springs and masses. */
+    /** Mapping from tissue to springs and masses. */
     public abstract TissueLaw tissueLaw(SettingValues values);
 
     /** Stiffness of the lungs as a multiple of relaxed muscle's. */
     public abstract double lungToMuscleStiffness(SettingValues values);
 
-    /** The diaphragm's nodes and springs. */
+    /** Creates the nodes and springs of the diaphragm. */
     public abstract DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law);
 
-    /** The wall on which diaphragm and lungs slide; empty where attachments alone hold them. */
+    /** The wall on which diaphragm and lungs slide; empty if attachments alone hold them. */
     public abstract Optional<MovingChestWall> chestWall(Scene scene, List<Structure> lungs);
 
-    /** Makes nodes heavier that alone would shorten the time step; returns the mass added, per cent. */
+    /** Increases the mass of nodes that would shorten the time step; returns the total mass added, per cent. */
     public abstract double scaleMasses(Scene scene, double[] positions, double[] masses);
 
     @Override

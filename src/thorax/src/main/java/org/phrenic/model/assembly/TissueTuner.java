@@ -4,18 +4,17 @@ import java.util.Arrays;
 import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SettingValues;
 
-/**
- * Gives springs, attachments or masses the numbers that go with the values of some parameters, whenever one of these is
- * another. Allocates nothing after construction.
- */
+/** Updates springs, attachments or masses when one of some parameters changes. Allocates nothing after construction. */
 public final class TissueTuner {
-    /** What is done when a value has changed. */
+    /** Update to perform when a value has changed. */
     @FunctionalInterface
     public interface Action {
         /**
-         * @param value of each parameter
-         * @param assembled value of each when the scene was assembled
-         * @param asAssembled whether all are as assembled
+         * Updates for new parameter values.
+         *
+         * @param value current value of each parameter
+         * @param assembled value of each parameter at assembly
+         * @param asAssembled whether all values equal those at assembly
          */
         void tune(double[] value, double[] assembled, boolean asAssembled);
     }
@@ -42,7 +41,7 @@ public final class TissueTuner {
         apply();
     }
 
-    /** Applies the values of some settings. */
+    /** Applies the values of given settings. */
     public void apply(SettingValues settings) {
         for (int i = 0; i < value.length; i++) {
             value[i] = parameters[i].in(settings);
@@ -50,7 +49,7 @@ public final class TissueTuner {
         apply();
     }
 
-    /** Applies the values as assembled. */
+    /** Restores the values at assembly. */
     public void restoreAssembled() {
         System.arraycopy(assembled, 0, value, 0, value.length);
         apply();

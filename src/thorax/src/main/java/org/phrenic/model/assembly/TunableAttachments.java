@@ -2,10 +2,7 @@ package org.phrenic.model.assembly;
 
 import org.phrenic.engine.force.Attachments;
 
-/**
- * Stiffnesses of attachments as assembled and as they are tuned, so that each pulls at rest as it did when the scene
- * had settled.
- */
+/** Stiffnesses of attachments, at assembly and as tuned. Tuning preserves the force of each attachment at rest. */
 public final class TunableAttachments {
     private final Attachments springs;
     private final int[] nodes;
@@ -18,7 +15,7 @@ public final class TunableAttachments {
 
     /**
      * @param positions of all nodes at rest, caller's order, mm
-     * @param firstLungNode nodes from this one on belong to the lungs
+     * @param firstLungNode number of the first lung node
      */
     public TunableAttachments(Attachments springs, double[] positions, int firstLungNode) {
         this.springs = springs;
@@ -35,11 +32,12 @@ public final class TunableAttachments {
     }
 
     /**
-     * Makes them stiffer.
+     * Scales the stiffnesses.
      *
-     * @param muscle factor of the stiffness at nodes that are not of the lungs
-     * @param lung factor at nodes of the lungs
-     * @param factor of all
+     * @param asAssembled whether all parameters equal those at assembly
+     * @param muscle factor at all nodes except those of the lungs
+     * @param lung factor at lung nodes
+     * @param factor common factor
      */
     public void tune(boolean asAssembled, double muscle, double lung, double factor) {
         for (int i = 0; i < nodes.length; i++) {

@@ -4,16 +4,16 @@ import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.model.organ.MassSpringBuilder;
 
-/** Numbers of springs as assembled, and as they are tuned: {@code k f (l - L) + T}. */
+/** Stiffness, length and tension of springs, at assembly and as tuned: force {@code k f (l - L) + T}. */
 public final class TunableSprings {
     public final int count;
-    /** Ends of each spring, two a spring, caller's numbering. */
+    /** The two ends of each spring in turn, caller's numbering. */
     public final int[] nodes;
-    /** Length of each at rest, mm. */
+    /** Length of each spring at rest, mm. */
     public final double[] lengthAtRest;
-    /** Rest length of each as tuned, mm. */
+    /** Tuned rest length of each spring, mm. */
     public final double[] restLength;
-    /** What full activation takes from each as tuned, mm. */
+    /** Tuned shortening of each spring at full activation, mm. */
     public final double[] shortening;
 
     private final Springs springs;
@@ -40,10 +40,11 @@ public final class TunableSprings {
     }
 
     /**
-     * Makes a spring stiffer without moving where it is at rest.
+     * Sets the stiffness of a spring and preserves its equilibrium at rest.
      *
-     * @param factor of its stiffness as assembled
-     * @param moreTension beyond its tension at rest as assembled, mN
+     * @param e number of the spring
+     * @param factor of its stiffness at assembly
+     * @param moreTension tension added to that at rest at assembly, mN
      */
     public void set(int e, double factor, double moreTension) {
         double tension = assembledStiffness[e] * (lengthAtRest[e] - assembledRest[e]) + moreTension;
@@ -51,12 +52,12 @@ public final class TunableSprings {
         restLength[e] = lengthAtRest[e] - tension / stiffness[e];
     }
 
-    /** Hands all numbers to the springs. */
+    /** Applies all values to the springs. */
     public void apply() {
         springs.setCoefficients(stiffness, restLength, shortening);
     }
 
-    /** Gives the springs every number they were assembled with. */
+    /** Restores all values at assembly. */
     public void restoreAssembled() {
         springs.setCoefficients(assembledStiffness, assembledRest, assembledShortening);
     }

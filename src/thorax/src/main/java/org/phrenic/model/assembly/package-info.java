@@ -1,5 +1,5 @@
 /**
- * A scene and what it is put together from: nodes, springs, breathing, and what can be changed while it runs. Knows no
- * material and no scenario.
+ * The scene and the elements from which it is assembled: nodes, springs, breathing, and everything that can change
+ * during a run. Independent of materials and scenarios.
  */
 package org.phrenic.model.assembly;

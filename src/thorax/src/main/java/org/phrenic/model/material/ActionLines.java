@@ -11,7 +11,7 @@ import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 
-/** Muscle force of Villard, Bourne and Bello 2009: one action line through the middle of each hemidiaphragm. */
+/** Muscle force of Villard, Bourne and Bello 2009: one action line through the centre of each hemidiaphragm. */
 public final class ActionLines implements ScenePart {
     public static final Parameter MUSCLE_FORCE = Parameter.named("muscle_force_mn", "Muscle force")
             .unit("mN")

@@ -18,8 +18,8 @@ import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 
 /**
- * What holds the nodes of a scene to bone: the insertion of the diaphragm follows it exactly, the origin of the crura,
- * sternum, cartilages and lungs by springs to anchors on it.
+ * Attachments of nodes to bone. The insertion of the diaphragm follows bone exactly; the origin of the crura, sternum,
+ * cartilages and lungs are attached by springs to anchors on bone.
  */
 public final class BoneAttachments implements ScenePart {
     public static final Parameter STERNUM_COUPLING = Parameter.named("sternum_coupling", "Sternum coupling")
@@ -30,7 +30,9 @@ public final class BoneAttachments implements ScenePart {
             .fitted(0.3, 3)
             .describedAs("Multiplies the springs that hold sternum and costal cartilages to the ribs.");
 
-    /** Fall-off of the paper's attachments round the insertion, and their low elasticity as a share of a spring's. */
+    /**
+     * Decay length of the paper's attachments around the insertion, and their low stiffness as a share of a spring's.
+     */
     private static final double INSERTION_MM = 25;
 
     private static final double INSERTION_SHARE = 0.1;
@@ -38,13 +40,13 @@ public final class BoneAttachments implements ScenePart {
     private final List<Parameter> stiffness;
     private final boolean besideInsertion;
 
-    /** Of a sheet that pressure and crura hold: stiffness of muscle and of the lungs. */
+    /** For a sheet held by pressure and crura: stiffness of muscle and of the lungs. */
     BoneAttachments(Parameter muscle, Parameter lungs) {
         stiffness = List.of(muscle, lungs);
         besideInsertion = false;
     }
 
-    /** Of the paper's sheet, which is held beside its insertion too: the one stiffness of all springs. */
+    /** For the paper's sheet, which is also attached around its insertion: the stiffness of all springs. */
     BoneAttachments(Parameter springs) {
         stiffness = List.of(springs);
         besideInsertion = true;
@@ -102,7 +104,7 @@ public final class BoneAttachments implements ScenePart {
         }
     }
 
-    /** The crura hang on the spine, which stands still. */
+    /** Attaches the crura to the spine, which does not move. */
     private static void addCrura(Scene scene) {
         int[] crural = scene.diaphragm().cruralNodes;
         if (crural.length > 0) {
@@ -113,7 +115,7 @@ public final class BoneAttachments implements ScenePart {
     }
 
     /**
-     * Returns the nodes that springs hold to bone, in the order of memory, so that anchors need not be sorted at every
+     * Adds the springs to bone and returns their nodes, in memory order, so that anchors need no sorting at every
      * refresh.
      */
     private int[] addAnchoredSprings(Scene scene) {

@@ -15,10 +15,11 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 
 /**
- * Weight of the diaphragm and of the liver that hangs on it, in the direction that the posture gives: {@code F = m g d}
- * with {@code d = (sin r, cos r sin t, -cos r cos t)} in axes L, P, S, {@code t} the tilt and {@code r} the roll. The
- * sheet weighs {@value #SHEET_KG_PER_M2} kg/m² a face, the muscle's own and not its scaled mass; {@value #LIVER_SHARE}
- * of the liver, of {@value #LIVER_KG_PER_M3} kg/m³, hangs on the roof by area.
+ * Weight of the diaphragm and of the liver suspended from it, in the direction given by the posture: {@code F = m g d}
+ * with {@code d = (sin r, cos r sin t, -cos r cos t)} in axes L, P, S, where {@code t} is the tilt and {@code r} the
+ * roll. The sheet has {@value #SHEET_KG_PER_M2} kg/m² per face, the physical mass of muscle without mass scaling. A
+ * share {@value #LIVER_SHARE} of the liver's mass, at {@value #LIVER_KG_PER_M3} kg/m³, is distributed over the
+ * diaphragm above it by area.
  */
 public final class Gravity implements ScenePart {
     public static final Parameter ACCELERATION = Parameter.named("gravity_m_per_s2", "Gravity")
@@ -37,8 +38,8 @@ public final class Gravity implements ScenePart {
     private static final double SHEET_KG_PER_M2 = 3.15;
     private static final double LIVER_KG_PER_M3 = 1060;
     /**
-     * Share of the liver's weight that hangs on the diaphragm; contents of the abdomen of like density carry the rest.
-     * A choice: under the whole weight, 1 kPa against 0.25 kPa at rest, the model's soft sheet turns inside out.
+     * Share of the liver's weight that the diaphragm carries; abdominal contents of similar density carry the rest.
+     * Chosen: under the full weight, 1 kPa against 0.25 kPa at rest, the model's soft sheet inverts.
      */
     private static final double LIVER_SHARE = 0.1;
 
@@ -61,7 +62,7 @@ public final class Gravity implements ScenePart {
         scene.system().add(new Weight(scene));
     }
 
-    /** Weights of the nodes; worked out when gravity first acts. */
+    /** Weights of the nodes, computed when gravity first acts. */
     private static final class Weight implements ForceField {
         private final Scene scene;
         private final RampedValue acceleration;
@@ -119,9 +120,9 @@ public final class Gravity implements ScenePart {
     }
 
     /**
-     * What each node of a scene carries, g.
+     * Mass of each node of a scene, g.
      *
-     * @param liver null where there is none
+     * @param liver null without a liver
      */
     static double[] masses(DiaphragmPart diaphragm, LiverPart liver, int nodes) {
         TriangleMesh sheet = diaphragm.diaphragm.sheet();

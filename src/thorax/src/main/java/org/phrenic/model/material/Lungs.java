@@ -16,8 +16,8 @@ import org.phrenic.model.organ.NodeFollowers;
 import org.phrenic.parameter.Parameter;
 
 /**
- * What holds the lungs in the chest: their base to the diaphragm, on which it slides where there is a chest wall, and
- * the pleura on that wall.
+ * Holds the lungs in the chest: attaches their base to the diaphragm, along which it slides if there is a chest wall,
+ * and keeps the pleura on that wall.
  */
 public final class Lungs implements ScenePart {
     public static final Parameter LUNG_STIFFNESS = Parameter.named("lung_stiffness_n_per_m", "Lung stiffness")
@@ -30,7 +30,7 @@ public final class Lungs implements ScenePart {
 
     private final List<Parameter> stiffness;
 
-    /** @param stiffness of muscle, and of the lungs where they have one of their own */
+    /** @param stiffness of muscle, and of the lungs if they have their own */
     Lungs(Parameter... stiffness) {
         this.stiffness = List.of(stiffness);
     }
@@ -53,7 +53,10 @@ public final class Lungs implements ScenePart {
         });
     }
 
-    /** The lungs' base, held to the diaphragm as it slides there; without a chest wall as it was at rest. */
+    /**
+     * Attaches the base of the lungs to the diaphragm. It slides if there is a chest wall; otherwise it follows its
+     * nodes.
+     */
     private void attachBase(Scene scene, LungPart lungs) {
         int[] nodes = lungs.baseSprings.node();
         double[] points = MassSpringBuilder.positionsOf(scene.restPositions(), 0, nodes);

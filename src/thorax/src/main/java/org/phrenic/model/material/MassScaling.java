@@ -3,17 +3,17 @@ package org.phrenic.model.material;
 import org.phrenic.model.organ.SpringList;
 
 /**
- * Mass scaling: the few nodes so light for the springs at them that they alone would set the time step are made
- * heavier, until a given step is stable. Breathing is quasi-static, so a little mass at a few nodes changes no motion
- * that is looked at, while all nodes are stepped less often, as explicit finite element codes do for slow processes.
- * The paper has nothing of the kind: for the physical preset alone.
+ * Mass scaling: increases the mass of the few nodes that are so light for the stiffness of their springs that they
+ * alone would limit the time step, until a given step is stable. Breathing is quasi-static, so a small added mass at a
+ * few nodes does not change the observed motion. Explicit finite element codes do the same for slow processes. Physical
+ * preset only; the paper has no mass scaling.
  *
  * <p>With springs k along unit vectors n and A_i = Σ k n nᵀ over the springs at node i, the energy Σ k (n·(u_a - u_b))²
- * is at most 2 Σ u_iᵀ A_i u_i, so no frequency exceeds the largest of ω_i² = 2 λ_max(A_i) / m_i; on a triangle lattice
- * the bound is attained. A spring to bone counts half. Every mass is therefore at least 2 λ_max(A_i) / ω².
+ * is at most 2 Σ u_iᵀ A_i u_i. No frequency therefore exceeds the largest of ω_i² = 2 λ_max(A_i) / m_i; on a triangular
+ * lattice the bound is attained. A spring to bone counts half. Every mass is raised to at least 2 λ_max(A_i) / ω².
  */
 final class MassScaling {
-    /** Upper triangle of A_i: xx, xy, xz, yy, yz, zz. */
+    /** Number of entries of the upper triangle of A_i: xx, xy, xz, yy, yz, zz. */
     private static final int SYMMETRIC = 6;
 
     private final double[] positions;
@@ -23,7 +23,7 @@ final class MassScaling {
 
     /**
      * @param positions of all nodes, mm
-     * @param mass of all nodes, kg; made larger in place
+     * @param mass of all nodes, kg; increased in place
      */
     MassScaling(double[] positions, double[] mass) {
         this.positions = positions;
@@ -31,7 +31,7 @@ final class MassScaling {
         nodeStiffness = new double[SYMMETRIC * mass.length];
     }
 
-    /** Counts springs between nodes. */
+    /** Adds springs between nodes to A_i. */
     void addSprings(SpringList springs) {
         int[] a = springs.nodeA();
         int[] b = springs.nodeB();
@@ -60,7 +60,7 @@ final class MassScaling {
         nodeStiffness[at + 5] += s * z * z;
     }
 
-    /** Counts springs to bone, which pull alike in all directions. */
+    /** Adds springs to bone to A_i. They are isotropic. */
     void addAttachments(int[] nodes, double[] k, double factor) {
         for (int i = 0; i < nodes.length; i++) {
             double half = 0.5 * factor * k[i];
@@ -71,7 +71,7 @@ final class MassScaling {
         }
     }
 
-    /** Raises masses until velocity Verlet with this step, s, is stable. */
+    /** Increases masses until velocity Verlet is stable with this step, s. */
     void raiseMassesFor(double step) {
         double omega = 2 / step;
         double before = 0;
@@ -87,12 +87,12 @@ final class MassScaling {
         addedPercent = 100 * added / before;
     }
 
-    /** Mass added, per cent of the scene's. */
+    /** Total mass added, per cent. */
     double addedPercent() {
         return addedPercent;
     }
 
-    /** Of a symmetric 3 × 3 matrix, in closed form (Smith 1961, doi 10.1145/355578.366316). */
+    /** Largest eigenvalue of a symmetric 3 × 3 matrix in closed form (Smith 1961, doi 10.1145/355578.366316). */
     private double largestEigenvalue(int at) {
         double xy = nodeStiffness[at + 1];
         double xz = nodeStiffness[at + 2];

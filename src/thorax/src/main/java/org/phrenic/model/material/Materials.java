@@ -6,17 +6,17 @@ import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Parameter;
 
-/** The materials that come with the program. */
+/** The built-in materials. */
 public final class Materials {
-    /** A membrane under transdiaphragmatic pressure. */
+    /** Membrane under transdiaphragmatic pressure. */
     public static final TissueMaterial PHYSICAL = new PhysicalMaterial();
-    /** The springs of Villard, Bourne and Bello 2009. */
+    /** Mass-spring model of Villard, Bourne and Bello 2009. */
     public static final TissueMaterial PAPER = new PaperMaterial();
 
-    /** All of them, the default first. */
+    /** All materials, the default first. */
     public static final List<TissueMaterial> ALL = List.of(PHYSICAL, PAPER);
 
-    /** Which of them a scenario has. */
+    /** The setting that selects the material. */
     public static final ChoiceSetting<TissueMaterial> MATERIAL = new ChoiceSetting<>(
             "material",
             "Material",

@@ -9,8 +9,8 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 
 /**
- * Pushes the mediastinal surfaces of the lungs out as the breath comes in, for heart and mediastinum, which the model
- * lacks, then become narrower and longer.
+ * Load that displaces the mediastinal surfaces of the lungs outward during inspiration. It stands for the heart and
+ * mediastinum, which become narrower and longer and are not modelled.
  */
 public final class Mediastinum implements ScenePart {
     public static final Parameter MEDIASTINUM_RIGHT = displacement("mediastinum_right_mm", "Mediastinum right")
@@ -42,7 +42,10 @@ public final class Mediastinum implements ScenePart {
         });
     }
 
-    /** The load is that of tethers which are neither stiffer nor multiplied, for 1 mm. */
+    /**
+     * Adds the load of one lung. The load for 1 mm is proportional to the tether stiffness, so it is normalised to unit
+     * stiffness first.
+     */
     private static void addLoad(Scene scene, LungPart lungs, boolean left, Parameter parameter) {
         double[] load = lungs.outwardLoad(left, scene.layout().nodeCount());
         double assembled = scene.settings().get(Lungs.LUNG_STIFFNESS);

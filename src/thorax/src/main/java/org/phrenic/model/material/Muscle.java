@@ -10,7 +10,7 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SwitchSetting;
 
-/** The diaphragm's muscle: its fibres shorten with the drive of the breath. */
+/** The diaphragm's muscle: its fibres shorten with the activation of the breath. */
 public final class Muscle implements ScenePart {
     public static final SwitchSetting MUSCLE =
             new SwitchSetting("muscle", "Muscle", Effect.DRIVE, true, "The diaphragm's muscle is driven.");

@@ -8,9 +8,9 @@ import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.NumberSetting;
 import org.phrenic.parameter.WholeSetting;
 
-/** How a scene is carried through time. */
+/** Numerical settings: time step, integrator, constraint sweeps, threads. */
 public final class Numerics {
-    /** Greatest number of threads that may be asked for, wherever it is asked. */
+    /** Largest number of threads that can be requested. */
     public static final int MAX_THREADS = 256;
 
     private static final int MAX_DEFAULT_THREADS = 2;
@@ -21,7 +21,7 @@ public final class Numerics {
     private static final int MAX_SWEEPS = 100;
     private static final double REFRESH_S = 0.02;
     private static final double REFRESH_STEPS = 4;
-    /** After 0.08 s the wall is 10 % of a breath's excursion from where it should be. */
+    /** Upper limit of the refresh interval. At 0.08 s the wall is off by 10 % of a breath's excursion. */
     private static final double MAX_REFRESH_S = 0.04;
 
     public static final NumberSetting TIME_STEP = new NumberSetting(

@@ -15,8 +15,8 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * The model of Villard, Bourne and Bello 2009: one stiffness for every spring, one mass for every node, muscle force
- * along action lines.
+ * The model of Villard, Bourne and Bello 2009: uniform spring stiffness, uniform node mass and muscle force along
+ * action lines.
  */
 final class PaperMaterial extends TissueMaterial {
     private static final double TIME_STEP_S = 0.01;
@@ -44,7 +44,7 @@ final class PaperMaterial extends TissueMaterial {
     }
 
     /**
-     * Its springs move smoothly on the scale of a step, so that Störmer's formula errs by a fifth of what Verlet does.
+     * Störmer's formula. Motion is smooth on the scale of a step, so its error is a fifth of that of velocity Verlet.
      */
     @Override
     public IntegratorKind integrator() {
@@ -61,7 +61,7 @@ final class PaperMaterial extends TissueMaterial {
         return 1;
     }
 
-    /** The action lines have no end by their law. */
+    /** No limit: the force along the action lines is unbounded. */
     @Override
     public double maxDisplacementMm() {
         return Double.POSITIVE_INFINITY;

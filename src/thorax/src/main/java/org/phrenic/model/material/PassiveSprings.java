@@ -9,11 +9,11 @@ import org.phrenic.model.assembly.TunableSprings;
 import org.phrenic.model.organ.SpringList;
 import org.phrenic.parameter.Parameter;
 
-/** The springs of sternum, cartilages and lungs. */
+/** Springs of sternum, cartilages and lungs. */
 final class PassiveSprings implements ScenePart {
     private final List<Parameter> stiffness;
 
-    /** @param stiffness of muscle, and of the lungs where they have one of their own */
+    /** @param stiffness of muscle, and of the lungs if they have their own */
     PassiveSprings(Parameter... stiffness) {
         this.stiffness = List.of(stiffness);
     }
@@ -56,7 +56,8 @@ final class PassiveSprings implements ScenePart {
     }
 
     /**
-     * By how much the lungs are stiffer than as assembled: by a stiffness of their own, value 1, or as muscle, value 0.
+     * Stiffness factor of the lungs relative to assembly: from their own stiffness (index 1) if they have one,
+     * otherwise from that of muscle (index 0).
      */
     static double lungFactor(double[] value, double[] assembled) {
         int own = value.length > 1 ? 1 : 0;

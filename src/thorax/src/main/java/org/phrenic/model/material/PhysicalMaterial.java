@@ -18,19 +18,19 @@ import org.phrenic.model.organ.TissueLaw;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * A membrane under transdiaphragmatic pressure: stiffness, mass and damping per unit of area, muscle that shortens, and
- * a chest wall on which diaphragm and lungs slide.
+ * Membrane under transdiaphragmatic pressure: stiffness, mass and damping per unit of area, contractile muscle, and a
+ * chest wall on which diaphragm and lungs slide.
  */
 final class PhysicalMaterial extends TissueMaterial {
     private static final double TIME_STEP_S = 0.00125;
     /**
-     * Contact and the order of the faces share nodes: after three Gauss-Seidel sweeps the residual is below a
+     * Contact and non-inversion constraints share nodes. After three Gauss-Seidel sweeps the residual is below a
      * thousandth of an excursion.
      */
     private static final int SWEEPS = 3;
     /**
-     * Nothing in a trunk goes so far. A soft sheet under the greatest pressure without a wall would: nothing in its law
-     * ends that.
+     * No point of the trunk moves this far. A soft sheet under the largest pressure and without a wall would, because
+     * its force law has no limit.
      */
     private static final double MAX_DISPLACEMENT_MM = 200;
 

@@ -11,9 +11,9 @@ import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 
 /**
- * What brings the paper's sheet back after a breath, as it has no pressure below it and no bending: every node is held
- * to its place by a spring of low elasticity, soft enough that the action lines move the dome, quick enough (6 1/s) to
- * follow a breath.
+ * Springs that return the paper's sheet to its rest shape after a breath, because that model has neither abdominal
+ * pressure nor bending stiffness. Every node is tied to its rest position by a weak spring: soft enough that the action
+ * lines move the dome, fast enough (6 1/s) to follow a breath.
  */
 final class RestoringSprings implements ScenePart {
     private static final double SHARE = 0.25;

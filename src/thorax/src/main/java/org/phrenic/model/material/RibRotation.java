@@ -13,7 +13,7 @@ import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.RampedValues;
 import org.phrenic.parameter.SwitchSetting;
 
-/** How far the ribs turn about their helical axes as the breath asks for it. */
+/** Rotation of the ribs about their helical axes, driven by the breath. */
 public final class RibRotation implements ScenePart {
     public static final SwitchSetting RIBS =
             new SwitchSetting("ribs", "Ribs", Effect.DRIVE, true, "The ribs turn about their helical axes.");
@@ -49,7 +49,7 @@ public final class RibRotation implements ScenePart {
         return List.of(RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE);
     }
 
-    /** What turns the rib cage of a scene. */
+    /** The drive of a scene's rib cage. */
     static RibCagePose.RibDrive drive(RampedValues values, BreathDrive breath) {
         return new Drive(values, breath);
     }

@@ -10,7 +10,7 @@ import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SwitchSetting;
 import org.phrenic.parameter.WholeSetting;
 
-/** Rigid links across the central tendon, the tensegrity of Villard, Bourne and Bello 2009. */
+/** Rigid links across the central tendon: the tensegrity of Villard, Bourne and Bello 2009. */
 public final class RigidTendon implements ScenePart {
     public static final SwitchSetting TENSEGRITY = new SwitchSetting(
             "tensegrity", "Tensegrity", Effect.SCENE, true, "Rigid links hold the two faces of the sheet apart.");

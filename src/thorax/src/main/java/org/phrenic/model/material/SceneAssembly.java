@@ -44,8 +44,8 @@ import org.phrenic.parameter.RampedValues;
 import org.phrenic.parameter.SettingValues;
 
 /**
- * Puts a scene together from settings and a thorax: only what the settings ask for is built. Meshing takes longest and
- * its parts are independent: they are done side by side.
+ * Assembles a scene from settings and a thorax. Only the organs and parts that the settings require are built. Meshing
+ * takes most of the time, so independent meshes are built in parallel.
  */
 public final class SceneAssembly {
     private final SettingValues settings;
@@ -62,7 +62,11 @@ public final class SceneAssembly {
         resolution = settings.get(OrganSettings.RESOLUTION);
     }
 
-    /** Puts a scene together; {@code values} are those of its parameters from then on. */
+    /**
+     * Assembles a scene.
+     *
+     * @param values of its parameters during the run
+     */
     public static Scene assemble(
             SettingValues settings,
             Thorax thorax,
@@ -89,7 +93,7 @@ public final class SceneAssembly {
                 ? Optional.of(CompletableFuture.supplyAsync(() -> new ThoracicFace(tissue)))
                 : Optional.empty();
         scene.setDiaphragm(material.diaphragm(scene, tissue, law));
-        // The liver hangs on the diaphragm alone and is wanted last.
+        // The liver depends on the diaphragm alone and is needed last.
         Optional<CompletableFuture<LiverPart>> liver = liver();
         Optional<SternumPart> sternum = sternumModel == SternumModel.SPRINGS
                 ? Optional.of(new SternumPart(scene.nodes(), join(sternumMeshed), cage, law))
@@ -113,10 +117,10 @@ public final class SceneAssembly {
         return scene;
     }
 
-    /** Puts the nodes in place. */
+    /** Creates the nodes. */
     private void placeNodes(Optional<CompletableFuture<ThoracicFace>> face) {
         double[] positions = scene.nodes().positions();
-        // The lines down the sheet are drawn while the system of nodes is put together.
+        // The recess tracks are computed while the particle system is created.
         scene.setRecessTracks(scene.lungs()
                 .filter(l -> scene.wall().isPresent())
                 .map(l -> MassSpringBuilder.positionsOf(positions, 0, l.baseSprings.node()))
@@ -132,7 +136,7 @@ public final class SceneAssembly {
     }
 
     private void addParts() {
-        // Every parameter of the material has a value in the run, whether or not this scene has what it acts on.
+        // Every parameter of the material has a value during the run, even if this scene has no part that uses it.
         material.parameters().forEach(scene::ramped);
         for (ScenePart.Stage stage : ScenePart.Stage.values()) {
             for (ScenePart part : material.parts()) {
@@ -143,7 +147,7 @@ public final class SceneAssembly {
         }
     }
 
-    /** Waits for a result; what the work threw is thrown here. */
+    /** Waits for a result and rethrows the task's exception. */
     private static <T> T join(CompletableFuture<T> future) {
         try {
             return future.join();
@@ -172,7 +176,7 @@ public final class SceneAssembly {
                 : Remeshing.toBudget(thorax.structuresOf(StructureKind.LUNG), resolution.lungVertices());
     }
 
-    /** The closed sheet among the diaphragm's shells, at the resolution asked for. */
+    /** The closed sheet of the diaphragm's shells at the requested resolution. */
     private Diaphragm diaphragm() {
         TriangleMesh given = thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
         TriangleMesh sheet = ConnectedComponents.of(given).stream()

@@ -12,7 +12,7 @@ import org.phrenic.model.organ.SpringList;
 import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 
-/** The springs of the diaphragm: along its edges and across its thickness, stiffer in the tendon. */
+/** Springs of the diaphragm along its edges and across its thickness, stiffer in the tendon. */
 public final class SheetSprings implements ScenePart {
     public static final Parameter MUSCLE_STIFFNESS = Parameter.named("muscle_stiffness_n_per_m", "Muscle stiffness")
             .unit("N/m")
@@ -39,7 +39,7 @@ public final class SheetSprings implements ScenePart {
     private final Parameter stiffness;
     private final boolean contractile;
 
-    /** @param contractile whether muscle shortens, and tensions hold the sheet against a pressure */
+    /** @param contractile whether muscle shortens and prestress balances the pressure */
     SheetSprings(Parameter stiffness, boolean contractile) {
         this.stiffness = stiffness;
         this.contractile = contractile;

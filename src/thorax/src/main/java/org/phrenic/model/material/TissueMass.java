@@ -39,7 +39,7 @@ public abstract class TissueMass implements ScenePart {
             .effect(Effect.TISSUE)
             .describedAs("Viscous damping over mass.");
 
-    /** Mass by area; tissue of another stiffness is as much heavier, so that all tissue has one wave speed. */
+    /** Mass per area. Mass scales with the relative stiffness, so that all tissue has the same wave speed. */
     static final TissueMass PER_AREA = new TissueMass(AREA_DENSITY, DAMPING_RATE) {
         @Override
         void setDamping(ParticleSystem system, double value) {
@@ -67,7 +67,7 @@ public abstract class TissueMass implements ScenePart {
         }
     };
 
-    /** One mass for every node. */
+    /** Uniform node mass. */
     static final TissueMass PER_NODE = new TissueMass(NODE_MASS, DAMPING) {
         @Override
         void setDamping(ParticleSystem system, double value) {
@@ -100,7 +100,7 @@ public abstract class TissueMass implements ScenePart {
 
     abstract void setDamping(ParticleSystem system, double value);
 
-    /** What masses depend on: mass and damping first. */
+    /** Parameters on which masses depend: mass and damping first. */
     abstract List<Parameter> tuningParameters();
 
     abstract double tendonFactor(double[] value, double[] assembled);

@@ -14,8 +14,8 @@ import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SwitchSetting;
 
 /**
- * Transdiaphragmatic pressure on the abdominal face: that at rest, which tensions of the sheet hold, and that of the
- * effort.
+ * Transdiaphragmatic pressure on the abdominal face: the pressure at rest, balanced by the prestress of the sheet, and
+ * the pressure of the breathing effort.
  */
 public final class TransdiaphragmaticPressure implements ScenePart {
     public static final SwitchSetting PRESSURE =

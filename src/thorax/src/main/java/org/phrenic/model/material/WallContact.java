@@ -11,7 +11,8 @@ import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SwitchSetting;
 
 /**
- * The sheet slides on the chest wall and does not pass through it; its thoracic face stays outside the abdominal one.
+ * Contact between the sheet and the chest wall, along which the sheet slides, and the constraint that keeps its
+ * thoracic face outside the abdominal face.
  */
 public final class WallContact implements ScenePart {
     public static final SwitchSetting CONTACT = new SwitchSetting(

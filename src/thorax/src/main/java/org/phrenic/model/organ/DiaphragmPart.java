@@ -12,50 +12,57 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The diaphragm as part of a scene: springs along its edges (contractile along the fibres in muscle), struts across its
- * thickness, rigid links in the tendon, and the lists of nodes that bone holds, that slide on the chest wall, and of
- * faces that the abdomen presses on.
+ * The diaphragm as nodes and springs of a scene: springs along its edges, which contract along the fibres in muscle,
+ * struts across its thickness, and rigid links in the tendon.
+ *
+ * <p>It also lists the nodes that are attached to bone, the nodes that slide on the chest wall, and the faces under
+ * abdominal pressure.
  */
 public final class DiaphragmPart {
     /**
-     * Farthest opposing vertex that is still across the sheet, mm: the sheet is 2 to 5 mm thick, segmentations of it up
-     * to four times that.
+     * Largest distance to the opposing vertex across the sheet, mm. The sheet is 2 to 5 mm thick; segmented sheets are
+     * up to four times thicker.
      */
     private static final double REACH_MM = 20;
 
     private static final int STRUTS = 2;
     private static final double MIDLINE_MM = 20;
     private static final double FRONT_MM = 50;
-    /** Depth below the wall at rest up to which the abdominal face is apposed. */
+    /** Distance from the wall at rest, mm, within which the abdominal face belongs to the zone of apposition. */
     private static final double APPOSED_MM = 15;
-    /** Something more than half of the sheet's 2 to 5 mm. */
+    /** Inset of the abdominal face from the wall, mm: slightly more than half of the sheet's 2 to 5 mm. */
     private static final double BEHIND_MM = 1.8;
-    /** Struts need to resist the pressure on one node's area only; stiffer ones would shorten the step. */
+    /**
+     * Relative strut stiffness. A strut only resists the pressure on one node's area; a stiffer one would shorten the
+     * stable step.
+     */
     private static final double STRUT_STIFFNESS = 0.3;
     /**
-     * Of the bed that the crura's origin lies in: against muscle's pull of some kPa over a sheet of some mm it gives by
-     * a millimetre or two.
+     * Stiffness per unit of area of the tissue at the origin of the crura. It yields 1 to 2 mm to a muscle stress of
+     * some kPa in a sheet of some mm.
      */
     private static final double CRURAL_KPA_PER_MM = 1;
 
     public final Diaphragm diaphragm;
     public final int firstNode;
     public final List<OpposingVertices.Pair> links;
-    /** How much of each vertex is the tendinous origin of the crura, 0 to 1: so much less does muscle shorten there. */
+    /**
+     * Share of each vertex that belongs to the tendinous origin of the crura, 0 to 1. It reduces the contraction there.
+     */
     private final double[] cruralShare;
 
-    /** Nodes of the scene at that origin, but for those that bone holds exactly. */
+    /** Scene nodes at the origin of the crura, without those that are fixed to bone. */
     public final int[] cruralNodes;
     /**
-     * Stiffness of what holds each of these to the vertebrae, N/m: in proportion to its area, so that finer meshes are
-     * held alike.
+     * Stiffness with which each of {@code cruralNodes} is attached to the vertebrae, N/m. It is proportional to the
+     * node's area, so it does not depend on the mesh resolution.
      */
     public final double[] cruralStiffnesses;
 
     private final FaceOrder faceOrder;
     /**
-     * Of each edge of the sheet: share along the fibres, 0 in the tendon, and place from right (0) to left (1) across
-     * the midline and from back (0) to front (1).
+     * For each edge of the sheet: contractile share along the fibres (0 in the tendon), position from right (0) to left
+     * (1) across the midline, and from back (0) to front (1).
      */
     private double[] fibreShare;
 
@@ -139,8 +146,8 @@ public final class DiaphragmPart {
     }
 
     /**
-     * Share of the muscle's drive that a place left (+) or right (-) of the middle takes: 1 on the stronger side,
-     * changing smoothly across the midline.
+     * Share of the muscle activation at a position left (+) or right (-) of the midline: 1 on the stronger side, with a
+     * smooth transition across the midline.
      */
     private static double driveShare(double leftness, double leftOverRight) {
         double right = Math.min(1, 1 / leftOverRight);
@@ -152,9 +159,7 @@ public final class DiaphragmPart {
         return Math.max(0, Math.min(1, 0.5 + 0.5 * x / halfWidth));
     }
 
-    /**
-     * For each triangle that the abdomen presses on how much of it counts as left, 0 to 1, smooth across the midline.
-     */
+    /** Left share of each triangle under abdominal pressure, 0 to 1, smooth across the midline. */
     public double[] abdominalLeftShares() {
         TriangleMesh sheet = diaphragm.sheet();
         double[] box = sheet.bounds();
@@ -163,12 +168,12 @@ public final class DiaphragmPart {
         return IntStream.range(0, sheet.triangleCount())
                 .filter(i -> !diaphragm.isThoracicTriangle(i))
                 .mapToDouble(i -> (sheet.x(t[3 * i]) + sheet.x(t[3 * i + 1]) + sheet.x(t[3 * i + 2])) / 3 - middle)
-                // With nothing at all on the right, what is left of a drive is the smooth step to the left.
+                // An infinite ratio leaves no share on the right, so the result is the smooth step to the left.
                 .map(x -> driveShare(smoothShare(x, MIDLINE_MM), Double.POSITIVE_INFINITY))
                 .toArray();
     }
 
-    /** Share of the activation that shortens an edge of the sheet, the edges in the order of their springs. */
+    /** Share of the activation that shortens an edge of the sheet. Edges are in the order of their springs. */
     public double contractileShare(int edge, double leftOverRight, double frontOverBack) {
         return edge < fibreShare.length
                 ? fibreShare[edge]
@@ -177,7 +182,7 @@ public final class DiaphragmPart {
                 : 0;
     }
 
-    /** Whether a spring of the sheet, in the order of its springs, is an edge in the tendon. */
+    /** Whether a spring of the sheet, in spring order, is an edge of the tendon. */
     public boolean isTendonEdge(int spring) {
         int[] edges = diaphragm.topology().edges();
         return spring < fibreShare.length
@@ -185,14 +190,14 @@ public final class DiaphragmPart {
                 && diaphragm.isTendon(edges[2 * spring + 1]);
     }
 
-    /** Share along the fibres of an edge of the sheet. */
+    /** Contractile share along the fibres of each edge of the sheet, 0 in the tendon. */
     public double[] fibreShares() {
         return fibreShare;
     }
 
     /**
-     * cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon: muscle shortens along its fibres
-     * and hardly across them (Boriek and Rodarte 1997), so a slanting edge shortens less than cos² would have it.
+     * cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon. Muscle shortens along its fibres
+     * and hardly across them (Boriek and Rodarte 1997), so an oblique edge shortens less than cos² would give.
      */
     private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
         double dot = 0;
@@ -206,7 +211,7 @@ public final class DiaphragmPart {
         return cosine2 * cosine2;
     }
 
-    /** Vertices of the sheet that bone holds. */
+    /** Vertices of the sheet that are attached to bone. */
     public int[] insertedVertices() {
         return IntStream.range(0, diaphragm.sheet().vertexCount())
                 .filter(diaphragm::isInserted)
@@ -214,8 +219,9 @@ public final class DiaphragmPart {
     }
 
     /**
-     * Vertices of the sheet that the chest wall stops: the thoracic face of the muscle, and the abdominal face where it
-     * is apposed, for a strut keeps its length but would let the two faces change places.
+     * Vertices of the sheet in contact with the chest wall: the thoracic face of the muscle, and the abdominal face in
+     * the zone of apposition. The abdominal face is included because a strut keeps its length but does not stop the two
+     * faces from passing through each other.
      */
     public int[] slidingVertices(MovingChestWall wall) {
         TriangleMesh s = diaphragm.sheet();
@@ -225,19 +231,19 @@ public final class DiaphragmPart {
                 .toArray();
     }
 
-    /** How far inside the wall a vertex is stopped, mm. */
+    /** Inset from the wall at which contact stops a vertex, mm. */
     public double wallInset(int vertex) {
         return diaphragm.isThoracic(vertex) ? 0 : BEHIND_MM;
     }
 
-    /** What keeps the thoracic face outside the abdominal one in muscle. */
+    /** Constraint that keeps the thoracic face outside the abdominal face in muscle. */
     public NonInversionPairs orderedPairs(NodeLayout layout, double refresh) {
         return faceOrder.constraint(layout, firstNode, refresh);
     }
 
     /**
-     * Vertices that an action line may pull: all that bone does not hold, for a line goes through the dome, tendon and
-     * muscle alike.
+     * Vertices on which an action line can act: all that are not attached to bone. A line passes through the dome,
+     * tendon and muscle alike.
      */
     public int[] freeVertices() {
         return IntStream.range(0, diaphragm.sheet().vertexCount())
@@ -245,13 +251,13 @@ public final class DiaphragmPart {
                 .toArray();
     }
 
-    /** Where the action line of a side (-1 right, 1 left) stands: x and y, mm. */
+    /** Position x, y of the action line of a side (-1 right, 1 left), mm. */
     public double[] actionLinePosition(int side) {
         double[] box = diaphragm.sheet().bounds();
         return new double[] {0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4])};
     }
 
-    /** Triangles that the abdomen presses on, as nodes of the scene. */
+    /** Triangles under abdominal pressure, as scene nodes. */
     public int[] abdominalTriangles() {
         int[] t = diaphragm.sheet().triangles();
         return IntStream.range(0, diaphragm.sheet().triangleCount())
@@ -261,15 +267,12 @@ public final class DiaphragmPart {
                 .toArray();
     }
 
-    /**
-     * Begins the diaphragm of a scene; without more it is a sheet without struts whose muscle is driven alike
-     * everywhere.
-     */
+    /** Starts a builder. By default the sheet has no struts and its muscle is activated uniformly. */
     public static Builder builder(Diaphragm diaphragm, TissueLaw law) {
         return new Builder(diaphragm, law);
     }
 
-    /** What a diaphragm is made with. */
+    /** Builder of a diaphragm. */
     public static final class Builder {
         private final Diaphragm diaphragm;
         private final TissueLaw law;
@@ -286,38 +289,38 @@ public final class DiaphragmPart {
             crura = new double[diaphragm.sheet().vertexCount()];
         }
 
-        /** How much of each vertex is the tendinous origin of the crura, 0 to 1. */
+        /** Sets the share of each vertex that belongs to the tendinous origin of the crura, 0 to 1. */
         public Builder crura(double[] shares) {
             crura = shares;
             return this;
         }
 
-        /** Stiffness of the tendon over that of muscle. */
+        /** Sets the ratio of tendon stiffness to muscle stiffness. */
         public Builder tendonRatio(double ratio) {
             tendonRatio = ratio;
             return this;
         }
 
-        /** With springs across the thickness, and pairs that keep the order of the faces. */
+        /** Adds struts across the thickness, and the constraint that prevents the faces from inverting. */
         public Builder withStruts() {
             struts = true;
             return this;
         }
 
-        /** Rigid links a node of the tendon. */
+        /** Sets the number of rigid links per tendon node. */
         public Builder linksPerNode(int count) {
             linksPerNode = count;
             return this;
         }
 
-        /** Activation of the left over the right, and of the front over the back. */
+        /** Sets the ratios of activation: left to right, and front to back. */
         public Builder driveRatios(double leftRight, double frontBack) {
             leftOverRight = leftRight;
             frontOverBack = frontBack;
             return this;
         }
 
-        /** Adds its nodes and springs to those of a scene. */
+        /** Adds the nodes and springs of the diaphragm to a scene. */
         public DiaphragmPart addTo(MassSpringBuilder parts) {
             return new DiaphragmPart(this, parts);
         }

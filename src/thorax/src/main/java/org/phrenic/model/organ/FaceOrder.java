@@ -11,15 +11,15 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Pairs of vertices on the two faces of a diaphragm that may not change places. */
+/** Pairs of opposing vertices on the two faces of a diaphragm that must not invert. */
 final class FaceOrder {
-    /** The faces of muscle stay at least so far apart, as a share of their distance at rest and at most. */
+    /** Minimum separation of the two faces of muscle, as a share of their distance at rest, and its upper limit. */
     private static final double MIN_SEPARATION_SHARE = 0.4;
 
     private static final double MIN_SEPARATION_MM = 1.5;
     /**
-     * A pair that leans more than this cosine, as at the rim of an opening, says nothing of inside and outside: kept in
-     * order, such pairs threw nodes to and fro by millimetres.
+     * Minimum cosine between a pair and the surface normal. A more oblique pair, as at the rim of an opening, does not
+     * define inside and outside; constraining such pairs made nodes oscillate by millimetres.
      */
     private static final double UPRIGHT = 0.5;
 
@@ -27,14 +27,14 @@ final class FaceOrder {
     private final List<OrderedPair> uprightPairs;
 
     /**
-     * @param pairs of opposing vertices, each vertex in one at most; those that stand upright on the sheet are taken
+     * @param pairs opposing vertices, each vertex in at most one pair; only pairs nearly normal to the sheet are used
      */
     FaceOrder(Diaphragm diaphragm, List<OpposingVertices.Pair> pairs) {
         this.diaphragm = diaphragm;
         uprightPairs = uprightPairs(pairs);
     }
 
-    /** The constraint on the nodes of a scene of which {@code firstNode} is the first vertex. */
+    /** The constraint on scene nodes; {@code firstNode} is the node of the first vertex. */
     NonInversionPairs constraint(NodeLayout layout, int firstNode, double refresh) {
         int[] t = diaphragm.sheet().triangles();
         return new NonInversionPairs(
@@ -50,14 +50,14 @@ final class FaceOrder {
     }
 
     /**
-     * Vertices on the two faces that may not change places.
+     * Two opposing vertices that must not invert.
      *
-     * @param triangle of the outer face, whose normal says where outside is
-     * @param minSeparation distance along it, mm
+     * @param triangle of the outer face; its normal points outward
+     * @param minSeparation minimum distance along that normal, mm
      */
     private record OrderedPair(int outer, int inner, int triangle, double minSeparation) {}
 
-    /** Of pairs across muscle those that stand upright on the sheet. */
+    /** The pairs across muscle that are nearly normal to the sheet. */
     private List<OrderedPair> uprightPairs(List<OpposingVertices.Pair> pairs) {
         TriangleMesh s = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();

@@ -6,15 +6,16 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * How a soft organ gives way to what presses into it, in its own frame at rest. A lattice holds the distance from its
- * surface. What is found within pushes the surface in, along the distance's gradient; the lattice's nodes take their
- * neighbours along, less and less with distance:
+ * Indentation of a soft organ by objects that penetrate it, in the organ's rest frame. A regular grid stores the signed
+ * distance to the surface. A penetrating point displaces the surface along the distance gradient, and the displacement
+ * {@code D} of the grid nodes spreads to their neighbours and decays with distance:
  *
- * <p>{@code D ← (W T + λ D̄) / (W + λ (1 + μ))}, {@code T} what the pushes ask for about a node, {@code W} their
- * weight, at most 1, {@code D̄} the mean of the six neighbours; {@code √(1/(6 μ))} times the spacing is how far it
- * reaches.
+ * <p>{@code D ← (W T + λ D̄) / (W + λ (1 + μ))}, where {@code T} is the displacement requested near a node, {@code W ≤
+ * 1} its weight and {@code D̄} the mean of the six neighbours. The decay length is {@code √(1/(6 μ))} times the grid
+ * spacing.
  *
- * <p>It resists nothing and keeps no volume: a shape, not a force. Nothing is allocated after construction.
+ * <p>This is a change of shape only: it exerts no force and does not conserve volume. Nothing is allocated after
+ * construction.
  */
 final class LiverIndentation {
     private static final double SPACING_MM = 8;
@@ -24,8 +25,8 @@ final class LiverIndentation {
     private static final int SWEEPS = 12;
 
     /**
-     * Extra depth that is allowed before the organ gives way: what a sheet of flat faces cuts off a round organ as it
-     * slides.
+     * Penetration that is tolerated before the organ deforms. It covers the gap between the flat faces of a sliding
+     * sheet and the round organ.
      */
     private static final double SLACK_MM = 1;
 
@@ -42,11 +43,11 @@ final class LiverIndentation {
     private double[] displacement;
     private double[] next;
     private final double[] fraction = new double[3];
-    /** What each of the eight nodes about a place counts there. */
+    /** Interpolation weights of the eight grid nodes around a point. */
     private final double[] cornerWeights = new double[8];
 
     private double allowedDepth = SLACK_MM;
-    /** Nodes that are asked for something, per axis; none where the last is before the first. */
+    /** Range of nodes with a requested displacement, per axis; empty where the last is before the first. */
     private final int[] first = new int[3];
 
     private final int[] last = new int[3];
@@ -72,10 +73,7 @@ final class LiverIndentation {
         normals = MeshMeasure.vertexNormals(organ);
     }
 
-    /**
-     * Distance of a node of the lattice from the surface, less than 0 within; measured when it is first asked for, for
-     * most never are.
-     */
+    /** Signed distance of a grid node from the surface, negative inside; computed on first use. */
     private double distance(int node) {
         if (Double.isNaN(distance[node])) {
             int row = node / count[0];
@@ -105,14 +103,14 @@ final class LiverIndentation {
         return hit.weightA * normals[a] + hit.weightB * normals[b] + hit.weightC * normals[c];
     }
 
-    /** What lies there at rest, however deep, presses nothing in. */
+    /** Tolerates the penetration that a point has at rest, whatever its depth. */
     void allowRestDepth(double x, double y, double z) {
         if (contains(x, y, z)) {
             allowedDepth = Math.max(allowedDepth, SLACK_MM - sample(at(x, y, z)));
         }
     }
 
-    /** Nothing presses. */
+    /** Clears the requested displacements. */
     void clear() {
         if (isIndented()) {
             for (int k = firstReached(2, SWEEPS); k <= lastReached(2, SWEEPS); k++) {
@@ -139,8 +137,8 @@ final class LiverIndentation {
     }
 
     /**
-     * First node along an axis that is reached after so many sweeps, each of which goes on by a node. The outermost,
-     * which lie beyond the organ, stay.
+     * First node along an axis that a number of sweeps can reach. Each sweep spreads the displacement by one node. The
+     * outermost nodes lie outside the organ and stay fixed.
      */
     private int firstReached(int axis, int sweeps) {
         return Math.max(1, first[axis] - sweeps);
@@ -154,7 +152,10 @@ final class LiverIndentation {
         return j * stride[1] + k * stride[2];
     }
 
-    /** Something stands there; the surface before it is pushed to it, gently at first. */
+    /**
+     * Requests that a penetrating point displaces the surface. The displacement starts at 0 at the tolerated depth and
+     * rises continuously to the full depth.
+     */
     void indent(double x, double y, double z) {
         if (!contains(x, y, z)) {
             return;
@@ -192,13 +193,13 @@ final class LiverIndentation {
         }
     }
 
-    /** A node and the next along an axis are asked for something. */
+    /** Extends the range of nodes with a requested displacement by a node and the next along an axis. */
     private void extendRange(int axis, int node) {
         first[axis] = Math.min(first[axis], node);
         last[axis] = Math.max(last[axis], node + 1);
     }
 
-    /** Lets the organ come to rest under all that presses; whether anything does. */
+    /** Relaxes the displacements under all requests; returns whether the organ is indented anywhere. */
     boolean relax() {
         if (!isIndented()) {
             return false;
@@ -221,7 +222,7 @@ final class LiverIndentation {
         return true;
     }
 
-    /** Turns what was asked of some nodes into means, where all begins, and what part of it they take. */
+    /** Turns the sums of requests at some nodes into means (the initial values) and limits their weights. */
     private void normalizeRequests(int from, int end) {
         for (int i = from; i < end; i++) {
             double held = Math.min(weight[i], 1);
@@ -236,7 +237,7 @@ final class LiverIndentation {
         }
     }
 
-    /** Part of a row of nodes, all axes one after the other. */
+    /** Relaxes part of a row of nodes, for the three axes in turn. */
     private void relaxRow(int from, int to) {
         int rows = 3 * stride[1];
         int layers = 3 * stride[2];
@@ -250,7 +251,7 @@ final class LiverIndentation {
         }
     }
 
-    /** Whether a place is farther than so many mm from all that could be pushed. */
+    /** Whether a point is farther than a distance, in mm, from everything that can be displaced. */
     boolean isBeyond(double x, double y, double z, double mm) {
         return isBeyond(0, x, mm) || isBeyond(1, y, mm) || isBeyond(2, z, mm);
     }
@@ -259,7 +260,7 @@ final class LiverIndentation {
         return value + mm < origin[axis] || value - mm > origin[axis] + SPACING_MM * (count[axis] - 1);
     }
 
-    /** By how much the organ has given way at a place, mm. */
+    /** Displacement of the organ at a point, mm. */
     void at(double x, double y, double z, double[] out) {
         Arrays.fill(out, 0);
         if (isReached(0, x) && isReached(1, y) && isReached(2, z)) {
@@ -274,7 +275,7 @@ final class LiverIndentation {
         }
     }
 
-    /** Whether anything that was asked for is felt there. */
+    /** Whether a coordinate is within the reach of the requests along an axis. */
     private boolean isReached(int axis, double value) {
         double steps = (value - origin[axis]) / SPACING_MM;
         return steps > firstReached(axis, SWEEPS) - 1 && steps < lastReached(axis, SWEEPS) + 1;
@@ -289,7 +290,7 @@ final class LiverIndentation {
         return steps >= 0 && steps < count[axis] - 1;
     }
 
-    /** The node below a place that is within; where it is between that and the next is kept. */
+    /** Lower grid node of the cell that contains a point; stores the fractions within the cell. */
     private int at(double x, double y, double z) {
         int node = cellIndex(0, x) + cellIndex(1, y) * stride[1] + cellIndex(2, z) * stride[2];
         updateWeights();
@@ -307,7 +308,7 @@ final class LiverIndentation {
         return node + (corner & 1) + (corner >> 1 & 1) * stride[1] + (corner >> 2) * stride[2];
     }
 
-    /** Brings {@link #cornerWeights} to the fractions at hand. */
+    /** Updates {@link #cornerWeights} from the stored fractions. */
     private void updateWeights() {
         double x = fraction[0];
         double y = fraction[1];
@@ -330,7 +331,7 @@ final class LiverIndentation {
         return sum;
     }
 
-    /** How the distance changes along an axis, in mm a spacing. */
+    /** Difference of the distance along an axis, mm per grid spacing. */
     private double slope(int node, int axis) {
         double kept = fraction[axis];
         fraction[axis] = 1;

@@ -11,44 +11,44 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The liver under the diaphragm: hung from the bare area behind by its ligaments, turned by the roof that lies on it.
- * It is carried, not stepped.
+ * The liver under the diaphragm, suspended by the ligaments of the bare area at the back and rotated by the diaphragm
+ * above. Its motion is computed from that of the diaphragm; it is not part of the stepped system.
  *
- * <p>With {@code u} the displacement of the roof's points at {@code r} from the middle {@code c} of the bare area,
- * {@code w} their areas and {@code T} the mean of {@code u} over the bare area, the turn {@code ω} is that of least
- * squares, held back by the organs below as by a spring against turning:
+ * <p>Let {@code u} be the displacement of the diaphragm's points at {@code r} from the centre {@code c} of the bare
+ * area, {@code w} their areas and {@code T} the mean of {@code u} over the bare area. The rotation {@code ω} is a
+ * least-squares fit. The organs below resist it like a rotational spring:
  *
  * <p>{@code min Σ w |u - T - ω × r|² + β ρ² |ω|² Σ w}, {@code ρ² = 2/3} of the mean {@code |r|²}; {@code x = X + T +
  * (R(ω) - 1)(X - c)}.
  *
- * <p>What goes up and down does so wholly at the liver's top and less toward its lower edge, for it is soft and lies on
- * the gut (the lower right lobe moves 0.6 to 0.7 times as far as the dome; physiology D1).
+ * <p>Vertical motion is complete at the top of the liver and decreases toward its lower edge, because the liver is soft
+ * and rests on the gut. The lower right lobe moves 0.6 to 0.7 times as far as the dome (physiology D1).
  *
- * <p>Where the diaphragm's abdominal face would then stand within it, it gives way ({@link LiverIndentation}): carried
- * stiffly, its front would come through the costal part of the muscle in a deep breath.
+ * <p>Where the abdominal face of the diaphragm would penetrate the liver, the liver is indented
+ * ({@link LiverIndentation}). A rigid liver would protrude through the costal muscle at the front in a deep breath.
  */
 public final class LiverPart {
     /**
-     * What of the roof is this near to the liver at rest lies on it; behind, it is the bare area with the coronary
-     * ligament.
+     * Points of the diaphragm within this distance of the liver at rest are in contact with it. At the back this is the
+     * bare area with the coronary ligament.
      */
     private static final double ATTACHED_MM = 10;
 
-    /** The abdominal face of the roof looks down. */
+    /** Largest vertical component of the normal of the abdominal face over the liver: it points down. */
     private static final double ROOF = -0.5;
 
-    /** β: how much the organs below hold back the turn, against what the roof asks; chosen. */
+    /** β: resistance of the organs below to rotation, relative to the least-squares term; chosen. */
     private static final double ROTATION_RESISTANCE = 0.6;
 
     private static final double LOWEST_SHARE = 0.82;
     private static final int FEWEST = 12;
 
-    /** What of the diaphragm is farther from the liver at rest never comes to it. */
+    /** Points of the diaphragm farther than this from the liver at rest never touch it. */
     private static final double REACH_MM = 80;
 
     /**
-     * Turns of the fixed point that finds where a place of the sheet is in the liver as it is at rest; each is five
-     * times nearer.
+     * Fixed-point iterations that map a point of the sheet to the rest frame of the liver. Each reduces the error by a
+     * factor of five.
      */
     private static final int INVERSIONS = 4;
 
@@ -77,7 +77,7 @@ public final class LiverPart {
         Diaphragm d = part.diaphragm;
         TriangleMesh sheet = d.sheet();
         NearestVertex surface = new NearestVertex(mesh, i -> true);
-        // The thoracic face has no part in it.
+        // The thoracic face never touches the liver.
         double[] distance = new double[sheet.vertexCount()];
         for (int i = 0; i < distance.length; i++) {
             if (!d.isThoracic(i)) {
@@ -124,7 +124,7 @@ public final class LiverPart {
                 .toArray();
     }
 
-    /** Forms the middle of the bare area and the inverse of what stands before ω. */
+    /** Computes the centre of the bare area and the inverse of the matrix of ω. */
     private void measure(double[] p, int[] vertices) {
         for (int k = 0; k < vertices.length; k++) {
             for (int axis = 0; axis < 3 && inBareArea[k]; axis++) {
@@ -153,7 +153,9 @@ public final class LiverPart {
         CommonOps_DDF3.invert(resistance, resistance);
     }
 
-    /** Shares a mass among the nodes of the roof by their area, adding to what each node of the scene carries. */
+    /**
+     * Distributes a mass over the diaphragm nodes in contact by area, adding to the mass that each scene node carries.
+     */
     public void hang(double mass, double[] carried) {
         double all = Arrays.stream(area).sum();
         for (int k = 0; k < roofNodes.length; k++) {
@@ -162,10 +164,10 @@ public final class LiverPart {
     }
 
     /**
-     * Where the liver's vertices are; valid until the next call. Allocates nothing.
+     * Current positions of the liver's vertices; valid until the next call. Allocates nothing.
      *
      * @param rest positions of the whole scene at rest, caller's order
-     * @param now positions of the whole scene now
+     * @param now current positions of the whole scene, caller's order
      */
     public double[] positions(double[] rest, double[] now) {
         if (bareArea == 0) {
@@ -193,7 +195,7 @@ public final class LiverPart {
     }
 
     /**
-     * Presses the face of the diaphragm, seen from the liver as it is at rest, into that; whether it gives way
+     * Indents the liver by the face of the diaphragm, mapped to the liver's rest frame; returns whether it is indented
      * anywhere.
      */
     private boolean indentation(double[] now) {
@@ -218,8 +220,8 @@ public final class LiverPart {
     }
 
     /**
-     * How a place of the liver at rest is carried by shift and turn. Rodrigues: (R - 1) r = sin θ / θ ω × r + (1 - cos
-     * θ) / θ² ω × (ω × r).
+     * Displacement of a point of the liver by translation and rotation. Rodrigues' formula: (R - 1) r = sin θ / θ ω × r
+     * + (1 - cos θ) / θ² ω × (ω × r).
      */
     private void displace(double px, double py, double pz) {
         double x = px - centre[0];
@@ -235,7 +237,7 @@ public final class LiverPart {
         displacement[2] = share * (shift[2] + sincTerm * az + cosineTerm * (turn.a1 * ay - turn.a2 * ax));
     }
 
-    /** Forms shift and turn. */
+    /** Updates translation and rotation. */
     private void updateRigidMotion(double[] rest, double[] now) {
         for (int axis = 0; axis < 3; axis++) {
             double sum = 0;

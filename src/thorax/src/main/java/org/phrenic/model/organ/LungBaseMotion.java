@@ -13,73 +13,70 @@ import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
 
 /**
- * Where the base of the lungs is held on the thoracic face of the diaphragm, and how it slides there: as the sheet
- * leaves the chest wall, the costodiaphragmatic recess opens and the border of the lung comes down to where the two
- * still touch.
+ * Anchors of the base of the lungs on the thoracic face of the diaphragm, which slide along it. As the diaphragm peels
+ * off the chest wall, the costodiaphragmatic recess opens and the lung border descends to the line where diaphragm and
+ * wall still touch.
  *
- * <p>From the point of the face nearest to a vertex of the base a track of points runs down the sheet along its fibres
- * to its insertion, {@value RecessTracks#SPACING_MM} mm apart at rest ({@link RecessTracks}). As a point leaves the
- * wall it counts as open, from not at all where it is as near as at rest to wholly at {@value #OPEN_MM} mm more;
- * {@code S} is how much of the part of the track that lay against the wall at rest has opened. The vertex goes down its
- * track by {@code S f(a)}, {@code a} the way from the vertex to the upper end of that part and {@code f} falling evenly
- * from 1 to 0 over {@value #REACH_MM} mm: the border slides wholly, the middle of the base not at all. Anchors are read
- * off the nodes as they stand and follow them without jumps; the lung pulls on the diaphragm with nothing, as it is two
- * orders softer.
+ * <p>From the point of the face nearest to each base vertex a track of points follows the muscle fibres down to the
+ * insertion, with a spacing of {@value RecessTracks#SPACING_MM} mm at rest ({@link RecessTracks}). The opening of a
+ * track point rises from 0 at its rest distance from the wall to 1 at {@value #OPEN_MM} mm more; {@code S} is the
+ * opened length of the track within the zone of apposition. The vertex descends its track by {@code S f(a)}, where
+ * {@code a} is the distance from the vertex to the upper end of that zone and {@code f} falls linearly from 1 to 0 over
+ * {@value #REACH_MM} mm. The border slides fully and the middle of the base not at all.
+ *
+ * <p>Anchors are computed from the current nodes and follow them without jumps. The lung exerts no force on the
+ * diaphragm, because it is two orders of magnitude softer.
  */
 public final class LungBaseMotion implements PrescribedMotion {
     /**
-     * The sheet lies against the wall where it is nearer to it than this: the pleura is no gap, but given sheets are
-     * smoothed.
+     * The sheet is apposed where it is nearer to the wall than this. The pleura leaves no gap, but the input surfaces
+     * are smoothed.
      */
     private static final double APPOSED_MM = 8;
 
     private static final double LATERAL = 0.5;
     private static final double OPEN_MM = 15;
     private static final double REACH_MM = 140;
-    /** Anchors go on without a jump, and make up for what they are behind in this time. */
+    /** Time constant with which anchors approach their target positions without jumps. */
     private static final double RELAXATION_S = 0.04;
-    /** After longer they begin anew. */
+    /** After a longer interval the anchors are reset to their targets. */
     private static final double LONGEST_S = 0.2;
 
-    /** Numbers of a plane of the wall. */
+    /** Number of values per wall plane. */
     private static final int PLANE = 5;
 
     private static final int POINTS_A_PIECE = 128;
 
     private final ParticleSystem system;
     private final ContactSurface wall;
-    /**
-     * Nodes that the tracks run over, as offsets into positions; and how far each is from the wall, now less at rest.
-     */
+    /** Nodes under the tracks, as offsets into positions, and the distance of each from the wall minus that at rest. */
     private final int[] trackNodes;
 
     private final double[] gapAtRest;
     private final double[] gapOpening;
-    /** Which of the watched nodes tell how far a track has opened. */
+    /** Indices of the track nodes that determine the opening of the tracks. */
     private int[] openingNodes;
 
     private final double[] plane;
     /**
-     * Of each track: its first point, the point where it comes to the wall, and the share of the sliding that the
-     * vertex takes.
+     * For each track: its first point, its first apposed point, and the share {@code f} of the sliding that the vertex
+     * follows.
      */
     private final int[] start;
 
     private final int[] firstApposedPoint;
     private final double[] slidingShare;
-    /** Of each point: three watched nodes and their weights. */
+    /** For each point: three track nodes and their weights. */
     private final int[] corner;
 
     private final double[] weight;
-    /** Of each point: the sheet's normal at rest, which does not shake as that of a moving triangle does. */
+    /** For each point: the sheet's normal at rest. Unlike the normal of a moving triangle it does not oscillate. */
     private final double[] normal;
-    /** Of each vertex: distance from the face along its normal, and what is left. */
+    /** For each vertex: distance from the face along its normal, and the remaining offset. */
     private final double[] normalOffset;
 
     private final double[] tangentialOffset;
-    /**
-     * Where the anchors were when last asked for, how fast they went on from there, and where they ought to have been.
-     */
+    /** Anchor positions at the last evaluation, their velocities, and their target positions. */
     private final double[] anchor;
 
     private final double[] speed;
@@ -90,8 +87,8 @@ public final class LungBaseMotion implements PrescribedMotion {
     private final Workers.Task carryTask = this::moveAnchors;
 
     /**
-     * @param points the base's vertices at rest, three numbers each, mm
-     * @param tracks the lines from these points down the face
+     * @param points vertices of the base at rest, three numbers each, mm
+     * @param tracks lines from these points down the face
      */
     public LungBaseMotion(
             ParticleSystem system, DiaphragmPart part, MovingChestWall chest, double[] points, RecessTracks tracks) {
@@ -141,7 +138,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         measureOffsets(points);
     }
 
-    /** Finds where each track comes to the wall, and how much of the sliding its vertex takes. */
+    /** Finds the first apposed point of each track and the share of the sliding that its vertex follows. */
     private void findApposedPoints(double[] outward) {
         for (int i = 0; i < slidingShare.length; i++) {
             int p = start[i];
@@ -153,7 +150,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         }
     }
 
-    /** Forms the distance of each vertex from the face along its normal, and what is left. */
+    /** Computes the distance of each vertex from the face along its normal, and the remaining offset. */
     private void measureOffsets(double[] points) {
         for (int i = 0; i < normalOffset.length; i++) {
             int first = start[i];
@@ -167,7 +164,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         }
     }
 
-    /** The watched nodes about the apposed part of those tracks that a vertex goes down. */
+    /** Track nodes around the apposed part of the tracks along which a vertex slides. */
     private int[] openingNodes() {
         boolean[] tells = new boolean[trackNodes.length];
         for (int i = 0; i < slidingShare.length; i++) {
@@ -197,7 +194,7 @@ public final class LungBaseMotion implements PrescribedMotion {
                 + weight[3 * point + 2] * values[corner[3 * point + 2]];
     }
 
-    /** Forms the distance of the telling nodes from the wall less that at rest. */
+    /** Updates the distance of the opening nodes from the wall, minus that at rest. */
     private void updateOpening() {
         system.workers().run(pieces(openingNodes.length), openTask);
     }
@@ -257,7 +254,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         }
     }
 
-    /** How much of a track has opened, in points. */
+    /** Opened length of a track, in points. */
     private double openedPoints(int track) {
         double sum = 0;
         for (int p = firstApposedPoint[track]; p < start[track + 1]; p++) {
@@ -267,7 +264,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         return sum;
     }
 
-    /** Coordinate of a point of a track as the sheet stands. */
+    /** Current coordinate of a track point. */
     private double interpolate(int point, int axis, double[] of) {
         return weight[3 * point] * of[trackNodes[corner[3 * point]] + axis]
                 + weight[3 * point + 1] * of[trackNodes[corner[3 * point + 1]] + axis]
@@ -275,8 +272,7 @@ public final class LungBaseMotion implements PrescribedMotion {
     }
 
     /**
-     * Nodes of the lungs that lie on the base, the diaphragm's node nearest to each, and the stiffness that holds each
-     * to its place there.
+     * Lung nodes on the base, the nearest diaphragm node of each, and the stiffness that ties each to its place there.
      */
     public record BaseSprings(List<Integer> nodes, List<Integer> nearest, List<Double> stiffness) {
         public int[] node() {

@@ -2,13 +2,13 @@ package org.phrenic.model.organ;
 
 import java.util.Locale;
 
-/** What moves the surface of the lungs. */
+/** Motion model of the lung surface. */
 public enum LungModel {
-    /** Springs, held to diaphragm and chest wall. */
+    /** Springs, attached to diaphragm and chest wall. */
     SPRINGS,
     /** Each vertex follows the diaphragm and chest wall near it. */
     EMBEDDED,
-    /** Nothing: there are no lungs. */
+    /** No lungs. */
     OFF;
 
     /** Name in scenario files. */

@@ -12,61 +12,65 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The lungs as part of a scene: springs along their surface; at the base springs to the thoracic face of the diaphragm,
- * on which they slide ({@link LungBaseMotion}); where they lie against the ribs they slide on the pleura and cannot
- * leave it, and attachments of low elasticity to the chest wall, which fade toward the base so that the lung can follow
- * the dome down, keep them from sliding off.
+ * The lungs as nodes and springs of a scene: springs along their surface, and springs from the base to the thoracic
+ * face of the diaphragm, on which the base slides ({@link LungBaseMotion}).
  *
- * <p>{@code wall} is null in scenes without a chest wall (the paper's): then the attachments alone hold the lungs.
+ * <p>The costal surface slides on the pleura and cannot leave it. Weak attachments to the chest wall stop it from
+ * sliding off; they fade toward the base so that the lung can follow the dome down.
+ *
+ * <p>{@code wall} is null in scenes without a chest wall, as in the paper. Then the base follows the diaphragm's nodes,
+ * and only the attachments hold the other nodes.
  */
 public final class LungPart {
-    /** A lung's vertex nearer than this to the diaphragm belongs to the base. */
+    /** A lung vertex nearer than this to the diaphragm belongs to the base. */
     private static final double BASE_MM = 9;
 
-    /** Over this distance from the base the attachment to the chest wall comes to its full strength. */
+    /** Distance from the base over which the attachment to the chest wall rises to full strength. */
     private static final double FADE_MM = 80;
 
-    /** A vertex farther from every bone faces the mediastinum, which holds it to nothing. */
+    /** A vertex farther than this from every bone faces the mediastinum and has no attachment. */
     private static final double COSTAL_MM = 25;
 
-    /** A vertex this near to the wall that looks outward lies on the pleura. */
+    /** A vertex within this distance of the wall whose normal points outward lies on the pleura. */
     private static final double PLEURAL_MM = 8;
 
     private static final double LATERAL = 0.5;
-    /** What faces upward more than this is the cupola, which the first rib and its fascia hold. */
+    /**
+     * A vertex whose normal has a larger upward component belongs to the cupola, which the first rib and its fascia
+     * hold.
+     */
     private static final double UPWARD = 0.5;
 
     /**
-     * Against wrinkling: the tissue behind the surface tethers every vertex to its place a little, as a share of an
-     * edge's stiffness a node ({@link TissueLaw#beddingFactors}).
+     * Tether of every vertex to its rest position, which stands for the tissue behind the surface and prevents
+     * wrinkling. Share of an edge's stiffness per node ({@link TissueLaw#beddingFactors}).
      */
     private static final double PARENCHYMA = 0.1;
 
     private static final double COSTAL_SHARE = 0.3;
     private static final double BASE_LINK = 4;
     /**
-     * Where the base slides its springs are softer: they follow what moves by itself and need not hold against
-     * anything.
+     * Relative stiffness of base springs where the base slides. They follow prescribed anchors and need not carry load.
      */
     private static final double SLIDING_BASE_LINK = 2;
 
     public final List<Structure> structures;
     public final List<Integer> firstNodes = new ArrayList<>();
-    /** What lies on the diaphragm; empty without a chest wall, where springs between nodes hold the base. */
+    /** Springs from the base to the diaphragm. */
     public final LungBaseMotion.BaseSprings baseSprings =
             new LungBaseMotion.BaseSprings(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
 
     private final List<Integer> pleuralNodes = new ArrayList<>();
     /**
-     * Nodes of the mediastinal surface, the stiffness that holds each to its place, and the outward normal, weighted,
-     * three numbers each; right lung, then left.
+     * Nodes of the mediastinal surface, right lung, then left. {@code outwardLoad} holds three numbers per node: the
+     * outward normal weighted by tether stiffness.
      */
     private final List<List<Integer>> mediastinal = List.of(new ArrayList<>(), new ArrayList<>());
 
     private final List<List<Double>> outwardLoad = List.of(new ArrayList<>(), new ArrayList<>());
 
     /**
-     * @param wall null where there is none
+     * @param wall null in scenes without a chest wall
      * @param stiffness of the lungs as a multiple of relaxed muscle's
      */
     public LungPart(
@@ -121,8 +125,8 @@ public final class LungPart {
     }
 
     /**
-     * What pushes the mediastinal surface of a lung out by 1 mm against what tethers it: three numbers a node of the
-     * scene, mN.
+     * Load that displaces the mediastinal surface of a lung outward by 1 mm against its tethers: three numbers per
+     * scene node, mN.
      */
     public double[] outwardLoad(boolean left, int nodes) {
         double[] load = new double[3 * nodes];

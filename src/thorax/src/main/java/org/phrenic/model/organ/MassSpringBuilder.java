@@ -5,19 +5,16 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Nodes and springs of a scene while its parts are put together, one part after the other. */
+/** Collects the nodes and springs of a scene while its parts are added in turn. */
 public final class MassSpringBuilder {
     private final List<TriangleMesh> meshes = new ArrayList<>();
     private final List<Integer> firstNode = new ArrayList<>();
     private double[] mass = new double[0];
     private int nodes;
 
-    /**
-     * Springs that contract with the muscle's activation, and the diaphragm's passive ones, held in shape by one
-     * prestress.
-     */
+    /** Springs of the diaphragm, contractile and passive. One prestress holds them in shape. */
     public final SpringList sheetSprings = new SpringList();
-    /** All others. */
+    /** All other springs. */
     public final SpringList passiveSprings = new SpringList();
 
     /** Attachments to bone: node, stiffness (N/m). */
@@ -28,8 +25,8 @@ public final class MassSpringBuilder {
     /**
      * Adds the vertices of a surface as nodes.
      *
-     * @param masses one a vertex, kg
-     * @return number of the first
+     * @param masses one per vertex, kg
+     * @return number of the first node
      */
     public int addNodes(TriangleMesh mesh, double[] masses) {
         int first = nodes;
@@ -71,7 +68,7 @@ public final class MassSpringBuilder {
         return attachedStiffness.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
-    /** Vertices of a surface as nodes. */
+    /** Converts vertices of a surface to node numbers. */
     public static int[] offset(int[] vertices, int first) {
         return Arrays.stream(vertices).map(i -> first + i).toArray();
     }

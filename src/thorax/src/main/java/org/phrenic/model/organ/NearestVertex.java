@@ -5,7 +5,9 @@ import java.util.stream.IntStream;
 import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Finds the nearest of some vertices of a mesh: cells of a grid, searched shell by shell. One thread at a time. */
+/**
+ * Nearest-neighbour search among chosen vertices of a mesh, on a uniform grid searched shell by shell. Not thread-safe.
+ */
 public final class NearestVertex {
     private static final double CELL_MM = 10;
     private static final double SLACK_MM = 1e-6;
@@ -48,16 +50,16 @@ public final class NearestVertex {
         return Math.max(0, Math.min(cells[axis] - 1, (int) ((value - box[axis]) / CELL_MM)));
     }
 
-    /** Number of the nearest chosen vertex, however far; -1 if none was chosen. */
+    /** Number of the nearest chosen vertex at any distance; -1 if no vertex is chosen. */
     public int find(double x, double y, double z) {
         return find(x, y, z, Double.POSITIVE_INFINITY);
     }
 
     /**
-     * Number of the nearest chosen vertex.
+     * Number of the nearest chosen vertex within a distance.
      *
-     * @param reach how far to look, mm
-     * @return -1 if none lies within reach; one somewhat beyond may be found
+     * @param reach search radius, mm
+     * @return -1 if none lies within the radius; a vertex slightly beyond it may be returned
      */
     int find(double x, double y, double z, double reach) {
         int cx = index(x, 0);
@@ -68,15 +70,14 @@ public final class NearestVertex {
         double bestSquared = Double.POSITIVE_INFINITY;
         double outside = distanceToBox(x, y, z);
         for (int shell = 0; shell <= most; shell++) {
-            // What lies in this shell and those after it is at least so far away, along one axis or along the way into
-            // the box.
+            // Lower bound on the distance of everything in this shell and the later ones.
             double least = Math.max(outside, (shell - 1.0) * CELL_MM);
             if (least > reach || (best >= 0 && bestSquared < (shell - 1.0) * (shell - 1.0) * CELL_MM * CELL_MM)) {
                 break;
             }
             for (int i = Math.max(0, cx - shell); i <= Math.min(cells[0] - 1, cx + shell); i++) {
                 for (int j = Math.max(0, cy - shell); j <= Math.min(cells[1] - 1, cy + shell); j++) {
-                    // Of a column through the shells before, only the two ends are new.
+                    // In columns that earlier shells have visited, only the two end cells are new.
                     boolean inner = Math.abs(i - cx) < shell && Math.abs(j - cy) < shell;
                     int stride = inner ? 2 * shell : 1;
                     int first = inner || cz >= shell ? cz - shell : 0;
@@ -106,7 +107,7 @@ public final class NearestVertex {
         return best;
     }
 
-    /** Squared distance from a cell, a little less than it is, so that rounding loses no vertex on its face. */
+    /** Squared distance from a cell, reduced slightly so that rounding misses no vertex on the cell's face. */
     private double squaredDistanceToCell(int i, int j, int k, double x, double y, double z) {
         double dx = distanceToSlab(i, x - box[0]);
         double dy = distanceToSlab(j, y - box[1]);
@@ -123,7 +124,7 @@ public final class NearestVertex {
         return Math.sqrt(BoundingBoxes.squaredDistance(box, 0, x, y, z));
     }
 
-    /** Distance of the last one found, mm; infinite if none was. */
+    /** Distance of the last vertex found, mm; infinite if none was found. */
     public double distance() {
         return distance;
     }

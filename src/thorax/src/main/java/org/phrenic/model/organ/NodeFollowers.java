@@ -4,20 +4,20 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.PrescribedMotion;
 
 /**
- * Points that go along with nodes, each at the distance from its node that it has at rest and with that node's
- * velocity: where the paper's lungs hang on the diaphragm. As nothing pulls back on the nodes, the soft lung cannot
- * make the sheet snap from one fold into another, which springs between the two did.
+ * Points that move with nodes: each keeps its rest offset from its node and has the node's velocity. The paper's lungs
+ * are attached to the diaphragm in this way. The points exert no force on the nodes, so the soft lung cannot make the
+ * sheet snap from one fold into another, which springs between the two caused.
  */
 public final class NodeFollowers implements PrescribedMotion {
     private final ParticleSystem system;
-    /** Of each point its node, as an offset into positions. */
+    /** Node of each point, as an offset into positions. */
     private final int[] node;
 
     private final double[] offset;
 
     /**
-     * @param nodes the caller's number of each point's node
-     * @param points at rest, three numbers each, mm
+     * @param nodes node of each point, caller's numbering
+     * @param points positions at rest, three numbers each, mm
      */
     public NodeFollowers(ParticleSystem system, int[] nodes, double[] points) {
         this.system = system;

@@ -5,7 +5,7 @@ import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.SwitchSetting;
 
-/** Which organs a scene has, how finely they are meshed and what moves them. */
+/** Settings of the organs: which are present, their mesh resolution and their motion models. */
 public final class OrganSettings {
     public static final ChoiceSetting<Resolution> RESOLUTION = ChoiceSetting.of(
             "resolution",

@@ -5,31 +5,31 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Lines of points down the thoracic face of the diaphragm at rest, from given points to the insertion,
- * {@value #SPACING_MM} mm from point to point: the ways that the border of the lung can go as the recess opens. They
- * depend on the body alone, so they can be drawn before there is a system of nodes.
+ * Polylines on the thoracic face of the diaphragm at rest, from given points to the insertion, with a point spacing of
+ * {@value #SPACING_MM} mm. The lung border slides along them as the costodiaphragmatic recess opens. They depend on the
+ * body alone, so they can be computed before the particle system exists.
  *
- * <p>They follow the muscle's fibres, which fill the sheet side by side. The shortest way to the insertion does not: on
- * a scanned sheet neighbouring points ran apart, to places behind and in front of the flank, and the base of the lung
- * was drawn through the dome between them. In the tendon, which has no fibres, they go the shortest way.
+ * <p>The tracks follow the muscle fibres, which cover the sheet without crossing. Shortest paths to the insertion do
+ * not: on a scanned sheet the paths of neighbouring points diverged around the flank, and the base of the lung was
+ * pulled through the dome between them. In the tendon, which has no fibres, the tracks follow the shortest path.
  */
 public final class RecessTracks {
     static final double SPACING_MM = 6;
-    /** A step along the face with a little slack for rounding. */
+    /** Longest step along the face: the spacing plus a margin for rounding. */
     private static final double MOST_STEP_MM = 1.01 * SPACING_MM;
-    /** Who comes no farther than this has met the border. */
+    /** A shorter step means that the track has reached the border. */
     private static final double LEAST_STEP_MM = 0.3 * SPACING_MM;
 
     private static final int MOST_POINTS = 48;
 
-    /** Number of the first point of each track, and behind the last one how many there are. */
+    /** Index of the first point of each track, followed by the total number of points. */
     final int[] start;
-    /** Of each point: three vertices of the sheet and their weights. */
+    /** For each point: three vertices of the sheet and their weights. */
     int[] corner;
 
     double[] weight;
 
-    /** @param points where the tracks begin, three numbers each, mm */
+    /** @param points start points of the tracks, three numbers each, mm */
     public RecessTracks(ThoracicFace face, double[] points) {
         Diaphragm diaphragm = face.diaphragm;
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -72,7 +72,7 @@ public final class RecessTracks {
                 x = fromX + SPACING_MM * down[0];
                 y = fromY + SPACING_MM * down[1];
                 z = fromZ + SPACING_MM * down[2];
-                // No farther than the step taken: that cuts the search short.
+                // Limiting the search radius to the step length shortens the search.
                 reach = MOST_STEP_MM;
             }
         }
@@ -85,7 +85,7 @@ public final class RecessTracks {
         return x * x + y * y + z * z;
     }
 
-    /** Unit direction in a triangle along the fibres to the insertion. */
+    /** Unit vector in a triangle along the fibres toward the insertion. */
     private static void alongFibre(Diaphragm diaphragm, int triangle, double[] out) {
         double[] fibre = diaphragm.fibreDirections();
         for (int axis = 0; axis < 3; axis++) {
@@ -96,7 +96,7 @@ public final class RecessTracks {
         }
     }
 
-    /** Unit direction in a triangle in which the insertion comes nearer fastest. */
+    /** Unit vector in a triangle of steepest descent of the distance to the insertion. */
     private static void shortest(Diaphragm diaphragm, int triangle, double[] out) {
         double[] p = diaphragm.sheet().positions();
         int[] t = diaphragm.sheet().triangles();

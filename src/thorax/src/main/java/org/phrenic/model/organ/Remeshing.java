@@ -8,18 +8,18 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.edit.Remesher;
 
-/** Meshing several structures to a number of vertices in all, shared out by area. */
+/** Remeshes several structures to a total number of vertices, distributed by area. */
 public final class Remeshing {
     /**
-     * A structure is taken as it is if its mesh is this near to what it should have: so what was made for a resolution
-     * is not meshed twice.
+     * A mesh whose vertex count is within this share of the target is not remeshed. Meshes made for a resolution are
+     * kept.
      */
     private static final double NEAR_ENOUGH = 0.01;
 
     /**
-     * One triangle in a hundred of a sheet may have a smaller angle than this, degrees. Meshes made for a resolution
-     * have 27 to 40; one that was warped to another body of which only the lungs are known has 7 to 9 and edges of 0.5
-     * to 50 mm, and its slivers chatter until it comes apart.
+     * Smallest angle, degrees, that at most 1 % of a sheet's triangles may undercut. Meshes made for a resolution have
+     * 27 to 40 degrees. A mesh warped to a body of which only the lungs are known has 7 to 9 degrees and edges of 0.5
+     * to 50 mm; its slivers oscillate until the sheet diverges.
      */
     private static final double LEAST_ANGLE_DEG = 15;
 
@@ -28,7 +28,7 @@ public final class Remeshing {
 
     private Remeshing() {}
 
-    /** Whether a sheet can be taken as it is where so many vertices are wanted. */
+    /** Whether a sheet can be used without remeshing for a target number of vertices. */
     public static boolean isAdequate(TriangleMesh sheet, int vertices) {
         return Math.abs(sheet.vertexCount() - vertices) <= NEAR_ENOUGH * vertices
                 && MeshQuality.firstPercentileAngleDeg(sheet) >= LEAST_ANGLE_DEG;
@@ -41,12 +41,13 @@ public final class Remeshing {
         }
         double area =
                 structures.stream().mapToDouble(s -> MeshMeasure.area(s.mesh())).sum();
-        // One after the other: the diaphragm is meshed beside them, by the same code.
+        // Sequential, because the diaphragm is remeshed in parallel with these structures by the same code.
         return structures.stream()
                 .map(s -> {
                     int share = (int) Math.round(vertices * MeshMeasure.area(s.mesh()) / area);
                     TriangleMesh meshed = Remesher.toVertexCount(s.mesh(), Math.max(FEWEST, share));
-                    // Seams between patches leave vertices that coincide: one node, not two with a spring of no length.
+                    // Seams between patches leave coincident vertices. They are welded, because a spring needs a
+                    // length above 0.
                     return s.withMesh(MeshRepair.repair(meshed, WELD_MM).mesh());
                 })
                 .toList();

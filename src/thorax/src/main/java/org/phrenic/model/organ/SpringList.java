@@ -3,8 +3,8 @@ package org.phrenic.model.organ;
 import java.util.Arrays;
 
 /**
- * Springs as they are collected while a scene is put together: two nodes, a stiffness (N/m), a rest length (mm) and a
- * contractile share each.
+ * Growing list of springs during assembly: two nodes, a stiffness (N/m), a rest length (mm) and a contractile share
+ * each.
  */
 public final class SpringList {
     private int[] nodeA = new int[1024];
@@ -55,7 +55,7 @@ public final class SpringList {
         return Arrays.copyOf(contractileShare, count);
     }
 
-    /** Gives spring i another rest length, mm. */
+    /** Sets the rest length of spring i, mm. */
     public void setRest(int i, double length) {
         rest[i] = length;
     }

@@ -2,13 +2,13 @@ package org.phrenic.model.organ;
 
 import java.util.Locale;
 
-/** What moves sternum and costal cartilages. */
+/** Motion model of sternum and costal cartilages. */
 public enum SternumModel {
-    /** Springs, held to the ends of the ribs. */
+    /** Springs, attached to the ends of the ribs. */
     SPRINGS,
     /** A rigid fit to the ends of the ribs. */
     KINEMATIC,
-    /** Nothing: they stand still. */
+    /** No motion. */
     OFF;
 
     /** Name in scenario files. */

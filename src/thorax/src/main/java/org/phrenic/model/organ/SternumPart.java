@@ -12,21 +12,21 @@ import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Sternum and costal cartilages as a very stiff mass-spring system that follows the ribs (Villard, Bourne and Bello
- * 2009): springs along the edges of each part and across it, ties where two parts meet, and attachments to the ribs
- * that are strong at a rib's end and fade along the cartilage to a low elasticity.
+ * Sternum and costal cartilages as a stiff mass-spring system that follows the ribs (Villard, Bourne and Bello 2009).
+ * It has springs along the edges of each part and across it, ties where two parts meet, and attachments to the ribs
+ * that are strong at a rib's end and fade along the cartilage to a low stiffness.
  */
 public final class SternumPart {
     /**
-     * Against relaxed muscle: as stiff as the paper's step of 0.01 s allows its one mass a node at the finest
-     * resolution, with 5 % to spare.
+     * Stiffness relative to relaxed muscle: the largest that is stable with the paper's step of 0.01 s and uniform node
+     * mass at the finest resolution, less 5 %.
      */
     public static final double STIFFNESS = 6.5;
 
     private static final double REACH_MM = 30;
     private static final int BRACES = 3;
 
-    /** Attachment stiffness at a rib's end and far from it, as shares of an edge's. */
+    /** Attachment stiffness at a rib's end and far from it, as shares of an edge's stiffness. */
     private static final double ATTACHED_SHARE = 0.5;
 
     private static final double FREE_SHARE = 0.05;
@@ -38,9 +38,7 @@ public final class SternumPart {
     /** A bone or cartilage and the pairs of its vertices that are braced across it. */
     public record BracedStructure(Structure structure, List<OpposingVertices.Pair> braces) {}
 
-    /**
-     * Sternum and cartilages at a resolution, with their braces: what can be worked out before anything else is known.
-     */
+    /** Sternum and cartilages at a resolution, with their braces. They depend on the body and the resolution alone. */
     public static List<BracedStructure> mesh(Thorax thorax, Resolution resolution) {
         List<Structure> given = new ArrayList<>(thorax.structuresOf(StructureKind.STERNUM));
         given.addAll(thorax.structuresOf(StructureKind.COSTAL_CARTILAGE));

@@ -2,11 +2,11 @@ package org.phrenic.model.organ;
 
 import java.util.Locale;
 
-/** Which part of the sheet is central tendon. */
+/** Rule that selects the central tendon of the sheet. */
 public enum TendonRule {
-    /** The three-leaved region of anatomy. */
+    /** The anatomical trefoil (three leaflets). */
     TREFOIL,
-    /** All that lies above a horizontal plane, as in the paper. */
+    /** Everything above a horizontal plane, as in the paper. */
     PLANE;
 
     /** Name in scenario files. */

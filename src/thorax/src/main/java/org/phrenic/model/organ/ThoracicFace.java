@@ -6,12 +6,12 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * The thoracic face of a diaphragm at rest, on which the base of the lungs lies: finds its nearest point. May be asked
- * from several threads, each with a hit of its own.
+ * The thoracic face of a diaphragm at rest, on which the base of the lungs lies: closest-point queries. Thread-safe if
+ * each thread uses its own hit.
  */
 public final class ThoracicFace {
     final Diaphragm diaphragm;
-    /** Triangles of the sheet that make up the face. */
+    /** Triangles of the sheet that form the face. */
     private final int[] triangle;
 
     private final TriangleTree tree;
@@ -30,22 +30,22 @@ public final class ThoracicFace {
         tree = new TriangleTree(new TriangleMesh(sheet.positions(), corners));
     }
 
-    /** Finds the nearest point of the face; false if it is farther than {@code reach}, mm. */
+    /** Finds the closest point of the face; false if it is farther than {@code reach}, mm. */
     boolean closest(double x, double y, double z, double reach, TriangleTree.Hit hit) {
         return tree.closest(x, y, z, reach, hit);
     }
 
-    /** The triangle of the sheet that was hit. */
+    /** Triangle of the sheet that contains the closest point. */
     int triangle(TriangleTree.Hit hit) {
         return triangle[hit.triangle];
     }
 
-    /** A corner, 0 to 2, of the triangle that was hit, as a vertex of the sheet. */
+    /** Corner 0 to 2 of that triangle, as a vertex of the sheet. */
     int vertex(TriangleTree.Hit hit, int corner) {
         return diaphragm.sheet().triangles()[3 * triangle(hit) + corner];
     }
 
-    /** The corner next to the point that was hit, as a vertex of the sheet. */
+    /** Corner nearest to the closest point, as a vertex of the sheet. */
     int nearestVertex(TriangleTree.Hit hit) {
         boolean second = hit.weightB > hit.weightA;
         return vertex(hit, hit.weightC > Math.max(hit.weightA, hit.weightB) ? 2 : second ? 1 : 0);

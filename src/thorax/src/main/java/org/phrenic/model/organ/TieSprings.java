@@ -5,18 +5,18 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Springs that tie surfaces together where they touch: cartilage to sternum and to the cartilage above, lobe to lobe
- * across a fissure.
+ * Springs that connect adjacent surfaces: cartilage to sternum and to the cartilage above, and lobe to lobe across a
+ * fissure.
  */
 public final class TieSprings {
     private static final double REACH_MM = 6;
-    /** A spring needs a length; where surfaces touch, the next vertex ties them as well. */
+    /** Shortest tie. A spring needs a length above 0; where surfaces touch, the neighbouring vertices connect them. */
     private static final double SHORTEST_MM = 0.5;
 
     private TieSprings() {}
 
     /**
-     * Ties each vertex of a structure to the nearest one of every other structure within reach.
+     * Connects each vertex of a structure to the nearest vertex of every other structure within reach.
      *
      * @param firsts first node of each structure
      * @param stiffness of a tie, N/m

@@ -6,41 +6,42 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * How soft tissue becomes springs and masses: by the physical preset or by the paper's numbers.
+ * Maps soft tissue to springs and masses, for the physical preset or the paper's model.
  *
- * <p>Physical: a membrane of stiffness E h gives each of its triangles' edges √3/4 E h (Lloyd, Székely and Harders
- * 2007, doi 10.1109/TVCG.2007.1055, exact for equilateral triangles, ν = 1/3), and a node the area density times its
- * area, so motion does not depend on the resolution. Paper: one stiffness and one mass for all.
+ * <p>Physical: a membrane of stiffness E h gives each edge of its triangles √3/4 E h (Lloyd, Székely and Harders 2007,
+ * doi 10.1109/TVCG.2007.1055; exact for equilateral triangles, ν = 1/3). The mass of a node is the area density times
+ * its area, so motion does not depend on the resolution.
+ *
+ * <p>Paper: one stiffness for all springs and one mass for all nodes.
  */
 public interface TissueLaw {
 
     /**
-     * Stiffness of an edge between {@code triangles} triangles of a tissue, N/m.
+     * Stiffness of an edge shared by {@code triangles} triangles of a tissue, N/m.
      *
      * @param relative stiffness of the tissue as a multiple of relaxed muscle's
      */
     double edgeStiffness(int triangles, double relative);
 
     /**
-     * Masses of the vertices of a surface, kg; a tissue of another stiffness is as much heavier, so that all tissue has
-     * one wave speed.
+     * Masses of the vertices of a surface, kg. Mass scales with the relative stiffness, so that all tissue has the same
+     * wave speed.
      */
     double[] masses(TriangleMesh mesh, double relative);
 
     /**
-     * What a bed that holds a surface's vertices to their places is multiplied by at each: in the physical preset its
-     * area over {@value #BEDDING_AREA_MM2} mm², so that a bed's stiffness a unit of area is the same however fine the
-     * mesh is; 1 in the paper's.
+     * Factor of the bedding stiffness at each vertex of a surface. In the physical preset it is the vertex area over
+     * {@value #BEDDING_AREA_MM2} mm², so that the bedding stiffness per unit of area does not depend on the mesh. In
+     * the paper's model it is 1.
      */
     double[] beddingFactors(TriangleMesh mesh);
 
     /**
-     * Where a vertex has this area, a bed's stiffness is what it is said to be: mean area of a node of the virtual
-     * man's lungs at medium resolution.
+     * Vertex area for which the bedding factor is 1: mean node area of the virtual man's lungs at medium resolution.
      */
     double BEDDING_AREA_MM2 = 40;
 
-    /** The physical preset; a sheet's stiffness is shared by its two faces. */
+    /** The physical preset. The two faces of a sheet share its stiffness. */
     static TissueLaw membrane(double sheetStiffness, double areaDensity) {
         return new TissueLaw() {
             @Override
@@ -58,13 +59,13 @@ public interface TissueLaw {
                 return areas(mesh, 1 / BEDDING_AREA_MM2);
             }
 
-            /** Areas of the vertices, times a factor. */
+            /** Vertex areas times a factor, with a lower bound. */
             private double[] areas(TriangleMesh mesh, double factor) {
                 double[] areas = MeshMeasure.vertexAreas(mesh);
                 double least = 0.1 * MeshMeasure.area(mesh) / areas.length;
                 for (int i = 0; i < areas.length; i++) {
-                    // A sliver's vertex has next to no area; it gets a tenth of the mean, or it would set the step for
-                    // all.
+                    // A vertex of slivers has almost no area. It gets at least a tenth of the mean area; otherwise it
+                    // would set the time step of the whole scene.
                     areas[i] = Math.max(areas[i], least) * factor;
                 }
                 return areas;
@@ -72,7 +73,7 @@ public interface TissueLaw {
         };
     }
 
-    /** The paper's one stiffness and one mass. */
+    /** The paper's model: uniform stiffness and uniform mass. */
     static TissueLaw uniform(double stiffness, double mass) {
         return new TissueLaw() {
             @Override
@@ -98,7 +99,7 @@ public interface TissueLaw {
         };
     }
 
-    /** Springs along all edges of a passive surface, at its present lengths. */
+    /** Adds springs along all edges of a passive surface, with their current lengths as rest lengths. */
     default void addEdges(SpringList springs, TriangleMesh mesh, int first, double relative) {
         EdgeTable table = new EdgeTable(mesh);
         int[] edges = table.edges();

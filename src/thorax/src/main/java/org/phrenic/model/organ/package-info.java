@@ -1,2 +1,5 @@
-/** The organs as nodes, springs and motions: diaphragm, lungs, sternum, liver. Knows no scene and no time stepping. */
+/**
+ * Organs as nodes, springs and prescribed motions: diaphragm, lungs, sternum, liver. Independent of scene and time
+ * stepping.
+ */
 package org.phrenic.model.organ;

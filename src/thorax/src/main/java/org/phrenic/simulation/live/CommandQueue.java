@@ -6,18 +6,18 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 
-/** What other threads ask of one, done by it between two pieces of its own work, in the order asked. */
+/** Commands from other threads that one thread executes in order of submission, between its own tasks. */
 final class CommandQueue {
     private final Queue<Runnable> queue = new ArrayDeque<>();
     private Thread owner;
     private boolean closed;
 
-    /** Whose thread does them. */
+    /** Sets the thread that executes the commands. */
     synchronized void bindTo(Thread thread) {
         owner = thread;
     }
 
-    /** Asks for something; false if the thread has ended and it will not be done. */
+    /** Submits a command; false if the queue is closed and the command will not be executed. */
     synchronized boolean submit(Runnable command) {
         if (closed) {
             return false;
@@ -27,7 +27,7 @@ final class CommandQueue {
         return true;
     }
 
-    /** Asks on the thread and waits for the answer. */
+    /** Evaluates a supplier on the executing thread and waits for the result. */
     <T> T submitAndWait(Supplier<T> question) {
         if (isOwner()) {
             return question.get();
@@ -40,7 +40,7 @@ final class CommandQueue {
                 answer.completeExceptionally(e);
             }
         });
-        // What has ended stands still: it can be looked at from here.
+        // The thread has ended, so its state is constant and can be read from this thread.
         return asked ? answer.join() : question.get();
     }
 
@@ -48,12 +48,12 @@ final class CommandQueue {
         return Thread.currentThread() == owner;
     }
 
-    /** Ends a wait of the thread. */
+    /** Interrupts a wait of the executing thread. */
     synchronized void wake() {
         LockSupport.unpark(owner);
     }
 
-    /** Does all that was asked; on the thread. */
+    /** Executes all submitted commands; on the executing thread. */
     void drain() {
         for (Runnable next = poll(); next != null; next = poll()) {
             next.run();
@@ -64,12 +64,12 @@ final class CommandQueue {
         return queue.poll();
     }
 
-    /** Waits so long, ns, or until something is asked; on the thread. */
+    /** Waits for at most this time, ns, or until a command arrives; on the executing thread. */
     static void await(long ns) {
         LockSupport.parkNanos(ns);
     }
 
-    /** Takes nothing more, and does what is left; on the thread. */
+    /** Refuses further commands and executes the remaining ones; on the executing thread. */
     void close() {
         synchronized (this) {
             closed = true;

@@ -4,8 +4,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Three frames that go round between one writer and its readers: the writer always has one to write to, and waits for
- * nobody.
+ * Triple buffer between one writer and its readers. The writer always has a free frame and never blocks on a reader.
  */
 final class FrameTripleBuffer {
     private final AtomicReference<Frame> middle;
@@ -20,26 +19,25 @@ final class FrameTripleBuffer {
         front = like.copy();
     }
 
-    /** The frame to write into; the writer's alone until {@link #publish}. */
+    /** The back frame, used by the writer alone until {@link #publish}. */
     Frame back() {
         return back;
     }
 
-    /** Hands over what was written. */
+    /** Publishes the back frame as the newest. */
     void publish() {
         long serial = back.serial();
         back = middle.getAndSet(back);
         published = serial;
     }
 
-    /** Whether the last frame was taken, so that another would be seen. */
+    /** Whether a reader has taken the newest frame. */
     boolean isConsumed() {
         return taken >= published;
     }
 
     /**
-     * Copies the newest frame, if it is newer than {@code into} and of the same scene; readers wait for each other
-     * alone.
+     * Copies the newest frame if it is newer than {@code into} and of the same scene. Readers block only each other.
      */
     synchronized boolean copyNewest(Frame into) {
         if (!into.isOfSceneOf(front)) {

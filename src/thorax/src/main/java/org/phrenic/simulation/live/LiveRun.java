@@ -6,28 +6,28 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * A simulation that runs on a thread of its own: it is played, paused and tuned from any thread, and whoever watches
- * takes frames without ever holding it up. Scenes are loaded on another thread while the one at hand goes on.
+ * A simulation that runs on its own thread. Any thread can play, pause and tune it and copy frames without blocking it.
+ * A new scene loads on another thread while the current scene continues.
  *
- * <p>No call waits for a scene; {@link #recordedScenario}, {@link #command} and {@link #commandHash} wait for the step
- * at hand, {@link #close} for the threads to end. What was run can be run again without a window: {@link #command}.
+ * <p>No call waits for a scene. {@link #recordedScenario}, {@link #command} and {@link #commandHash} wait for the
+ * current step, and {@link #close} waits for the threads to end. {@link #command} reproduces the run without a window.
  */
 public final class LiveRun implements AutoCloseable {
-    /** Told what happens; on the simulation's or the loader's thread, so it should hand on and return. */
+    /** Receives events on the simulation's or the loader's thread. Implementations should return quickly. */
     public interface Listener {
-        /** How far loading is: body, scene, surfaces, done; share from 0 to 1. */
+        /** Loading progress: the stage (body, scene, surfaces, done) and the completed share, 0 to 1. */
         void loading(String what, double share);
 
-        /** Another scene runs from now on. */
+        /** A new scene has started. */
         void ready(LiveScene scene);
 
-        /** A scene could not be loaded or a change not be made, and why; what ran before goes on. */
+        /** A scene could not be loaded or a change was refused, with the reason. The current run continues. */
         void failed(String sentence);
 
-        /** The run left all bounds; it is paused at its last good state. See {@link LiveRun#restoreLastGood}. */
+        /** The run has diverged and is paused at its last valid state. See {@link LiveRun#restoreLastGood}. */
         void diverged(String sentence);
 
-        /** Settings, playing or pausing changed. */
+        /** Settings or the play state have changed. */
         void changed();
     }
 
@@ -38,7 +38,7 @@ public final class LiveRun implements AutoCloseable {
     private SceneLoader loading;
     private long sceneCount;
 
-    /** Loads a scenario; it is paused until {@link #play}. */
+    /** Loads a scenario. The run is paused until {@link #play}. */
     public LiveRun(Scenario first, Listener listener) {
         this.listener = listener;
         settings = new RequestedSettings(first);
@@ -50,12 +50,12 @@ public final class LiveRun implements AutoCloseable {
         load(first);
     }
 
-    /** Runs on. */
+    /** Starts or resumes the run. */
     public void play() {
         setPlaying(true);
     }
 
-    /** Stops after the step at hand. */
+    /** Pauses after the current step. */
     public void pause() {
         setPlaying(false);
     }
@@ -75,7 +75,7 @@ public final class LiveRun implements AutoCloseable {
         });
     }
 
-    /** One step, if it is paused. */
+    /** Performs one step if the run is paused. */
     public void stepOnce() {
         loop.commands.submit(() -> {
             if (loop.running != null && !loop.playing) {
@@ -88,16 +88,14 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Back to the start with what is set now: at once if the scene is assembled the same with it, else it is loaded
-     * anew.
+     * Restarts the run with the current settings. The scene is loaded again only if the settings require another
+     * assembly.
      */
     public void reset() {
         loop.commands.submit(this::restart);
     }
 
-    /**
-     * As {@link #reset}, and from the start on somebody sees the run at steps of a choice, in place of who did before.
-     */
+    /** As {@link #reset}, and sets the step listener for the new run, replacing the previous one. */
     public void restart(StepListener.Trigger when, StepListener watch) {
         loop.commands.submit(() -> {
             loop.setStepListener(watch, when);
@@ -119,10 +117,10 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * How fast simulated time may go.
+     * Sets the maximum speed of simulated time.
      *
-     * @param factor 1 for real time, 2 for twice as fast, {@link Double#POSITIVE_INFINITY} for as fast as it goes
-     * @throws IllegalArgumentException if it is not more than 0
+     * @param factor simulated over wall time: 1 for real time, {@link Double#POSITIVE_INFINITY} for no limit
+     * @throws IllegalArgumentException if it is not above 0
      */
     public void setSpeed(double factor) {
         if (!(factor > 0)) {
@@ -133,11 +131,11 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Changes settings: live keys ramp in at the next step; with any other key the scene starts anew with all of them,
-     * while the present one goes on.
+     * Changes settings. Live keys ramp in from the next step. Any other key loads a new scene with all changes while
+     * the current scene continues.
      *
-     * @throws org.phrenic.format.BadInputException with one sentence, if a key is unknown or a value cannot be; nothing
-     *     has changed then
+     * @throws org.phrenic.file.BadInputException with one sentence, if a key is unknown or a value is invalid; then
+     *     nothing has changed
      */
     public void change(List<Assignment> assignments) {
         if (settings.request(assignments)) {
@@ -148,7 +146,7 @@ public final class LiveRun implements AutoCloseable {
         listener.changed();
     }
 
-    /** Loads another scene while the present one goes on; a scene that is being loaded is called off. */
+    /** Loads another scene while the current one continues. Cancels a load in progress. */
     public synchronized void load(Scenario scenario) {
         if (loop.closed) {
             return;
@@ -187,7 +185,7 @@ public final class LiveRun implements AutoCloseable {
         }
     }
 
-    /** Whether this scene is the one that is waited for; then it is so no more. */
+    /** Whether this load is the pending one; if so, it is marked as finished. */
     private synchronized boolean endLoading(long id) {
         boolean wanted = loading != null && loading.id() == id && !loading.isCancelled();
         if (wanted) {
@@ -202,8 +200,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Calls off the scene that is being loaded; settings are again those of the scene that runs. Nothing is called off
-     * before the first scene runs.
+     * Cancels a load in progress and restores the settings of the running scene. Does nothing before the first scene
+     * runs.
      */
     public void cancelLoading() {
         synchronized (this) {
@@ -219,7 +217,7 @@ public final class LiveRun implements AutoCloseable {
         });
     }
 
-    /** After a divergence: goes on from the last good state with the last change undone. */
+    /** After a divergence, continues from the last valid state without the last change. */
     public void restoreLastGood() {
         loop.commands.submit(() -> {
             if (loop.running != null) {
@@ -232,34 +230,34 @@ public final class LiveRun implements AutoCloseable {
         });
     }
 
-    /** What is set now: every change made so far is in it, and {@link Scenario#changes} is empty. */
+    /** Current settings with all changes applied; {@link Scenario#changes} is empty. */
     public Scenario scenario() {
         return settings.current();
     }
 
     /**
-     * What was run so far, as a scenario that gives the same bits again: as it was started, with the changes since and
-     * the steps done. Before the first scene, the one asked for.
+     * Scenario that reproduces the run so far bit for bit: the initial settings, the changes since and the number of
+     * steps. Before the first scene, the requested scenario.
      */
     public Scenario recordedScenario() {
         return loop.commands.submitAndWait(
                 () -> loop.running == null ? settings.current() : loop.running.recordedScenario());
     }
 
-    /** The line that runs again what was run so far, without a window. */
+    /** Command line that reproduces the run so far without a window. */
     public String command() {
         return RunCommandLine.of(recordedScenario());
     }
 
     /**
-     * Hash of the state as it stands: what {@link #command} prints as {@code state_sha256}. Empty before the first
+     * Hash of the current state, equal to the {@code state_sha256} that {@link #command} prints. Empty before the first
      * scene.
      */
     public String commandHash() {
         return loop.commands.submitAndWait(() -> loop.running == null ? "" : loop.running.simulation.stateHash());
     }
 
-    /** Whether it plays slower than {@link #setSpeed} asks for, as it does wherever that is as fast as it goes. */
+    /** Whether the run is slower than {@link #setSpeed} asks for. Always true without a speed limit. */
     public boolean isBehindRealTime() {
         return loop.behindRealTime;
     }
@@ -269,44 +267,44 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Copies the newest frame, if it is newer than {@code into} and of the same scene. Never holds up the simulation.
+     * Copies the newest frame if it is newer than {@code into} and of the same scene. Does not block the simulation.
      */
     public boolean copyNewestFrame(Frame into) {
         RunningScene now = loop.running;
         return now != null && now.pipe.copyNewest(into);
     }
 
-    /** What was seen of the scene that runs; null before the first. */
+    /** History of the running scene; null before the first scene. */
     public RunHistory history() {
         RunningScene now = loop.running;
         return now == null ? null : now.history;
     }
 
     /**
-     * How long it takes to see all of what is breathed now, s; see {@link org.phrenic.simulation.Simulation#breathS}. 0
-     * before the first scene.
+     * Simulated time that covers the complete current breathing pattern, s; see
+     * {@link org.phrenic.simulation.Simulation#breathDurationS}. 0 before the first scene.
      */
     public double breathDurationS() {
         return loop.commands.submitAndWait(() -> loop.running == null ? 0 : loop.running.simulation.breathDurationS());
     }
 
     /**
-     * From now on somebody sees the run at the steps that are whole multiples of an interval of simulated time, in
-     * place of who did before; also after a reset and in another scene.
+     * Sets the step listener and calls it at multiples of an interval of simulated time, also after a reset and in
+     * later scenes. Replaces the previous listener.
      *
-     * @param everyS s; as many steps as are nearest to it
-     * @param watch who sees it, on the simulation's thread
+     * @param everyS interval, s, rounded to whole steps
+     * @param watch called on the simulation's thread
      */
     public void listenToSteps(double everyS, StepListener watch) {
         listenToSteps(StepListener.Trigger.every(everyS), watch);
     }
 
-    /** As {@link #listenToSteps(double, Watch)}, at steps of another choice. */
+    /** As {@link #listenToSteps(double, StepListener)}, with any trigger. */
     public void listenToSteps(StepListener.Trigger when, StepListener watch) {
         loop.commands.submit(() -> loop.notifyStepListener(watch, when));
     }
 
-    /** Nobody sees the run between its steps any more. */
+    /** Removes the step listener. */
     public void stopListening() {
         loop.commands.submit(() -> loop.notifyStepListener(null, null));
     }

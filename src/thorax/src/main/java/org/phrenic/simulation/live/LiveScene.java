@@ -8,16 +8,16 @@ import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * What there is to draw of a scene that runs; safe to share between threads.
+ * Display data of a running scene; thread-safe.
  *
- * @param scenario as it was started
+ * @param scenario at the start
  * @param surfaces in the order in which a {@link Frame} holds them
- * @param overlays what can be drawn over them
- * @param newFrame makes a frame that fits, holding the scene at rest; may be called on any thread
- * @param nodes how many
- * @param springs how many
- * @param notes what is worth saying of the body, a sentence each
- * @param id another one for every scene that is loaded
+ * @param overlays that can be drawn over the surfaces
+ * @param newFrame creates a matching frame that holds the scene at rest; callable on any thread
+ * @param nodes number of nodes
+ * @param springs number of springs
+ * @param notes remarks on the body, one sentence each
+ * @param id unique among loaded scenes
  */
 public record LiveScene(
         Scenario scenario,

@@ -1,13 +1,14 @@
 package org.phrenic.simulation.live;
 
-/** Keeps simulated time in step with wall time, and measures how fast it goes. */
+/** Limits the rate of simulated time relative to wall time, and measures the actual rate. */
 final class Pacer {
     /**
-     * What is more behind than this is let go: after a pause of the machine nobody wants to see the backlog in a rush.
+     * Largest backlog that is made up for. A longer one, as after a pause of the machine, is dropped instead of
+     * replayed at high speed.
      */
     private static final double MAX_BACKLOG_S = 0.1;
 
-    /** What is this near to the pace asked for keeps it. */
+    /** Share of the requested rate that counts as keeping pace. */
     private static final double ON_PACE_SHARE = 0.97;
 
     private static final long MEASURE_NS = 250_000_000;
@@ -21,19 +22,19 @@ final class Pacer {
     private double stepsPerS;
     private double realtime;
 
-    /** Simulated seconds a second of wall time; infinite for as fast as it goes. */
+    /** Sets the simulated seconds per second of wall time; infinite for no limit. */
     void setSpeed(double factor, double nowS) {
         speed = factor;
         resetReference(nowS);
     }
 
-    /** Starts anew from a simulated time. */
+    /** Restarts pacing at a simulated time. */
     void resetReference(double nowS) {
         anchorS = nowS;
         anchorNs = System.nanoTime();
     }
 
-    /** Starts measuring. */
+    /** Starts the measurement. */
     void start(long steps, double nowS) {
         resetReference(nowS);
         measuredNs = anchorNs;
@@ -41,7 +42,7 @@ final class Pacer {
         measuredS = nowS;
     }
 
-    /** How long to wait, ns, before a step from this simulated time is due; 0 or less if it is. */
+    /** Time to wait, ns, until a step from this simulated time is due; 0 or less if it is due. */
     long waitNs(double nowS) {
         if (Double.isInfinite(speed)) {
             return 0;
@@ -55,7 +56,7 @@ final class Pacer {
         return (long) Math.ceil(wait);
     }
 
-    /** Told where the run is; measures every quarter of a second. */
+    /** Reports progress; the rate is updated every quarter of a second. */
     void measure(long steps, double nowS) {
         long now = System.nanoTime();
         if (now - measuredNs >= MEASURE_NS) {
@@ -68,7 +69,7 @@ final class Pacer {
         }
     }
 
-    /** Whether it goes slower than it should; as fast as it goes is never fast enough. */
+    /** Whether the rate is below the requested one. Always true without a limit. */
     boolean isBehind() {
         return realtime < ON_PACE_SHARE * speed;
     }

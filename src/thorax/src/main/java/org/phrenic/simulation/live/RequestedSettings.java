@@ -9,10 +9,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
-/**
- * What is set, as whoever tunes sees it at once, and which live changes the simulation has yet to make. Safe to use
- * from any thread.
- */
+/** The requested settings, and the live changes that the simulation has not applied yet. Thread-safe. */
 final class RequestedSettings {
     private final Map<Setting<?>, Assignment> pending = new LinkedHashMap<>();
     private Scenario current;
@@ -27,10 +24,10 @@ final class RequestedSettings {
     }
 
     /**
-     * Takes changes.
+     * Requests changes.
      *
-     * @return whether all of them can be made while the scene runs; then they are waiting for the simulation
-     * @throws org.phrenic.file.BadInputException if they cannot be; nothing has changed then
+     * @return whether all of them are live; if so, they are pending for the simulation
+     * @throws org.phrenic.file.BadInputException if they are invalid; then nothing has changed
      */
     synchronized boolean request(List<Assignment> assignments) {
         current = current.with(assignments);
@@ -44,7 +41,7 @@ final class RequestedSettings {
         return true;
     }
 
-    /** The changes that wait, each setting once with its last value; they wait no more. */
+    /** Removes and returns the pending changes: each setting once, with its last value. */
     synchronized List<Assignment> takePending() {
         if (pending.isEmpty()) {
             return List.of();
@@ -54,13 +51,13 @@ final class RequestedSettings {
         return taken;
     }
 
-    /** Told that another scenario is being loaded. */
+    /** Marks that another scenario is loading. */
     synchronized void beginLoading(Scenario scenario) {
         current = scenario.withChanges(List.of());
         loading = true;
     }
 
-    /** Told that a loaded scene runs: what was set since its loading began waits to be changed in it. */
+    /** Marks that a loaded scene is running. Changes requested since its loading began become pending. */
     synchronized void sceneStarted(Scenario running) {
         loading = false;
         pending.clear();
@@ -71,12 +68,12 @@ final class RequestedSettings {
         }
     }
 
-    /** Told that loading was called off or failed. */
+    /** Marks that loading was cancelled or has failed. */
     synchronized void endLoading() {
         loading = false;
     }
 
-    /** Follows what the simulation has; changes that wait stay on top. */
+    /** Adopts the settings of the simulation; pending changes stay applied on top. */
     synchronized void followRunning(Scenario running) {
         if (!loading) {
             current = pending.isEmpty() ? running : running.with(new ArrayList<>(pending.values()));

@@ -6,16 +6,16 @@ import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
-/** The line that runs a scenario without a window, ready for a shell. */
+/** Shell command line that runs a scenario without a window. */
 final class RunCommandLine {
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./:=+,@%-]+");
 
     private RunCommandLine() {}
 
-    /** {@code phrenic run} with every key that is not as it comes, the changes and the steps. */
+    /** {@code phrenic run} with every key that differs from its default, the changes and the number of steps. */
     static String of(Scenario scenario) {
         StringBuilder line = new StringBuilder("phrenic run");
-        // What else a material brings comes by itself.
+        // Defaults that depend on the material need not be stated.
         Map<String, Object> usual =
                 Scenario.defaults().withMaterial(scenario.material()).toMap();
         usual.put("material", Scenario.defaults().material().label());
@@ -39,7 +39,7 @@ final class RunCommandLine {
         line.append(' ').append(name).append(' ').append(quoted(value));
     }
 
-    /** As a shell takes it as one word. */
+    /** Quotes a text as one shell word. */
     private static String quoted(String text) {
         return PLAIN.matcher(text).matches() ? text : "'" + text.replace("'", "'\\''") + "'";
     }

@@ -9,13 +9,12 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /**
- * What was seen of a run: observables of the last {@value #ROWS} samples (10 minutes at one every 0.02 s) and frames of
- * the last breaths. Both are rings whose memory is bounded: rows take at most 7 MB; frames at most
- * {@value #FRAME_BYTES} bytes, as many as fit, spread over the last {@value #FRAMES_S} s or 25 a second, whichever is
- * fewer. Safe to use from any thread.
+ * History of a run: observables of the last {@value #ROWS} samples (10 minutes at a sample every 0.02 s) and frames of
+ * the last breaths. Both are ring buffers of bounded memory. Rows take at most 7 MB. Frames take at most
+ * {@value #FRAME_BYTES} bytes and cover the last {@value #FRAMES_S} s at up to 25 frames per second. Thread-safe.
  */
 public final class RunHistory {
-    /** Samples kept. */
+    /** Number of samples kept. */
     public static final int ROWS = 30_000;
 
     static final long FRAME_BYTES = 64L << 20;
@@ -44,13 +43,13 @@ public final class RunHistory {
         return frame.bytes();
     }
 
-    /** Forgets what was seen after a time, s: the run goes on from there. */
+    /** Removes everything after a time, s. The run continues from there. */
     synchronized void truncateAfter(double timeS) {
         while (rows > 0 && time(rows - 1) > timeS) {
             rows--;
         }
         while (!ring.isEmpty() && at(ring.size() - 1).timeS() > timeS) {
-            // In order again, so that the newest can be taken off the end.
+            // Restores chronological order, so that the newest frames can be removed from the end.
             Collections.rotate(ring, -firstFrame);
             firstFrame = 0;
             freeFrames.add(ring.remove(ring.size() - 1));
@@ -73,7 +72,7 @@ public final class RunHistory {
         rows++;
     }
 
-    /** Whether it is time for another frame. */
+    /** Whether the next frame is due. */
     synchronized boolean isFrameDue(double timeS) {
         return timeS >= lastFrameS + betweenS * (1 - 1e-9);
     }
@@ -83,7 +82,7 @@ public final class RunHistory {
         if (ring.size() < mostFrames) {
             Frame free = freeFrames.isEmpty() ? frame.copy() : freeFrames.poll();
             free.copyFrom(frame);
-            // Not full: its oldest frame stands first.
+            // The ring is not full, so its oldest frame is first.
             ring.add(free);
         } else {
             ring.get(firstFrame).copyFrom(frame);
@@ -95,12 +94,12 @@ public final class RunHistory {
         return ring.get((firstFrame + i) % ring.size());
     }
 
-    /** Samples at hand, oldest first. */
+    /** Number of samples available, oldest first. */
     public synchronized int size() {
         return rows;
     }
 
-    /** Samples that were let go since the start: sample i is the {@code dropped() + i}-th of the run. */
+    /** Number of samples dropped since the start: sample i is number {@code dropped() + i} of the run. */
     public synchronized long dropped() {
         return dropped;
     }
@@ -127,17 +126,17 @@ public final class RunHistory {
         return (int) ((dropped + i) % ROWS % CHUNK) * COLUMNS;
     }
 
-    /** Frames at hand, oldest first. */
+    /** Number of frames available, oldest first. */
     public synchronized int frames() {
         return ring.size();
     }
 
-    /** Simulated time of a frame, s; NaN if there is none of that number. */
+    /** Simulated time of a frame, s; NaN if the index is out of range. */
     public synchronized double frameTime(int i) {
         return i < 0 || i >= ring.size() ? Double.NaN : at(i).timeS();
     }
 
-    /** Copies a frame; false if there is none of that number, or it is of another scene. */
+    /** Copies a frame; false if the index is out of range or the frame is of another scene. */
     public synchronized boolean frame(int i, Frame into) {
         if (i < 0 || i >= ring.size() || !into.isOfSceneOf(at(i))) {
             return false;

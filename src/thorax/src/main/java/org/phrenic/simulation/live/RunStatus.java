@@ -4,17 +4,17 @@ import java.util.Optional;
 import org.phrenic.simulation.SubstepReason;
 
 /**
- * How a run stands.
+ * Status of a run.
  *
  * @param step steps since the start
  * @param timeS simulated time, s
  * @param dtS time step, s
- * @param substeps parts into which each step is split
- * @param stepsPerS steps a second of wall time, while it runs; 0 while it does not
+ * @param substeps number of substeps per step
+ * @param stepsPerS steps per second of wall time; 0 while paused
  * @param realtimeFactor simulated over wall time
- * @param playing whether it runs
+ * @param playing whether it is playing
  * @param substepReason why steps are split; empty if the step is within the stability limit
- * @param phaseLabel what the breath is doing: inspiration, expiration, pause, hold; empty before the first scene
+ * @param phaseLabel respiratory phase: inspiration, expiration, pause, hold; empty before the first scene
  */
 public record RunStatus(
         long step,
@@ -26,10 +26,10 @@ public record RunStatus(
         boolean playing,
         Optional<SubstepReason> substepReason,
         String phaseLabel) {
-    /** Before the first scene. */
+    /** Status before the first scene. */
     public static final RunStatus NOTHING = new RunStatus(0, 0, 0, 1, 0, 0, false, Optional.empty(), "");
 
-    /** Why steps are split, in one sentence; empty if they are not. */
+    /** Reason for substeps in one sentence; empty without substeps. */
     public String stabilityMessage() {
         return substepReason.map(SubstepReason::message).orElse("");
     }

@@ -11,15 +11,18 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SubstepReason;
 import org.phrenic.simulation.observe.Frame;
 
-/** A scene that runs, with what is seen of it. Used by the simulation's thread, but for what it gives out. */
+/**
+ * A running scene with its frames and history. Used by the simulation's thread alone, except for the thread-safe
+ * objects that it exposes.
+ */
 final class RunningScene implements AutoCloseable {
-    /** Wall time between frames that are published although nobody took the last one, ns. */
+    /** Longest wall time between frames, ns, even if no reader took the last one. */
     private static final long MAX_FRAME_INTERVAL_NS = 250_000_000;
 
-    /** Wall time between two frames however fast they are taken, ns: 60 a second. */
+    /** Shortest wall time between frames, ns: 60 per second. */
     private static final long MIN_FRAME_INTERVAL_NS = 16_000_000;
 
-    /** Frames kept for the timeline cost the simulation time: no more than this many a second of wall time. */
+    /** Shortest wall time between history frames, ns. Capturing them takes time from the simulation. */
     private static final long MIN_HISTORY_INTERVAL_NS = 25_000_000;
 
     final Simulation simulation;
@@ -55,13 +58,14 @@ final class RunningScene implements AutoCloseable {
         publish();
     }
 
-    /** The scenario that gives this run again: as started, with the changes made since. */
+    /** Scenario that reproduces this run: the initial settings with the changes made since. */
     Scenario recordedScenario() {
         return simulation.start().withChanges(simulation.changes()).withSteps(simulation.steps());
     }
 
     /**
-     * See {@link Simulation#substepReason}; computed when the limit has been measured again, since it takes a search.
+     * See {@link Simulation#substepReason}. Cached until the stability limit is measured again, because computing it
+     * takes a search.
      */
     @SuppressWarnings("ReferenceEquality")
     Optional<SubstepReason> substepReason() {
@@ -74,7 +78,7 @@ final class RunningScene implements AutoCloseable {
         return substepReason;
     }
 
-    /** One step, and what is to be seen of it. */
+    /** Performs one step, and samples it if due. */
     void step() {
         simulation.step();
         if (simulation.steps() >= nextSample) {
@@ -86,7 +90,7 @@ final class RunningScene implements AutoCloseable {
         }
     }
 
-    /** Shows the scene to a watch if this is one of its steps; says whether it was. */
+    /** Calls the step listener if this step is due; returns whether it was. */
     boolean notifyStepListener(StepListener watch, StepListener.Trigger when) {
         boolean due = when.isDue(
                 simulation.steps(), simulation.time(), simulation.stepper().dt());
@@ -105,7 +109,7 @@ final class RunningScene implements AutoCloseable {
                 + Math.max(1, Math.round(simulation.start().get(RunSettings.RECORD_EVERY) / stepper.dt()));
     }
 
-    /** Publishes a frame if there is another to see and somebody waits for one, or nobody has for long. */
+    /** Publishes a frame if the state has changed and either a reader has taken the last frame or it is too old. */
     void publishIfDue() {
         long since = System.nanoTime() - publishedNs;
         if (simulation.steps() != publishedStep
@@ -114,10 +118,7 @@ final class RunningScene implements AutoCloseable {
         }
     }
 
-    /**
-     * Publishes a frame, and keeps it for the timeline if it is time for one. Nobody ever sees a frame with a number
-     * that is none.
-     */
+    /** Publishes a frame, and adds it to the history if due. A frame with NaN or infinite values is not published. */
     void publish() {
         surfaces.capture(pipe.back());
         if (pipe.back().isFinite()) {
@@ -130,7 +131,7 @@ final class RunningScene implements AutoCloseable {
         publishedStep = simulation.steps();
     }
 
-    /** At the start again, or at an earlier state: what was seen later is forgotten. */
+    /** Removes the history after the current time, after a restart or a return to an earlier state. */
     void rewound() {
         history.truncateAfter(simulation.steps() == 0 ? Double.NEGATIVE_INFINITY : simulation.time());
         nextSample = 0;

@@ -7,9 +7,9 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 
-/** One scene being loaded, on a thread of its own; can be called off between its stages. */
+/** Loads one scene on its own thread. Loading can be cancelled between its stages. */
 final class SceneLoader {
-    /** Told how loading ends; on the loader's thread. */
+    /** Receives the result on the loader's thread. */
     interface Outcome {
         void loaded(RunningScene running);
 
@@ -26,7 +26,7 @@ final class SceneLoader {
     private final Thread thread;
     private volatile boolean cancelled;
 
-    /** @param after another one that is to be over before this begins, null for none */
+    /** @param after a loader that must finish before this one starts, or null */
     SceneLoader(Scenario scenario, long id, LiveRun.Listener listener, SceneLoader after, Outcome end) {
         this.scenario = scenario;
         this.id = id;
@@ -52,7 +52,7 @@ final class SceneLoader {
         return cancelled;
     }
 
-    /** Waits until it is over. */
+    /** Waits until loading has ended. */
     void join() throws InterruptedException {
         thread.join();
     }
@@ -64,7 +64,7 @@ final class SceneLoader {
             }
             end.loaded(load());
         } catch (CancellationException calledOff) {
-            // Whoever called it off knows.
+            // A cancelled load is not reported.
             return;
         } catch (RuntimeException e) {
             end.failed(e);

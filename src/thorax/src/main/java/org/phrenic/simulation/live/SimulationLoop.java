@@ -9,14 +9,14 @@ import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.Simulation;
 
 /**
- * The work of the simulation's thread: commands, changes, steps as they are due, frames. All but what is volatile is
- * used by that thread alone.
+ * Main loop of the simulation's thread: commands, changes, steps and frames. Only the volatile fields are used by other
+ * threads.
  */
 final class SimulationLoop implements Runnable {
-    /** Wall time of steps after which commands are looked at again, ns. */
+    /** Wall time of stepping between two checks for commands, ns. */
     private static final long STEPPING_SLICE_NS = 4_000_000;
 
-    /** Longest wait for news, ns. */
+    /** Longest idle wait, ns. */
     private static final long MAX_IDLE_NS = 20_000_000;
 
     final CommandQueue commands = new CommandQueue();
@@ -63,8 +63,8 @@ final class SimulationLoop implements Runnable {
     }
 
     /**
-     * The scenario may change settings of its own while it runs; settings are immutable, so another object is another
-     * setting and comparing values, several times a turn, would be waste.
+     * The scenario itself may change settings during the run. Settings are immutable, so comparing references suffices
+     * and is cheaper than comparing values in every iteration.
      */
     @SuppressWarnings("ReferenceEquality")
     private void synchronizeIfChanged(Scenario set) {
@@ -74,7 +74,7 @@ final class SimulationLoop implements Runnable {
         }
     }
 
-    /** Steps until so many are done, the next is not yet due, or time is up. */
+    /** Steps until a number of steps is done, the next step is not yet due, or the time is up. */
     void advance(RunningScene now, long most, long untilNs) {
         try {
             for (long i = 0; i < most; i++) {
@@ -95,15 +95,15 @@ final class SimulationLoop implements Runnable {
             updateStatus();
             listener.diverged(e.getMessage() + last);
         } catch (RuntimeException e) {
-            // A change that the scenario has for this step was refused.
+            // A change that the scenario schedules for this step was refused.
             playing = false;
             reportFailure(e);
         }
     }
 
     /**
-     * What cannot be done, such as a reset to a trace that is gone from the disk, is said; the run goes on, and what
-     * was asked after it is done next.
+     * Executes the submitted commands. A command that fails, such as a reset to a deleted recording, is reported; the
+     * run and the later commands continue.
      */
     private void runCommands() {
         try {
@@ -113,7 +113,7 @@ final class SimulationLoop implements Runnable {
         }
     }
 
-    /** Makes the changes that wait. */
+    /** Applies the pending changes. */
     void applyPendingChanges() {
         if (running == null) {
             return;
@@ -129,13 +129,13 @@ final class SimulationLoop implements Runnable {
         }
     }
 
-    /** From the next step on the scene is shown to another watch; null for none. */
+    /** Sets the step listener from the next step on; null for none. */
     void setStepListener(StepListener to, StepListener.Trigger at) {
         stepListener = to;
         trigger = at;
     }
 
-    /** Shows the scene to a watch, now if this is one of its steps and at every one that comes; null for none. */
+    /** Sets the step listener and calls it for the current step if due; null for none. */
     void notifyStepListener(StepListener to, StepListener.Trigger at) {
         setStepListener(to, at);
         if (running != null) {
@@ -143,14 +143,14 @@ final class SimulationLoop implements Runnable {
         }
     }
 
-    /** Shows the step at hand to the watch if it is one of its steps, and makes the changes that it asks for. */
+    /** Calls the step listener if the current step is due, and applies the changes that it requests. */
     void notifyStepListener(RunningScene now) {
         if (stepListener != null && now.notifyStepListener(stepListener, trigger)) {
             applyPendingChanges();
         }
     }
 
-    /** Another scene runs from now on; the one before is closed. */
+    /** Replaces the running scene and closes the previous one. */
     void replaceScene(RunningScene made) {
         RunningScene old = running;
         settings.sceneStarted(made.simulation.settings());
@@ -165,14 +165,14 @@ final class SimulationLoop implements Runnable {
         notifyListener();
     }
 
-    /** A change or a scene could not be: settings are again what runs. */
+    /** Reports a refused change or scene, and resets the settings to those of the simulation. */
     void reportFailure(RuntimeException why) {
         synchronizeSettings();
         listener.failed(why.getMessage() == null ? why.toString() : why.getMessage());
         notifyListener();
     }
 
-    /** Settings are what runs. */
+    /** Resets the settings to those of the simulation. */
     void synchronizeSettings() {
         if (running != null) {
             synchronizedSettings = running.simulation.settings();
@@ -180,7 +180,7 @@ final class SimulationLoop implements Runnable {
         }
     }
 
-    /** Measures and paces from where the run is. */
+    /** Restarts measuring and pacing at the current state. */
     void startPacing() {
         if (running != null) {
             pacer.start(running.simulation.steps(), running.simulation.time());

@@ -4,17 +4,17 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Sees a run at steps of its choice, on the simulation's thread and between two steps: whatever the machine does, the
- * same run is seen at the same steps. What it does is waited for, so it should be short; what it changes in the run
- * ({@link LiveRun#change}) is changed before the next step.
+ * Receives the state of a run at selected steps, on the simulation's thread and between two steps. The steps do not
+ * depend on the speed of the machine. The simulation waits for the call, so it should be short. Changes that it makes
+ * ({@link LiveRun#change}) apply before the next step.
  */
 @FunctionalInterface
 public interface StepListener {
-    /** Which steps are to be seen. Asked after every step, so it should cost next to nothing. */
+    /** Selects steps. Evaluated after every step, so it should be cheap. */
     @FunctionalInterface
     interface Trigger {
         /**
-         * Whether this step is to be seen.
+         * Whether the listener is called at this step.
          *
          * @param step steps since the start
          * @param timeS simulated time, s
@@ -22,17 +22,17 @@ public interface StepListener {
          */
         boolean isDue(long step, double timeS, double dtS);
 
-        /** Whole multiples of an interval of simulated time, as many steps as are nearest to it, s. */
+        /** Trigger at multiples of an interval of simulated time, s, rounded to whole steps. */
         static Trigger every(double everyS) {
             return (step, timeS, dtS) -> step % Math.max(1, Math.round(everyS / dtS)) == 0;
         }
     }
 
     /**
-     * The scene as it stands.
+     * Called at a selected step.
      *
-     * @param frame valid until it returns
-     * @param label what the breath is doing
+     * @param frame current state; valid until the method returns
+     * @param label respiratory phase
      */
     void onStep(Frame frame, RespiratoryPhase label);
 }

@@ -1,2 +1,2 @@
-/** A simulation that runs on a thread of its own while it is tuned and watched. */
+/** A simulation that runs on its own thread while it is tuned and displayed. */
 package org.phrenic.simulation.live;

@@ -36,7 +36,7 @@ public final class CageMeasure {
                 .orElse(new double[0]);
     }
 
-    /** Middle of the lower end of the sternum's body; null without a sternum. */
+    /** Centre of the lower end of the sternal body; null without a sternum. */
     private static double[] sternumPoint(Thorax thorax) {
         Structure body = thorax.find("sternum_body")
                 .orElse(thorax.structuresOf(StructureKind.STERNUM).stream()
@@ -60,7 +60,7 @@ public final class CageMeasure {
         return new double[] {sum[0] / count, sum[1] / count, sum[2] / count};
     }
 
-    /** Widest distance between ribs of one level, at rest or as the cage stands. */
+    /** Largest transverse distance between ribs of the same level, at rest or in the current pose, mm. */
     private double width(boolean rest) {
         double widest = 0;
         for (int i = 0; i < WIDE_LEVELS.length; i++) {
@@ -73,7 +73,7 @@ public final class CageMeasure {
         return widest;
     }
 
-    /** Farthest a rib reaches to its side, mm. */
+    /** Lateral extreme of a rib on its side, mm. */
     private double extreme(double[] points, int level, Side side, boolean rest) {
         double[] p = points;
         if (!rest) {
@@ -88,12 +88,12 @@ public final class CageMeasure {
         return most;
     }
 
-    /** Growth of the transverse diameter since rest, mm. */
+    /** Increase of the transverse diameter from rest, mm. */
     public double transverseChange() {
         return width(false) - restWidth;
     }
 
-    /** Motion of the lower end of the sternum's body since rest: to the left, posterior, superior, mm. */
+    /** Displacement of the lower end of the sternal body from rest: left, posterior, superior, mm. */
     public double[] sternumMotion() {
         if (sternumPoint == null || pose.cage().sternum() == RibCage.TRUNK) {
             return new double[3];

@@ -5,17 +5,19 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.model.organ.DiaphragmPart;
 
 /**
- * Mean length of the muscle's fibres against rest: the stretch |F f| of the fibre direction f in each triangle,
- * weighted by its area at rest.
+ * Mean shortening of the muscle fibres from rest. The stretch |F f| of the fibre direction f in each triangle is
+ * weighted by the triangle's rest area.
  */
 public final class FibreShortening {
-    /** Three corners of each triangle that has fibres, times 3. */
+    /** Three corners of each triangle that has fibres, as offsets into positions (3 × node). */
     private final int[] corners;
-    /** The fibre direction as parts of the two edges from the first corner, two numbers a triangle. */
+    /**
+     * The fibre direction as a linear combination of the two edges at the first corner, two coefficients per triangle.
+     */
     private final double[] edgeComponents;
     /** Area at rest, mm². */
     private final double[] area;
-    /** Squared length of the direction at rest. */
+    /** Squared length of the fibre direction at rest. */
     private final double[] squaredRest;
 
     /**
@@ -42,7 +44,7 @@ public final class FibreShortening {
         squaredRest = Arrays.copyOf(squared, n);
     }
 
-    /** Forms the numbers of triangle n; false where it has no fibres or no area. */
+    /** Computes the values of triangle n; false if it has no fibres or no area. */
     private static boolean resolve(
             double[] rest,
             int[] corners,
@@ -88,9 +90,9 @@ public final class FibreShortening {
     }
 
     /**
-     * Shortening in per cent, positive when shorter; allocates nothing.
+     * Fibre shortening in per cent, positive when shorter. Allocates nothing.
      *
-     * @param now positions of the whole scene now, caller's order, mm
+     * @param now current positions of the whole scene, caller's order, mm
      */
     public double shorteningPercent(double[] now) {
         double sum = 0;

@@ -5,19 +5,19 @@ import java.util.List;
 import org.phrenic.simulation.SceneSurfaces;
 
 /**
- * What a scene looks like at one step: places of its surfaces, nodes and observables. Written by
- * {@link SceneSurfaces#capture} into arrays that are made once, so that frames can be handed from the simulation's
- * thread to another and back without allocation.
+ * Snapshot of a scene at one step: positions of its surfaces and nodes, and observables. {@link SceneSurfaces#capture}
+ * writes it into preallocated arrays, so that frames pass between the simulation thread and other threads without
+ * allocation.
  */
 public final class Frame {
-    /** Numbers of a pose: three rows of a rotation and a translation in mm, x' = R x + t, row by row. */
+    /** Length of a pose: a 3 × 3 rotation and a translation in mm, row by row, x' = R x + t. */
     public static final int POSE_LENGTH = 12;
 
     private final float[][] positions;
     private final float[][] poses;
     private final float[] nodes;
     private final double[] values = new double[Observation.COLUMNS.size()];
-    /** One object a scene: frames of another never fit. */
+    /** Identity of the scene. Frames of different scenes are not interchangeable. */
     private final Object scene;
 
     private long serial;
@@ -26,9 +26,9 @@ public final class Frame {
 
     /**
      * @param scene the same object for all frames of a scene
-     * @param positionLengths coordinates of each surface; 0 for one that does not deform
+     * @param positionLengths number of coordinates of each surface; 0 for a surface that does not deform
      * @param rigid whether each surface moves as a rigid body
-     * @param nodeCoordinates three times the count of nodes
+     * @param nodeCoordinates three times the number of nodes
      */
     public Frame(Object scene, int[] positionLengths, boolean[] rigid, int nodeCoordinates) {
         this.scene = scene;
@@ -41,7 +41,7 @@ public final class Frame {
         nodes = new float[nodeCoordinates];
     }
 
-    /** The frame of a scene in which nothing moves and nothing is simulated. */
+    /** Frame of a static scene without simulation. */
     public static Frame still(List<Surface> surfaces) {
         int n = surfaces.size();
         return new Frame(new Object(), new int[n], new boolean[n], 0);
@@ -54,17 +54,17 @@ public final class Frame {
         System.arraycopy(observed, 0, values, 0, values.length);
     }
 
-    /** Of two frames of a scene the one with the greater number was captured later; 0 before the first capture. */
+    /** Sequence number of the capture, increasing within a scene; 0 before the first capture. */
     public long serial() {
         return serial;
     }
 
-    /** Whether this and another are frames of one scene. */
+    /** Whether both frames belong to the same scene. */
     public boolean isOfSceneOf(Frame other) {
         return scene == other.scene;
     }
 
-    /** Another frame of the same scene with the same content, as if captured before all others. */
+    /** Copy with the same content and serial number 0. */
     public Frame copy() {
         int[] lengths = Arrays.stream(positions).mapToInt(p -> p.length).toArray();
         boolean[] rigid = new boolean[poses.length];
@@ -78,11 +78,11 @@ public final class Frame {
     }
 
     /**
-     * Writes where the vertices of a surface are, mm.
+     * Writes the vertex positions of a surface, mm.
      *
      * @param surface of this frame's scene
      * @param index of the surface in its scene
-     * @param out three numbers a vertex
+     * @param out three numbers per vertex
      */
     public void writePositions(Surface surface, int index, double[] out) {
         double[] rest = surface.rest().positions();
@@ -98,7 +98,7 @@ public final class Frame {
         }
     }
 
-    /** Moves points by a pose, x' = R x + t. */
+    /** Transforms points by a pose, x' = R x + t. */
     public static void transform(float[] pose, double[] from, double[] to) {
         for (int k = 0; k < from.length; k += 3) {
             for (int row = 0; row < 3; row++) {
@@ -108,7 +108,7 @@ public final class Frame {
         }
     }
 
-    /** Steps since the start. */
+    /** Number of steps since the start. */
     public long step() {
         return step;
     }
@@ -118,7 +118,7 @@ public final class Frame {
         return time;
     }
 
-    /** Vertices of a deforming surface, mm; not to be written by readers. */
+    /** Vertex positions of a deforming surface, mm. Readers must not modify the array. */
     public float[] positions(int surface) {
         return positions[surface];
     }
@@ -128,7 +128,7 @@ public final class Frame {
         return poses[surface];
     }
 
-    /** All nodes in the caller's order, mm: what overlays of springs, links and fibres are drawn between. */
+    /** Positions of all nodes in the caller's order, mm. Overlays of springs, links and fibres use them. */
     public float[] nodes() {
         return nodes;
     }
@@ -138,7 +138,7 @@ public final class Frame {
         return values;
     }
 
-    /** Takes over another frame of the same scene. */
+    /** Copies the content of another frame of the same scene. */
     public void copyFrom(Frame other) {
         for (int i = 0; i < positions.length; i++) {
             System.arraycopy(other.positions[i], 0, positions[i], 0, positions[i].length);
@@ -148,7 +148,7 @@ public final class Frame {
         setState(other.serial, other.step, other.time, other.values);
     }
 
-    /** Size of the arrays, bytes. */
+    /** Memory of the arrays, bytes. */
     public long bytes() {
         long floats = nodes.length;
         for (int i = 0; i < positions.length; i++) {
@@ -157,7 +157,7 @@ public final class Frame {
         return Float.BYTES * floats + (long) Double.BYTES * values.length;
     }
 
-    /** Whether every number that would be drawn is finite. */
+    /** Whether all values to be drawn are finite. */
     public boolean isFinite() {
         return Arrays.stream(positions).allMatch(Frame::finite) && finite(nodes);
     }

@@ -11,8 +11,8 @@ import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.NearestVertex;
 
 /**
- * Where the lungs are and how much air they take in. Stepped lungs are read off the nodes; embedded ones are carried:
- * at the base by the diaphragm, far from it by the chest wall, blended between the two.
+ * Position and inspired volume of the lungs. Positions of mass-spring lungs are read from the nodes. Embedded lungs
+ * follow the diaphragm at the base and the chest wall far from it, with a blend in between.
  */
 public final class LungMeasure {
     private static final double FADE_MM = 90;
@@ -24,7 +24,7 @@ public final class LungMeasure {
     private final double[][] diaphragmShare;
     private final double[][] position;
     private final double[][] velocity;
-    /** Vertices of each lung at rest. */
+    /** Vertex positions of each lung at rest. */
     private final double[][] start;
 
     public LungMeasure(Scene scene) {
@@ -79,7 +79,7 @@ public final class LungMeasure {
         return structures;
     }
 
-    /** Vertices of a lung as the scene stands, mm; valid until the next call for the same lung. */
+    /** Current vertex positions of a lung, mm; valid until the next call for the same lung. */
     public double[] positions(int s, double time, double[] rest, double[] now) {
         double[] p = position[s];
         int length = p.length;
@@ -97,7 +97,7 @@ public final class LungMeasure {
         return p;
     }
 
-    /** Moves all lungs to where they are as the scene stands. */
+    /** Updates the positions of all lungs to the current state. */
     public void update(double time, double[] rest, double[] now) {
         for (int s = 0; s < position.length; s++) {
             positions(s, time, rest, now);
@@ -105,9 +105,8 @@ public final class LungMeasure {
     }
 
     /**
-     * Air taken in since rest where the lungs were last moved to, ml: the volume that the outer surface of all lobes
-     * has swept, ∫ u·n dA. Lobes may be open at their fissures, which lie inside and sweep nothing that the neighbour
-     * does not take back.
+     * Volume inspired since rest at the last update, ml: the volume swept by the outer surface of all lobes, ∫ u·n dA.
+     * Lobes may be open at the fissures; the volumes swept by two adjacent lobes cancel there.
      */
     public double volumeChange() {
         double sum = 0;

@@ -3,11 +3,11 @@ package org.phrenic.simulation.observe;
 import java.util.List;
 
 /**
- * One row of observables: what was seen at one time. Columns are named with their units; displacements are from
- * end-expiration, up positive.
+ * Observables at one time. Column names contain the units. Displacements are relative to end-expiration, positive
+ * upward.
  */
 public final class Observation {
-    /** Column names, the order of {@link #values}. */
+    /** Column names, in the order of {@link #values}. */
     public static final List<String> COLUMNS = List.of(
             "time_s",
             "breath",
@@ -51,7 +51,7 @@ public final class Observation {
         return values[COLUMNS.indexOf(column)];
     }
 
-    /** The row. */
+    /** Values of all columns. */
     public double[] values() {
         return values;
     }

@@ -5,11 +5,11 @@ import org.phrenic.breathing.BreathState;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.LiverPart;
 
-/** Looks at a scene and writes down what there is to see. */
+/** Computes the observables of a scene. */
 public final class SceneObserver {
     /**
-     * Places in the plan of the sheet ({@link SheetPatch}): the dome is measured at its back third, where M-mode
-     * ultrasound looks.
+     * Positions in the plan view of the sheet ({@link SheetPatch}). The dome is measured at its posterior third, as in
+     * M-mode ultrasound.
      */
     private static final double[][] PLACES = {
         {-0.5, 0.33},
@@ -56,14 +56,18 @@ public final class SceneObserver {
         return lungs;
     }
 
-    /** What is seen at a time, which is that of the scene's state. */
+    /**
+     * Observables of the current state.
+     *
+     * @param time of the state, s
+     */
     public Observation observe(double time) {
         double[] rest = scene.restPositions();
         scene.system().layout().toCaller(scene.system().positions(), now);
         scene.pose().update(time);
         lungs.update(time, rest, now);
         BreathState breath = scene.drive().breathAt(time);
-        // The liver takes as long as all else.
+        // Two tasks of similar cost: the liver, and everything else.
         scene.system().workers().run(2, this::measureGroup);
         double[] row = new double[Observation.COLUMNS.size()];
         int c = 0;
@@ -90,7 +94,7 @@ public final class SceneObserver {
         return new Observation(row);
     }
 
-    /** One of two things that are looked at side by side. */
+    /** Computes one of the two groups of observables that run in parallel. */
     private void measureGroup(int which) {
         double[] rest = scene.restPositions();
         if (which == 0) {
@@ -104,7 +108,7 @@ public final class SceneObserver {
         }
     }
 
-    /** Mean displacement of the liver's surface: to the left, posterior, superior, mm. */
+    /** Mean displacement of the liver's surface: left, posterior, superior, mm. */
     private void measureLiver(LiverPart part, double[] rest) {
         Arrays.fill(liver, 0);
         double[] start = part.structure.mesh().positions();

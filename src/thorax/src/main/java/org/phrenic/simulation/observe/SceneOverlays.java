@@ -10,11 +10,9 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.MassSpringBuilder;
 
-/**
- * What the model is made of, as lines and points over the surfaces. A kind of which a scene has nothing is left out.
- */
+/** Builds the {@link Overlay}s of a scene. Kinds without elements are omitted. */
 public final class SceneOverlays {
-    /** cos⁴ of the angle between an edge and its fibres from which it is drawn as a fibre: 30 degrees. */
+    /** Minimum cos⁴ of the angle between an edge and the fibres for the edge to be drawn as a fibre: 30 degrees. */
     private static final double ALONG = 0.5625;
 
     private static final double ABOVE_MM = 40;
@@ -67,7 +65,7 @@ public final class SceneOverlays {
         }
     }
 
-    /** Both ends of each, one after the other. */
+    /** Both end points of each line in turn. */
     private static List<double[]> actionLines(Scene scene) {
         List<double[]> ends = new ArrayList<>();
         double[] box = scene.diaphragm().diaphragm.sheet().bounds();
@@ -78,7 +76,7 @@ public final class SceneOverlays {
         return ends;
     }
 
-    /** A stretch of each axis about the head of its rib. */
+    /** A segment of each axis, centred at the head of its rib. */
     private static List<double[]> axes(RibCage cage) {
         List<double[]> ends = new ArrayList<>();
         for (RibCage.Body body : cage.bodies()) {

@@ -7,9 +7,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.organ.DiaphragmPart;
 
 /**
- * A small patch of the thoracic face of the roof of the diaphragm whose mean motion stands for its place: the posterior
- * dome where M-mode ultrasound measures, the front, the side. Places are given in the plan of the sheet, half its width
- * and half its depth being 1.
+ * A small patch on the thoracic face of the diaphragm, whose mean displacement represents a region: the posterior dome,
+ * as in M-mode ultrasound, the front or the side. Positions are plan-view coordinates normalised by half the width and
+ * half the depth of the sheet.
  */
 public final class SheetPatch {
     private static final double RADIUS_MM = 15;
@@ -19,8 +19,8 @@ public final class SheetPatch {
 
     /**
      * @param part the diaphragm in its scene
-     * @param u place to the left, -1 to 1
-     * @param v place to the back, -1 to 1
+     * @param u position to the left, -1 to 1
+     * @param v position to the back, -1 to 1
      */
     public SheetPatch(DiaphragmPart part, double u, double v) {
         Diaphragm d = part.diaphragm;

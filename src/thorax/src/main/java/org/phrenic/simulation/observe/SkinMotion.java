@@ -10,27 +10,29 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
 
 /**
- * How the skin moves: for display only, nothing is driven or measured by it.
+ * Motion of the skin, for display only: it affects neither forces nor observables.
  *
- * <p>Over the cage it goes with the bones below it ({@link LinearBlendSkinning}), wholly where it is near to them and
- * not at all far from them: {@code x = X + f(d) (x_bones(X) - X)}, {@code d} the distance from bone, {@code f} 1 up to
- * {@value #WITH_BONE_MM} mm and the fall-off to 0 over {@value #FADE_MM} mm more. The belly comes forward by the volume
- * that the diaphragm takes from the abdomen, whose contents are incompressible (De Troyer and Boriek 2011, doi
- * 10.1002/cphy.c100009): {@code V} is what its abdominal face sweeps, the widening of the apposed rib cage subtracted
- * by its own motion, and each point of the anterior and lateral wall between costal margin and pubis moves out along
- * its normal by {@code V w / Σ w A}, {@code w} a smooth weight and {@code A} the area of a vertex; a skin that ends
- * higher up takes the share of the wall that it has.
+ * <p>Over the rib cage the skin follows the bones below it ({@link LinearBlendSkinning}), fully near bone and not at
+ * all far from it: {@code x = X + f(d) (x_bones(X) - X)}. {@code d} is the distance from bone; {@code f} is 1 up to
+ * {@value #WITH_BONE_MM} mm and falls to 0 over the next {@value #FADE_MM} mm.
+ *
+ * <p>The abdominal wall moves outward by the volume that the diaphragm displaces, because the abdominal contents are
+ * incompressible (De Troyer and Boriek 2011, doi 10.1002/cphy.c100009). {@code V} is the volume swept by the abdominal
+ * face of the diaphragm minus the part due to the motion of the apposed rib cage. Each point of the anterior and
+ * lateral wall between costal margin and pubis moves along its normal by {@code V w / Σ w A}, where {@code w} is a
+ * smooth weight and {@code A} the area of a vertex. A skin surface that ends above the pubis takes the corresponding
+ * share of the volume.
  */
 public final class SkinMotion {
     private static final double WITH_BONE_MM = 45;
     private static final double FADE_MM = 90;
-    /** The belly comes forward where bone is farther than this, and wholly where it is farther by the other. */
+    /** The abdominal weight is 0 up to this distance from bone and rises to 1 over the next {@code FREE_OVER_MM}. */
     private static final double FREE_MM = 10;
 
     private static final double FREE_OVER_MM = 85;
     /**
-     * From the tip of the sternum to the pubis in an adult, chosen; and the shares of it over which the weight rises
-     * and falls.
+     * Distance from the tip of the sternum to the pubis in an adult, chosen. {@code RISE} and {@code FALL} are the
+     * shares of it over which the weight rises and falls.
      */
     private static final double WALL_MM = 320;
 
@@ -38,11 +40,11 @@ public final class SkinMotion {
     private static final double FALL = 0.35;
     private static final int PARTS = 100;
     /**
-     * The flanks give way too, less than the front: the weight is 1 where the skin looks forward and 0 where its normal
-     * points so far back.
+     * The flanks move less than the front: the weight is 1 where the normal points anteriorly and falls to 0 where its
+     * posterior component reaches this value.
      */
     private static final double SIDE = 0.6;
-    /** What is farther out than the diaphragm by this is arm. */
+    /** Skin farther lateral than the diaphragm by this distance belongs to the arms and has weight 0. */
     private static final double BESIDE_MM = 60;
 
     private final double[] rest;
@@ -101,12 +103,12 @@ public final class SkinMotion {
         return out;
     }
 
-    /** Weight along the wall, 0 at the sternum (0) and the pubis (1). */
+    /** Weight at relative position {@code u} along the wall, from the sternum (0) to the pubis (1); 0 at both ends. */
     private static double wallWeight(double u) {
         return smooth(u / RISE) * smooth((1 - u) / FALL);
     }
 
-    /** Share of the wall, by weight, that lies above a place along it. */
+    /** Share of the total weight that lies above a relative position along the wall. */
     private static double weightAbove(double end) {
         double above = 0;
         double all = 0;
@@ -123,7 +125,7 @@ public final class SkinMotion {
         return s * s * (3 - 2 * s);
     }
 
-    /** Where the skin's vertices are; valid until the next call. Allocates nothing. */
+    /** Current positions of the skin's vertices; valid until the next call. Allocates nothing. */
     public double[] at(double time, double[] now) {
         withBones.at(time, position, velocity);
         double volume = SweptVolume.of(abdominal, nodesAtRest, now);

@@ -1,17 +1,17 @@
 package org.phrenic.simulation.observe;
 
 /**
- * Volume that a surface sweeps as it moves, ∫ u·n dA: the mean displacement of each triangle times its mean area
- * vector, exact to the third order of the displacement.
+ * Volume swept by a moving surface, ∫ u·n dA: the mean displacement of each triangle times its mean area vector. The
+ * error is of third order in the displacement.
  */
 final class SweptVolume {
     private SweptVolume() {}
 
     /**
-     * @param t three corners a triangle, anticlockwise seen from the side toward which the volume counts
+     * @param t three corners per triangle, anticlockwise seen from the side toward which the volume is positive
      * @param from positions before, mm
      * @param to positions after, mm
-     * @return mm³; allocates nothing
+     * @return swept volume, mm³; allocates nothing
      */
     static double of(int[] t, double[] from, double[] to) {
         double sum = 0;

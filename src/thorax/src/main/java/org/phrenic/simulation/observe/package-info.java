@@ -1,2 +1,5 @@
-/** Observables of a scene: domes, volumes, fibres, cage, liver. */
+/**
+ * Observables of a scene (dome motion, volumes, fibre shortening, rib cage, liver) and the frames and surfaces to
+ * display.
+ */
 package org.phrenic.simulation.observe;

@@ -7,11 +7,11 @@ import java.util.TreeMap;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * A label volume read from a file, in LPS and mm.
+ * A label volume read from a file, in LPS axes and mm.
  *
- * @param grid labels and where they lie
- * @param names of labels, as far as the file gives them
- * @param notes assumptions made where the file is silent, one sentence each
+ * @param grid labels and their positions
+ * @param names names of labels, if the file contains them
+ * @param notes assumptions about missing information, one sentence each
  */
 public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
     public LabelVolume {

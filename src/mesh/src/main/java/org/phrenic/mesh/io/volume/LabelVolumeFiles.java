@@ -11,25 +11,25 @@ import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 
-/** Label volume files; the extension, in upper or lower case, gives the format. */
+/** Reads label volume files. The extension, in upper or lower case, gives the format. */
 public final class LabelVolumeFiles {
-    /** Endings of names that can be read. */
+    /** Extensions of the formats that can be read. */
     public static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
 
     private LabelVolumeFiles() {}
 
-    /** Whether the name of {@code file} says that it is a volume; the file need not exist. */
+    /** Whether {@code file} has a volume file extension; the file need not exist. */
     public static boolean isVolume(Path file) {
         String name = name(file);
         return READABLE.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
     /**
-     * Reads a volume of labels: whole numbers from 0 to 65535 in three dimensions, whatever type they are stored as.
-     * Axes become LPS, spacing mm.
+     * Reads a three-dimensional volume of labels, whole numbers from 0 to 65535 stored in any type. Axes are converted
+     * to LPS and spacing to mm.
      *
-     * @throws BadInputException if the file cannot be read, is of another format, is cut short or damaged, has other
-     *     than three dimensions, voxels without size, axes that are not at right angles, or a value that is no label
+     * @throws BadInputException if the file cannot be read, has another format, is truncated or damaged, is not
+     *     three-dimensional, has a voxel spacing of 0, axes that are not orthogonal, or a value that is not a label
      */
     public static LabelVolume read(Path file) {
         InputBytes.size(file);

@@ -16,9 +16,9 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * MetaImage, with voxels in the file ({@code .mha}) or apart ({@code .mhd}), plain or packed with zlib, in either byte
- * order; after MetaIO as ITK uses it: axes are LPS, and three numbers of {@code TransformMatrix} in a row are the
- * direction of one axis of the grid.
+ * Reader of MetaImage, with voxels in the file ({@code .mha}) or in a separate file ({@code .mhd}), uncompressed or
+ * zlib, in either byte order. It follows MetaIO as used by ITK: axes are LPS, and each three consecutive numbers of
+ * {@code TransformMatrix} are the direction of one grid axis.
  */
 final class MetaImageReader {
     private final Path path;
@@ -94,7 +94,10 @@ final class MetaImageReader {
         }
     }
 
-    /** Bytes before the voxels in a file of their own; -1 says that they are its last. */
+    /**
+     * Number of bytes before the voxels in a separate data file. A header size of -1 means that the voxels end the
+     * file.
+     */
     private long bytesToSkip(Path data, VoxelDecoder voxels, boolean packed) {
         int stated = header.has("headersize") ? header.integers("headersize")[0] : 0;
         long bytes = stated < 0 && !packed ? InputBytes.size(data) - voxels.bytes() : stated;
@@ -155,7 +158,7 @@ final class MetaImageReader {
                 steps, origin.length == 0 ? new double[3] : new double[] {origin[0], origin[1], origin[2]});
     }
 
-    /** The numbers of the first of these keys that is there; none without. */
+    /** The numbers of the first of these keys that is present; empty if none is. */
     private double[] numbers(int count, String... keys) {
         for (String key : keys) {
             if (header.has(key)) {

@@ -20,16 +20,16 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * NIfTI-1 in one file, plain or packed with gzip whatever its ending, in either byte order (Cox et al. 2004, A (sort
- * of) new image data format standard: NIfTI-1). The sform places voxels if it is set, else the qform; axes are RAS
- * there. Names come from a label table in an extension, as the Human Connectome Project's tools and TotalSegmentator
- * write it.
+ * Reader of NIfTI-1 in one file, uncompressed or gzip with either extension, in either byte order (Cox et al. 2004, A
+ * (sort of) new image data format standard: NIfTI-1). Voxel positions are given by the sform if it is set, else by the
+ * qform; both have RAS axes. Label names come from a label table in an extension, as written by the tools of the Human
+ * Connectome Project and TotalSegmentator.
  */
 final class NiftiReader {
     private static final int HEADER = 348;
     private static final int HEADER_OF_NIFTI_2 = 540;
     private static final int GZIP_MAGIC = 0x1f8b;
-    /** Bytes of extensions that are searched for names. */
+    /** Greatest number of extension bytes that are searched for names. */
     private static final int LARGEST_EXTENSION = 1 << 24;
 
     private static final Pattern LABEL =
@@ -168,7 +168,7 @@ final class NiftiReader {
         double c = header.getFloat(260);
         double d = header.getFloat(264);
         double rest = 1 - b * b - c * c - d * d;
-        // Rounding leaves half turns a little longer than 1.
+        // For half turns, rounding may make b^2 + c^2 + d^2 slightly larger than 1.
         double a = rest > 0 ? Math.sqrt(rest) : 0;
         double scale = rest > 0 ? 1 : 1 / Math.sqrt(b * b + c * c + d * d);
         b *= scale;

@@ -21,9 +21,9 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * NRRD and the segmentations ({@code .seg.nrrd}) that 3D Slicer writes, raw or gzip, with the header in the file or
- * apart ({@code .nhdr}); after the format's definition, teem.sourceforge.net/nrrd/format.html. Names come from
- * {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
+ * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw or gzip, with the header in the file or in a
+ * separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html. Label names
+ * come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
@@ -34,7 +34,7 @@ final class NrrdReader {
     private final String file;
     private final VolumeHeader header;
     private final List<String> notes = new ArrayList<>();
-    /** Axes of the array that are directions in space. */
+    /** The array axes that are spatial directions. */
     private int[] axes = {0, 1, 2};
 
     private NrrdReader(Path path) {
@@ -66,14 +66,14 @@ final class NrrdReader {
         }
     }
 
-    /** True if the voxels follow in the same file. */
+    /** Reads the header; returns whether the voxels follow in the same file. */
     private boolean readHeader(InputStream in) throws IOException {
         String magic = header.line(in);
         if (magic == null || !magic.matches("NRRD000\\d\\s*")) {
             throw header.badInput("found no 'NRRD000', expected a NRRD file");
         }
         String text = header.line(in);
-        // A list of files follows its field without an empty line.
+        // A LIST of data files follows its field without an empty line.
         while (text != null && !text.isBlank() && !header.text(DATA_FILE, "").startsWith("LIST")) {
             int pair = text.indexOf(":=");
             int colon = text.indexOf(':');
@@ -109,7 +109,10 @@ final class NrrdReader {
         return new int[] {all[axes[0]], all[axes[1]], all[axes[2]]};
     }
 
-    /** The spatial axes of four; the other one must have one element (more are overlapping segments or times). */
+    /**
+     * The three spatial axes of four. The other axis must have one element, because several are overlapping segments or
+     * times.
+     */
     private int[] spatialAxes(int[] sizes) {
         String[] kinds = header.text("kinds", "").split("\\s+", -1);
         List<String> vectors = header.has("space directions") ? vectors("space directions") : List.of();

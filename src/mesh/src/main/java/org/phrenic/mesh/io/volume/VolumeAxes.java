@@ -3,9 +3,9 @@ package org.phrenic.mesh.io.volume;
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
 
-/** Where the voxels of a volume lie: one vector a direction of the grid, and the centre of the first voxel, mm. */
+/** Position of the voxels of a volume: one step vector per grid direction and the centre of the first voxel, mm. */
 final class VolumeAxes {
-    /** Files round directions to six digits or fewer: a right angle is one within half a degree. */
+    /** Tolerance of a right angle: half a degree, because files round directions to six digits or fewer. */
     private static final double RIGHT_ANGLE = 0.0087;
 
     private static final String[] DIRECTIONS = {"columns", "rows", "slices"};
@@ -14,7 +14,7 @@ final class VolumeAxes {
     private final double[] origin;
 
     /**
-     * @param steps from voxel to voxel along columns, rows and slices: three vectors
+     * @param steps vectors between neighbouring voxels along columns, rows and slices
      * @param origin centre of the first voxel
      */
     VolumeAxes(double[][] steps, double[] origin) {
@@ -22,17 +22,17 @@ final class VolumeAxes {
         this.origin = origin;
     }
 
-    /** The axes of columns, rows and slices with these distances. */
+    /** Axes parallel to x, y and z with these spacings. */
     static VolumeAxes axisAligned(double dx, double dy, double dz) {
         return new VolumeAxes(new double[][] {{dx, 0, 0}, {0, dy, 0}, {0, 0, dz}}, new double[3]);
     }
 
-    /** The same place where x and y run the other way: from RAS to LPS and back. */
+    /** The same position with x and y negated, which converts between RAS and LPS. */
     VolumeAxes rasToLps() {
         return scaled(-1, -1, 1);
     }
 
-    /** Every coordinate times a factor of its own. */
+    /** Scales each coordinate by its own factor. */
     VolumeAxes scaled(double fx, double fy, double fz) {
         double[] f = {fx, fy, fz};
         double[][] s = new double[3][3];
@@ -47,10 +47,10 @@ final class VolumeAxes {
     }
 
     /**
-     * Twelve numbers as {@link org.phrenic.geometry.LabelGrid} takes them.
+     * The affine matrix as twelve numbers, in the layout of {@code LabelGrid}.
      *
-     * @param file to name in a sentence
-     * @throws BadInputException if a number is not finite, voxels have no size or the axes are not at right angles
+     * @param file name for error messages
+     * @throws BadInputException if a number is not finite, a spacing is 0 or the axes are not orthogonal
      */
     double[] affine(String file) {
         double[] length = new double[3];

@@ -14,10 +14,7 @@ import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
-/**
- * The lines "key = value" or "key: value" at the head of a volume, by key in lower case, each with the line it stands
- * on.
- */
+/** The "key = value" or "key: value" lines of a volume header, by lower-case key, each with its line number. */
 final class VolumeHeader {
     private static final int LONGEST_LINE = 1 << 20;
 
@@ -30,7 +27,7 @@ final class VolumeHeader {
         this.file = file;
     }
 
-    /** The next line without its end, or null at the end of the stream; reads not a byte beyond. */
+    /** The next line without its line break, or null at the end of the stream; reads no byte beyond the line. */
     String line(InputStream in) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         int c = in.read();
@@ -75,7 +72,7 @@ final class VolumeHeader {
         return value;
     }
 
-    /** Whole numbers between blanks. */
+    /** Whole numbers separated by spaces. */
     int[] integers(String key) {
         String[] words = text(key).split("\\s+", -1);
         int[] numbers = new int[words.length];
@@ -90,9 +87,9 @@ final class VolumeHeader {
     }
 
     /**
-     * Numbers between blanks.
+     * Numbers separated by spaces.
      *
-     * @param count how many there have to be
+     * @param count required number of values
      */
     double[] numbers(String key, int count) {
         String[] words = text(key).split("\\s+", -1);
@@ -114,7 +111,7 @@ final class VolumeHeader {
         return value.getAsDouble();
     }
 
-    /** The one file beside the header that a key names. */
+    /** The single file beside the header that a key names. */
     Path fileBeside(Path headerFile, String key) {
         String name = text(key);
         if (name.toUpperCase(Locale.ROOT).startsWith("LIST") || name.contains("%")) {
@@ -126,7 +123,7 @@ final class VolumeHeader {
                 return beside;
             }
         } catch (InvalidPathException none) {
-            // Reported below, like a name that no file has.
+            // Reported below, like a missing file.
         }
         throw badInput(key, "found " + Numbers.quote(name) + ", a file that is not there, expected the voxels' file");
     }

@@ -13,34 +13,34 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Storage of the voxels of a volume, and decoding to labels: one byte a label until one is above 255.
+ * Decodes the stored voxels of a volume to labels, with one byte per label until a label exceeds 255.
  *
- * @param sizes voxels along columns, rows and slices
- * @param type of a stored value
- * @param order of its bytes
- * @param slope label = slope times stored value plus intercept
- * @param intercept as above
+ * @param sizes number of voxels along columns, rows and slices
+ * @param type type of a stored value
+ * @param order byte order of stored values
+ * @param slope label = slope * stored value + intercept
+ * @param intercept see {@code slope}
  */
 record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
     private static final int CHUNK = 1 << 15;
-    /** Deflate packs at most 1,032 bytes into one. */
+    /** Greatest compression ratio of deflate. */
     private static final long MOST_PACKED = 1032;
 
     private static final long MOST_VOXELS = Integer.MAX_VALUE - 8;
-    /** Labels allocated at first; memory grows with the data read, not with what the header promises. */
-    private static final int FIRST_ROOM = 1 << 22;
     /**
-     * A volume of labels takes no more than this share of Java's memory, as an array that grows is held twice for a
-     * moment.
+     * Initial capacity in labels. It grows with the data read, so that a damaged header cannot allocate too much
+     * memory.
      */
+    private static final int FIRST_ROOM = 1 << 22;
+    /** Greatest fraction of the Java heap for one label volume; growing an array needs both copies for a short time. */
     private static final double MOST_OF_MEMORY = 0.5;
 
-    /** Stored values are labels as they are. */
+    /** A decoder for stored values that are labels. */
     VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order) {
         this(sizes, type, order, 1, 0);
     }
 
-    /** Bytes that all voxels take unpacked. */
+    /** Uncompressed size of all voxels, bytes. */
     long bytes() {
         return voxels() * type.size();
     }
@@ -50,9 +50,9 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     }
 
     /**
-     * Refuses impossible sizes, and sizes that the file cannot hold, before memory is allocated.
+     * Rejects invalid sizes, and sizes that the file cannot contain, before memory is allocated.
      *
-     * @param available bytes that the file still has
+     * @param available number of bytes left in the file
      */
     void validate(String file, long available, boolean packed) {
         for (int size : sizes) {
@@ -61,7 +61,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
                         file + ": found a size of " + shown(sizes) + " voxels, expected at least 1 each way");
             }
         }
-        // Three sizes below 2^31 overflow a long only beyond this product of two.
+        // This first comparison is needed because the product of three sizes below 2^31 can overflow a long.
         if ((long) sizes[0] * sizes[1] > MOST_VOXELS || voxels() > MOST_VOXELS) {
             throw new BadInputException(
                     file + ": found a size of " + shown(sizes) + " voxels, expected less than 2^31 in all");
@@ -75,7 +75,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
         checkMemory(file);
     }
 
-    /** Refuses more labels than there is memory for. */
+    /** Rejects more labels than fit into memory. */
     private void checkMemory(String file) {
         long memory = Runtime.getRuntime().maxMemory();
         if (voxels() > MOST_OF_MEMORY * memory) {
@@ -96,8 +96,8 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     /**
      * Reads all voxels.
      *
-     * @param in at the first one, unpacked
-     * @param affine where they lie, see {@link LabelGrid}
+     * @param in uncompressed data, positioned at the first voxel
+     * @param affine voxel positions, see {@link LabelGrid}
      */
     LabelGrid decode(String file, InputStream in, double[] affine) {
         int count = (int) voxels();
@@ -131,7 +131,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
                     throw new EOFException();
                 }
             }
-            // Reading past the last byte verifies the checksum of a packed file.
+            // Reading past the last byte verifies the checksum of a compressed file.
             in.read();
         } catch (EOFException ended) {
             throw new BadInputException(
@@ -154,7 +154,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
         return (int) Math.min(count, 2L * before);
     }
 
-    /** False as soon as a label does not fit into a byte. */
+    /** Decodes to bytes; returns false as soon as a label does not fit into a byte. */
     private boolean takeBytes(String file, ByteBuffer from, int count, byte[] to, int first) {
         for (int n = 0; n < count; n++) {
             int label = label(file, from, n, first);

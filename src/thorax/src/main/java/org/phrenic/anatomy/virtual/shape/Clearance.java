@@ -3,16 +3,16 @@ package org.phrenic.anatomy.virtual.shape;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
-/** Keeps a surface at a distance from a region, where a blend of implicit surfaces is no exact distance. */
+/** Enforces a minimum distance between a mesh and a region; a blend of implicit surfaces is not an exact distance. */
 public final class Clearance {
     private static final int STEPS = 10;
 
     private Clearance() {}
 
     /**
-     * The mesh with every vertex nearer to the region than {@code least} mm pushed straight away from it.
+     * Pushes every vertex closer to the region than {@code least} mm away from it along the normal.
      *
-     * @param away 1 to stay outside the region, -1 to stay inside it
+     * @param away 1 to stay outside the region, -1 to stay inside
      */
     public static TriangleMesh enforce(TriangleMesh mesh, ImplicitSurface region, int away, double least) {
         double[] positions = mesh.positions().clone();

@@ -2,12 +2,14 @@ package org.phrenic.anatomy.virtual.shape;
 
 import org.phrenic.mesh.Vectors;
 
-/** A region of space as the sign of a function: negative inside, about the distance in mm near its surface. */
+/**
+ * A region given by an implicit function: negative inside, approximately the signed distance in mm near the surface.
+ */
 @FunctionalInterface
 public interface ImplicitSurface {
     double at(double x, double y, double z);
 
-    /** Gradient by central differences of 0.05 mm. */
+    /** Gradient by central differences with a step of 0.05 mm. */
     default double[] gradient(double[] p) {
         double e = 0.05;
         return Vectors.of(
@@ -21,7 +23,7 @@ public interface ImplicitSurface {
         return Vectors.normalize(gradient(p));
     }
 
-    /** {@code p} moved on to the surface by Newton steps along the gradient, no step longer than 4 mm. */
+    /** Projects {@code p} on the surface by Newton steps along the gradient, each at most 4 mm long. */
     default double[] project(double[] p, int steps) {
         double[] q = p;
         for (int i = 0; i < steps; i++) {

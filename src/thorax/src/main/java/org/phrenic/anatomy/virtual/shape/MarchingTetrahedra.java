@@ -5,31 +5,32 @@ import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The surface of a region as triangles: each cube of a grid is cut into six tetrahedra along its diagonal (Kuhn), and
- * in each the surface is one or two triangles. Always closed and manifold if the region ends inside the grid.
+ * Triangulates an implicit surface by marching tetrahedra. Each grid cube is split into six tetrahedra along its
+ * diagonal (Kuhn subdivision); each cut tetrahedron yields one or two triangles. The mesh is closed and manifold if the
+ * region lies inside the grid.
  */
 public final class MarchingTetrahedra {
-    /** The six ways from a cube's corner 0 to corner 7 (bits: x 1, y 2, z 4). */
+    /** The six paths from corner 0 to corner 7 of a cube (bits: x 1, y 2, z 4). */
     private static final int[][] TETRAHEDRA = {
         {0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}
     };
 
-    /** For so many corners inside, the edges that are cut, as an inner and an outer corner, round the cut. */
+    /** For each number of inside corners, the cut edges as (inner, outer) corners in order around the cut. */
     private static final int[][][] CUTS = {
         {}, {{0, 0}, {0, 1}, {0, 2}}, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, {{0, 0}, {1, 0}, {2, 0}}, {}
     };
 
-    /** A cut closer to a corner than this share of the edge is moved there: no needles. */
+    /** A cut closer to a corner than this fraction of the edge is moved to it, to avoid needle triangles. */
     private static final double MIN_CUT_SHARE = 0.12;
 
     private final int[] size = new int[3];
     private final double[] origin;
     private final double step;
     private final double[] value;
-    /** Vertex on each of the seven ways up from each grid point, the bits of the way less one; -1 for none yet. */
+    /** Vertex on each of the seven edges up from each grid point, indexed by edge bits less one; -1 if none. */
     private final int[] cut;
 
-    /** Grid points of the cube at hand. */
+    /** Grid points of the current cube. */
     private final int[] corner = new int[8];
 
     private final int[] insideCorners = new int[4];
@@ -59,7 +60,7 @@ public final class MarchingTetrahedra {
         }
     }
 
-    /** Surface of the region inside this box, in triangles of about {@code step} mm. */
+    /** Triangulates the surface within a box, with a grid step of {@code step} mm. */
     public static TriangleMesh surface(ImplicitSurface field, double[] low, double[] high, double step) {
         MarchingTetrahedra march = new MarchingTetrahedra(field, low, high, step);
         for (int k = 0; k < march.size[2] - 1; k++) {
@@ -79,7 +80,7 @@ public final class MarchingTetrahedra {
         return (k * size[1] + j) * size[0] + i;
     }
 
-    /** Whether the cube has corners inside and outside. */
+    /** True if the cube has corners inside and outside the region. */
     private boolean isCut(int i, int j, int k) {
         int inside = 0;
         for (int c = 0; c < 8; c++) {
@@ -119,7 +120,7 @@ public final class MarchingTetrahedra {
         }
     }
 
-    /** Vertex on the edge between two corners of the cube, of which one has all bits of the other. */
+    /** Vertex on the edge between two cube corners; the bits of one corner contain those of the other. */
     private int cut(int i, int j, int k, int one, int other) {
         int low = Math.min(one, other);
         int high = Math.max(one, other);
@@ -143,12 +144,12 @@ public final class MarchingTetrahedra {
         return p + t * (origin[axis] + (cube + high) * step - p);
     }
 
-    /** How much the way from the first inner to the first outer corner goes along an axis, -1 to 1. */
+    /** Component along an axis of the offset from the first inner to the first outer corner, -1 to 1. */
     private double outward(int axis) {
         return (outsideCorners[0] >> axis & 1) - (insideCorners[0] >> axis & 1);
     }
 
-    /** Adds a triangle, turned so that it looks from the inner corners to the outer ones. */
+    /** Adds a triangle, oriented from the inner to the outer corners. */
     private void addTriangle(int a, int b, int c) {
         if (length + 3 > triangles.length) {
             triangles = Arrays.copyOf(triangles, 2 * triangles.length);

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A bowl-shaped piece of a surface as lines that run from its pole on an axis out to its border, one every 2 degrees of
- * azimuth; places on a line are fractions of its length. In each upright half-plane through the axis the surface must
- * be seen whole from one point of the axis, the pivot.
+ * Meridians of a bowl-shaped surface: lines from its pole on an axis to its border, one every 2 degrees of azimuth.
+ * Positions on a meridian are fractions of its length. In each vertical half-plane through the axis the surface must be
+ * star-shaped about one point of the axis, the pivot.
  */
 public final class Meridians {
     public static final int AZIMUTHS = 180;
@@ -14,14 +14,14 @@ public final class Meridians {
 
     private final double[][][] line = new double[AZIMUTHS][SAMPLES + 1][];
     private final double meanLength;
-    /** Of the last call: the search for an edge length repeats it. */
+    /** Result of the last call; the search for an edge length repeats it. */
     private double[] perimeters = {};
 
     /**
-     * @param surface the region, pivot inside
+     * @param surface region that contains the pivot
      * @param pivotZ height of the pivot on the axis
      * @param upward true if the pole lies above the pivot
-     * @param border the end of the line at each azimuth, on the surface
+     * @param border end point of the meridian at each azimuth, on the surface
      */
     public Meridians(ImplicitSurface surface, VerticalAxis axis, double pivotZ, boolean upward, double[][] border) {
         double start = upward ? Math.PI / 2 : -Math.PI / 2;
@@ -64,7 +64,7 @@ public final class Meridians {
         return 2 * Math.PI * i / AZIMUTHS;
     }
 
-    /** The closed line at this fraction of all meridians. */
+    /** Closed ring at one fraction of all meridians. */
     double[][] ring(double fraction) {
         double at = fraction * SAMPLES;
         int low = Math.min((int) at, SAMPLES - 1);
@@ -84,7 +84,9 @@ public final class Meridians {
         return meanLength;
     }
 
-    /** Lengths of so many rings, evenly from the pole to the border, which is the last, mm; read only. */
+    /**
+     * Perimeters of evenly spaced rings from the pole to the border, mm. The array is shared and must not be modified.
+     */
     double[] perimeters(int rings) {
         if (perimeters.length != rings) {
             double[] lengths = new double[rings];

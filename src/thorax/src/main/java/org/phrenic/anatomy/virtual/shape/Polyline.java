@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.mesh.Vectors;
 
-/** A polyline with closely spaced points, parametrised by arc length. */
+/** A densely sampled polyline, parametrised by arc length. */
 public final class Polyline {
     private final List<double[]> points;
     private final double[] arcLength;
@@ -17,7 +17,7 @@ public final class Polyline {
         }
     }
 
-    /** A smooth curve through a few points: Catmull-Rom with chord-length knots, {@code dense} points a span. */
+    /** Catmull-Rom spline with chord-length knots, sampled at {@code dense} points per span. */
     public static Polyline catmullRom(List<double[]> knots, int dense) {
         int n = knots.size();
         double[] at = new double[n];
@@ -52,7 +52,7 @@ public final class Polyline {
         return arcLength[arcLength.length - 1];
     }
 
-    /** The point at this path from the beginning, mm. */
+    /** Point at an arc length from the start, mm. */
     public double[] pointAt(double distance) {
         int low = 0;
         int high = arcLength.length - 1;
@@ -68,7 +68,7 @@ public final class Polyline {
                 points.get(low), points.get(high), (distance - arcLength[low]) / (arcLength[high] - arcLength[low]));
     }
 
-    /** The piece between two paths, as {@code count} points evenly apart. */
+    /** Resamples the part between two arc lengths as {@code count} equally spaced points. */
     public Polyline resample(double from, double to, int count) {
         List<double[]> piece = new ArrayList<>();
         for (int i = 0; i < count; i++) {
@@ -77,7 +77,7 @@ public final class Polyline {
         return new Polyline(piece);
     }
 
-    /** Unit direction at this path, over 4 mm. */
+    /** Unit direction at an arc length, averaged over 4 mm. */
     public double[] direction(double distance) {
         double from = Math.max(0, distance - 2);
         double to = Math.min(length(), distance + 2);

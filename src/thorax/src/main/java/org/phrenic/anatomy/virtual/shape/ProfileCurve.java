@@ -3,8 +3,8 @@ package org.phrenic.anatomy.virtual.shape;
 import java.util.Arrays;
 
 /**
- * A smooth curve through a table, without overshoot: piecewise cubic Hermite with the slopes of Fritsch and Butland
- * 1984 (doi 10.1137/0905021). Beyond its ends it goes on as the straight line of the end slope.
+ * Monotone interpolation of a table: piecewise cubic Hermite with the slopes of Fritsch and Butland 1984 (doi
+ * 10.1137/0905021), without overshoot. Beyond its ends the curve continues linearly with the end slope.
  */
 public final class ProfileCurve {
     private final double[] at;
@@ -12,8 +12,8 @@ public final class ProfileCurve {
     private final double[] slope;
 
     /**
-     * @param at strictly rising, at least two
-     * @param value as many
+     * @param at abscissae, strictly increasing, at least two
+     * @param value ordinates, as many as abscissae
      */
     public ProfileCurve(double[] at, double[] value) {
         this.at = at.clone();

@@ -5,13 +5,13 @@ import java.util.List;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Triangles over {@link Meridians}: rings about the pole, as many points on each as its length asks for, zipped
- * together. The last ring is the border; its vertices come last.
+ * Triangle mesh over {@link Meridians}: concentric rings about the pole, joined by strips of triangles. The number of
+ * points of a ring is proportional to its perimeter. The last ring is the border; its vertices come last.
  */
 public final class RingMesh {
     private RingMesh() {}
 
-    /** Points on each ring from the pole out, for an edge length of about {@code edge} mm; the pole itself left out. */
+    /** Number of points on each ring, from the pole outward without the pole, for edges of about {@code edge} mm. */
     public static int[] counts(Meridians meridians, double edge, int border) {
         int rings = Math.max(3, (int) Math.round(meridians.meanLength() / (edge * 0.88)));
         int[] counts = new int[rings];
@@ -31,7 +31,7 @@ public final class RingMesh {
         return total;
     }
 
-    /** Edge length at which {@code count(edge)}, falling with the edge, comes nearest to a number of vertices. */
+    /** Edge length at which {@code count(edge)}, a decreasing function, is closest to {@code target}. */
     public static double edgeLengthFor(java.util.function.DoubleToIntFunction count, int target) {
         double best = 6;
         int bestMiss = Integer.MAX_VALUE;
@@ -56,7 +56,7 @@ public final class RingMesh {
         return best;
     }
 
-    /** The mesh; seen from the pole's side (from above a dome) its triangles run anticlockwise if {@code upward}. */
+    /** Builds the mesh. If {@code upward}, triangles are counterclockwise seen from above. */
     public static TriangleMesh mesh(Meridians meridians, int[] counts, boolean upward) {
         double[] positions = new double[3 * vertexCount(counts)];
         System.arraycopy(meridians.pole(), 0, positions, 0, 3);
@@ -87,7 +87,7 @@ public final class RingMesh {
         return new TriangleMesh(positions, flat);
     }
 
-    /** Points evenly apart along a closed line, the first at azimuth 0. */
+    /** Places points at equal spacing along a closed line, the first at azimuth 0. */
     private static void placeEvenly(double[][] ring, int count, double[] positions, int start) {
         List<double[]> closed = new ArrayList<>(List.of(ring));
         closed.add(ring[0]);

@@ -9,9 +9,9 @@ public final class RootFinder {
     private RootFinder() {}
 
     /**
-     * A root of a function that is negative at 0 and positive far off, searched from a guess outward.
+     * Finds a root of a function that is negative at 0 and positive far out, searching outward from a guess.
      *
-     * @throws IllegalStateException if the function does not turn positive within 2 m
+     * @throws IllegalStateException if the function does not become positive within 2 m
      */
     public static double firstOutward(DoubleUnaryOperator f, double guess) {
         double low = guess * 0.96;
@@ -35,7 +35,7 @@ public final class RootFinder {
         return illinois(f, low, valueLow, high, valueHigh);
     }
 
-    /** The root between a place with a negative value and one with a positive: false position, Illinois variant. */
+    /** Root between a negative and a positive value, by false position (Illinois variant). */
     public static double illinois(DoubleUnaryOperator f, double low, double valueLow, double high, double valueHigh) {
         double a = low;
         double fa = valueLow;

@@ -1,18 +1,18 @@
 package org.phrenic.anatomy.virtual.shape;
 
-/** The few blends that shapes here are made of. */
+/** Smooth blends of implicit functions. */
 public final class SmoothBlends {
     private SmoothBlends() {}
 
-    /** 0 below 0, 1 above 1, {@code 3t^2 - 2t^3} between. */
+    /** 0 for {@code t < 0}, 1 for {@code t > 1}, {@code 3t^2 - 2t^3} between. */
     public static double smoothstep(double t) {
         double u = Math.max(0, Math.min(1, t));
         return u * u * (3 - 2 * u);
     }
 
     /**
-     * Intersection of two regions {@code a < 0} and {@code b < 0} whose edge is rounded with this radius (distances in
-     * mm, exact where the two surfaces meet at a right angle).
+     * Intersection of two regions {@code a < 0} and {@code b < 0} with an edge rounded to this radius (mm). The radius
+     * is exact where the surfaces meet at a right angle.
      */
     public static double roundIntersection(double a, double b, double radius) {
         double u = Math.max(a + radius, 0);

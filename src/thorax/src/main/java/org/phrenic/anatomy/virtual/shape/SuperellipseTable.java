@@ -1,8 +1,9 @@
 package org.phrenic.anatomy.virtual.shape;
 
 /**
- * Tabulated powers for superelliptic sections, which the chest wall samples at a million points: {@code m^n} and
- * {@code (1 + m^n)^(-1/n)} for m from 0 to 1. Bilinear between entries; off by at most 6e-6, a micrometre of the wall.
+ * Tabulated powers for superelliptic sections: {@code m^n} and {@code (1 + m^n)^(-1/n)} for m from 0 to 1, with
+ * bilinear interpolation. The error is at most 6e-6, a micrometre on the chest wall. The table is needed for speed: the
+ * chest wall is sampled at a million points.
  */
 public final class SuperellipseTable {
     private static final int RATIO_STEPS = 512;
@@ -14,8 +15,8 @@ public final class SuperellipseTable {
     private final double[] root = new double[power.length];
 
     /**
-     * @param least exponent n, more than 1
-     * @param most exponent n
+     * @param least smallest exponent n, above 1
+     * @param most largest exponent n
      */
     public SuperellipseTable(double least, double most) {
         this.minExponent = least;

@@ -10,18 +10,18 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Evens out the triangles of a surface without leaving it: sweeps of edge flips towards Delaunay and of moving each
- * vertex to the middle of its neighbours and back on to its surface. The number of vertices and triangles stays.
+ * Improves triangle quality on a given surface. A sweep flips edges towards Delaunay, moves each vertex towards the
+ * mean of its neighbours and projects it back on its surface. The numbers of vertices and triangles do not change.
  */
 public final class SurfaceRelaxation {
-    /** Share of the way to the neighbours' middle gone in a sweep. */
+    /** Relaxation factor: fraction of the way to the mean of the neighbours in one sweep. */
     private static final double STEP = 0.7;
-    /** Edges shorter than this share of the mean push their ends apart. */
+    /** Ends of edges shorter than this fraction of the mean edge repel each other. */
     private static final double REPULSION_EDGE_SHARE = 0.65;
 
     private static final double REPULSION = 2.0;
     private static final double MAX_PUSH = 1.5;
-    /** No edge is to be shorter than this share of the mean. */
+    /** Shortest edge as a fraction of the mean edge. */
     private static final double MIN_EDGE_SHARE = 0.5;
 
     private static final int MAX_LENGTHENING_PASSES = 30;
@@ -42,7 +42,7 @@ public final class SurfaceRelaxation {
         meanEdge = meanEdge(positions, triangles);
     }
 
-    /** @param surface what each vertex stays on; null for a vertex that stays where it is */
+    /** @param surface surface of each vertex; null for a fixed vertex */
     public static TriangleMesh relax(TriangleMesh mesh, int sweeps, IntFunction<ImplicitSurface> surface) {
         SurfaceRelaxation relaxation = new SurfaceRelaxation(mesh, surface);
         for (int i = 0; i < sweeps; i++) {
@@ -54,8 +54,8 @@ public final class SurfaceRelaxation {
     }
 
     /**
-     * As {@link #relax}, then moves the ends of edges shorter than a share of the mean edge apart: the shortest edge
-     * sets the time step of what moves the mesh.
+     * Relaxes as {@link #relax}, then lengthens edges shorter than a fraction of the mean edge. The shortest edge
+     * limits the time step of a simulation on the mesh.
      */
     public static TriangleMesh relaxAndLengthen(TriangleMesh mesh, int sweeps, IntFunction<ImplicitSurface> surface) {
         SurfaceRelaxation relaxation = new SurfaceRelaxation(relax(mesh, sweeps, surface), surface);
@@ -65,7 +65,7 @@ public final class SurfaceRelaxation {
         return new TriangleMesh(relaxation.positions, relaxation.triangles);
     }
 
-    /** Makes up half of what each short edge misses at each end, back on the surface; false if no edge was short. */
+    /** Moves both ends of each short edge apart by half its deficit and projects them; false if no edge was short. */
     private boolean separateShortEdges() {
         double least = MIN_EDGE_SHARE * meanEdge;
         double[] move = new double[positions.length];
@@ -121,7 +121,7 @@ public final class SurfaceRelaxation {
         }
     }
 
-    /** Adds to vertex a's move: towards its neighbour b, or away from it where they stand too close. */
+    /** Adds to the displacement of vertex a: towards its neighbour b, or away from it if they are too close. */
     private void accumulateMove(int a, int b, double[] sum) {
         double x = positions[3 * b] - positions[3 * a];
         double y = positions[3 * b + 1] - positions[3 * a + 1];
@@ -148,7 +148,9 @@ public final class SurfaceRelaxation {
         return sum / triangles.length;
     }
 
-    /** Flips every inner edge whose opposite angles add up to more than 180 degrees, no triangle twice. */
+    /**
+     * Flips every inner edge whose opposite angles sum to more than 180 degrees; each triangle changes at most once.
+     */
     private void flip() {
         int corners = triangles.length;
         long[] edges = sortedEdges();
@@ -178,8 +180,8 @@ public final class SurfaceRelaxation {
     }
 
     /**
-     * Every corner's edge as lower end, higher end and corner in one number, in ascending order: by lower end into
-     * rows, then within each short row.
+     * Edge of every triangle corner, packed as (lower vertex, higher vertex, corner) in ascending order. A bucket sort
+     * by lower vertex is followed by a sort of each short bucket.
      */
     private long[] sortedEdges() {
         int corners = triangles.length;
@@ -196,7 +198,7 @@ public final class SurfaceRelaxation {
             long high = Math.max(triangles[c], triangles[next(c)]);
             edges[start[(int) low]++] = (low << 42) | (high << 21) | c;
         }
-        // Each row's start has moved to its end.
+        // The scatter has advanced each bucket's start to its end.
         for (int v = 0, from = 0; v < start.length - 1; from = start[v++]) {
             RadixSort.sort(edges, from, start[v]);
         }
@@ -213,14 +215,14 @@ public final class SurfaceRelaxation {
         triangles[3 * triangle + 2] = c;
     }
 
-    /** The edge a flip would make, as its ends sit in a sorted edge's upper bits. */
+    /** Edge that a flip would create, packed as in the upper bits of a sorted edge. */
     private long flippedEdge(int c, int d) {
         long p = triangles[next(next(c))];
         long q = triangles[next(next(d))];
         return (Math.min(p, q) << 42) | (Math.max(p, q) << 21);
     }
 
-    /** True if the edge a flip would make is not there yet. */
+    /** True if the edge that a flip would create does not exist. */
     private boolean isNewEdge(long[] edges, int c, int d) {
         long key = flippedEdge(c, d);
         int at = Arrays.binarySearch(edges, key);
@@ -249,7 +251,7 @@ public final class SurfaceRelaxation {
                 && Vectors.dot(fourth, second) > 0;
     }
 
-    /** Twice the area vector of the triangle (o, a, b), seen from o. */
+    /** Twice the area vector of the triangle (o, a, b). */
     private void cross(int o, int a, int b, double[] into) {
         Triangles.cross(positions, 3 * o, 3 * a, 3 * b, into);
     }

@@ -3,8 +3,8 @@ package org.phrenic.anatomy.virtual.shape;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A bar with round ends whose radius goes from one end's to the other's. Asked for at every point of a grid, so without
- * arrays.
+ * A capsule whose radius varies linearly between its ends. The evaluation allocates no arrays, since it runs at every
+ * point of a grid.
  */
 public final class TaperedCapsule implements ImplicitSurface {
     private final double fromX;
@@ -30,7 +30,7 @@ public final class TaperedCapsule implements ImplicitSurface {
         widening = radiusTo - radiusFrom;
     }
 
-    /** Distance to the bar, mm. */
+    /** Distance to the capsule, mm; negative inside. */
     @Override
     public double at(double x, double y, double z) {
         double qx = x - fromX;

@@ -6,16 +6,16 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
- * A closed surface around a course: superelliptic sections {@code |u/width|^n + |v/thickness|^n = 1} across it, rounded
- * off at both ends, which lie at the course's own ends.
+ * A closed tube around a curve with superelliptic sections {@code |u/width|^n + |v/thickness|^n = 1}. Both ends are
+ * rounded and coincide with the ends of the curve.
  *
- * @param around points of a section
- * @param along sections between the two ends' roundings
- * @param exponent n: 2 for an ellipse, more for a flatter bar
- * @param capMm length of the rounding at each end
+ * @param around number of points of a section
+ * @param along number of sections between the rounded ends
+ * @param exponent n: 2 for an ellipse, larger for a flatter bar
+ * @param capMm length of each rounded end
  */
 public record Tube(int around, int along, double exponent, double capMm) {
-    /** Sections of one rounded end, its pole left out. */
+    /** Number of sections of one rounded end, without its pole. */
     private static final int CAP_SECTIONS = 2;
 
     /** Half-width and half-thickness of a section, mm. */
@@ -26,8 +26,8 @@ public record Tube(int around, int along, double exponent, double capMm) {
     }
 
     /**
-     * @param sections section at a fraction 0-1 of the course
-     * @param outward direction in which the section's thickness lies, at a point of the course
+     * @param sections section at a fraction 0-1 of the curve
+     * @param outward direction of the section's thickness at a point of the curve
      */
     public TriangleMesh mesh(Polyline course, DoubleFunction<Section> sections, UnaryOperator<double[]> outward) {
         int rings = along + 2 * CAP_SECTIONS;

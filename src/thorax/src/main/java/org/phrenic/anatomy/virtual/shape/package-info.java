@@ -1,5 +1,5 @@
 /**
- * Geometry that the virtual thorax is built of: implicit surfaces and how they blend, curves, tubes, ring meshes,
- * marching tetrahedra, relaxation. Knows no organ and no measure.
+ * Geometry of the parametric thorax: implicit surfaces and blends, curves, tubes, ring meshes, marching tetrahedra,
+ * mesh relaxation. Independent of any organ.
  */
 package org.phrenic.anatomy.virtual.shape;
