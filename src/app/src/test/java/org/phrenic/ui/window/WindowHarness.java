@@ -49,12 +49,10 @@ public final class WindowHarness implements AutoCloseable {
     private final Preferences node;
     private final Watch watch = new Watch();
     private final PhrenicWindow window;
-    private final double firstPictureCpuS;
 
     public WindowHarness(String name, Scenario scenario) throws Exception {
         node = Preferences.userRoot().node("org/phrenic/test-" + name);
         node.clear();
-        long begun = cpuNs();
         Session session = new Session(scenario);
         window = onEdt(() -> {
             PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
@@ -65,7 +63,6 @@ public final class WindowHarness implements AutoCloseable {
         await(
                 "a first picture",
                 () -> window.view().frameCount() > 0 || window.view().isUnavailable());
-        firstPictureCpuS = (cpuNs() - begun) * 1e-9;
         await("a scene", () -> onEdt(() -> window.session().scene().isPresent()));
     }
 
@@ -75,16 +72,6 @@ public final class WindowHarness implements AutoCloseable {
 
     public Session session() {
         return window.session();
-    }
-
-    /** Processor time of all threads from the start to the first picture of the thorax, s. */
-    double firstPictureCpuS() {
-        return firstPictureCpuS;
-    }
-
-    private static long cpuNs() {
-        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
-                .getProcessCpuTime();
     }
 
     /** Ends a test, and says so, where no window can be shown. */

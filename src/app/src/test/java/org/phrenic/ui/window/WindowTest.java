@@ -41,12 +41,6 @@ import org.phrenic.ui.widget.Theme;
  */
 @Timeout(120)
 class WindowTest {
-    /**
-     * A window is there in 5 s on two cores that do nothing else. Machines that test share their cores, so what is held
-     * is the processor time that those have in 5 s.
-     */
-    private static final double FIRST_PICTURE_CPU_S = 10;
-
     /** By this time the first quiet breath is in, s. */
     private static final double IN_S = 2.2;
 
@@ -134,7 +128,6 @@ class WindowTest {
 
     @Test
     void theThoraxBreathesAtOnce() throws Exception {
-        assertThat(window.firstPictureCpuS()).isLessThan(FIRST_PICTURE_CPU_S);
         double step = WindowHarness.onEdt(() -> (double) window.window().view().shownStep());
         window.breathe(0.3);
         if (!window.window().view().isUnavailable()) {

@@ -414,13 +414,15 @@ abstract class IntegratorContract {
         }
         ThreadMXBean bean = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();
-        // The first reading allocates more than later ones.
-        bean.getThreadAllocatedBytes(id);
-        long before = bean.getThreadAllocatedBytes(id);
-        for (int i = 0; i < 1000; i++) {
-            stepper.step();
+        // An object a step is 16,000 bytes in every window; linking a call site or a reading is a few hundred in one.
+        long least = Long.MAX_VALUE;
+        for (int window = 0; window < 3; window++) {
+            long before = bean.getThreadAllocatedBytes(id);
+            for (int i = 0; i < 1000; i++) {
+                stepper.step();
+            }
+            least = Math.min(least, bean.getThreadAllocatedBytes(id) - before);
         }
-        // The two readings themselves may allocate a little.
-        assertThat(bean.getThreadAllocatedBytes(id) - before).isLessThan(500);
+        assertThat(least).isLessThan(500);
     }
 }
