@@ -113,22 +113,14 @@ final class VertexRelaxer {
         gy /= 3 * area;
         gz /= 3 * area;
         double along = gx * nx + gy * ny + gz * nz;
-        double[] to = {vx + gx - along * nx, vy + gy - along * ny, vz + gz - along * nz};
-        moveOntoSurface(v, to, new double[] {nx, ny, nz}, reach);
+        moveOntoSurface(v, vx + gx - along * nx, vy + gy - along * ny, vz + gz - along * nz, nx, ny, nz, reach);
     }
 
-    /** Moves v to the point nearest to {@code to} on the side of the surface that faces along the normal. */
-    private void moveOntoSurface(int v, double[] to, double[] normal, double reach) {
-        double[] p = mesh.position;
-        double x = to[0];
-        double y = to[1];
-        double z = to[2];
-        double vx = p[3 * v];
-        double vy = p[3 * v + 1];
-        double vz = p[3 * v + 2];
-        double nx = normal[0];
-        double ny = normal[1];
-        double nz = normal[2];
+    /** Moves v to the point nearest to (x, y, z) on the side of the surface that faces along the normal. */
+    private void moveOntoSurface(int v, double x, double y, double z, double nx, double ny, double nz, double reach) {
+        double vx = mesh.position[3 * v];
+        double vy = mesh.position[3 * v + 1];
+        double vz = mesh.position[3 * v + 2];
         // A vertex on the surface is no farther from it than it has moved, so most searches end in this small ball.
         double step = Math.sqrt((x - vx) * (x - vx) + (y - vy) * (y - vy) + (z - vz) * (z - vz));
         boolean found = surface.closest(x, y, z, Math.min(reach, step), nx, ny, nz, SAME_SIDE, hit)
