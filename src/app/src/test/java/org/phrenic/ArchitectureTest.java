@@ -30,106 +30,33 @@ class ArchitectureTest {
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
 
     static {
-        USES.put("engine", List.of());
-        USES.put("file", List.of());
-        USES.put("mesh", List.of("engine", "file"));
-        USES.put("document", List.of("file"));
-        USES.put("parameter", List.of("breathing", "document", "file"));
-        USES.put("anatomy", List.of("document", "engine", "file", "mesh"));
-        USES.put("breathing", List.of("document", "engine", "file"));
-        USES.put("model", List.of("anatomy", "breathing", "document", "engine", "file", "mesh", "parameter"));
-        USES.put("scenario", List.of("anatomy", "breathing", "document", "engine", "file", "model", "parameter"));
-        USES.put(
-                "simulation",
-                List.of(
-                        "anatomy",
-                        "breathing",
-                        "document",
-                        "engine",
-                        "file",
-                        "mesh",
-                        "model",
-                        "parameter",
-                        "scenario"));
-        USES.put("patient", List.of("anatomy", "document", "engine", "file", "mesh"));
-        USES.put(
-                "fit",
-                List.of(
-                        "anatomy",
-                        "document",
-                        "engine",
-                        "file",
-                        "mesh",
-                        "model",
-                        "parameter",
-                        "patient",
-                        "scenario",
-                        "simulation"));
-        USES.put(
-                "access",
-                List.of(
-                        "anatomy",
-                        "breathing",
-                        "document",
-                        "engine",
-                        "file",
-                        "mesh",
-                        "model",
-                        "scenario",
-                        "simulation"));
-        USES.put(
+        declare("engine", "");
+        declare("file", "");
+        declare("mesh", "engine file");
+        declare("document", "file");
+        declare("parameter", "breathing document file");
+        declare("anatomy", "document engine file mesh");
+        declare("breathing", "document engine file");
+        declare("model", "anatomy breathing document engine file mesh parameter");
+        declare("scenario", "anatomy breathing document engine file model parameter");
+        declare("simulation", "anatomy breathing document engine file mesh model parameter scenario");
+        declare("patient", "anatomy document engine file mesh");
+        declare("fit", "anatomy document engine file mesh model parameter patient scenario simulation");
+        declare("access", "anatomy breathing document engine file mesh model scenario simulation");
+        declare(
                 "study",
-                List.of(
-                        "access",
-                        "anatomy",
-                        "breathing",
-                        "document",
-                        "engine",
-                        "file",
-                        "fit",
-                        "mesh",
-                        "model",
-                        "parameter",
-                        "patient",
-                        "scenario",
-                        "simulation"));
-        USES.put(
-                "scene",
-                List.of("access", "anatomy", "breathing", "document", "file", "mesh", "scenario", "simulation"));
-        USES.put(
-                "ui",
-                List.of(
-                        "access",
-                        "anatomy",
-                        "breathing",
-                        "document",
-                        "engine",
-                        "file",
-                        "mesh",
-                        "model",
-                        "parameter",
-                        "scenario",
-                        "scene",
-                        "simulation"));
-        USES.put(
+                "access anatomy breathing document engine file fit"
+                        + " mesh model parameter patient scenario simulation");
+        declare("scene", "access anatomy breathing document file mesh scenario simulation");
+        declare("ui", "access anatomy breathing document engine file mesh model parameter scenario scene simulation");
+        declare(
                 "cli",
-                List.of(
-                        "access",
-                        "anatomy",
-                        "breathing",
-                        "document",
-                        "engine",
-                        "file",
-                        "fit",
-                        "mesh",
-                        "model",
-                        "parameter",
-                        "patient",
-                        "scenario",
-                        "scene",
-                        "simulation",
-                        "study",
-                        "ui"));
+                "access anatomy breathing document engine file fit mesh model"
+                        + " parameter patient scenario scene simulation study ui");
+    }
+
+    private static void declare(String chapter, String used) {
+        USES.put(chapter, used.isEmpty() ? List.of() : List.of(used.split(" ")));
     }
 
     private static String within(String name) {
