@@ -13,20 +13,13 @@ import org.phrenic.cli.option.OutputFolder;
 import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
-import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.ImportProgress;
-import org.phrenic.patient.ImportReport;
-import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
-import org.phrenic.patient.PatientFolder;
-import org.phrenic.patient.ScanImport;
-import org.phrenic.patient.registration.BodyCompletion;
-import org.phrenic.patient.registration.ScanAlignment;
+import org.phrenic.patient.pipeline.ImportPipeline;
+import org.phrenic.patient.pipeline.ImportRequest;
+import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.patient.segmentation.GeometryOverride;
-import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -124,36 +117,24 @@ final class ImportCommand extends ReportingCommand {
         OutputFolder.requireWritable(out);
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
-        ImportProgress progress = progress();
-        LabelVolume read = LabelVolumeFiles.read(file);
-        LabelVolume turned = axes == null ? read : GeometryOverride.axes(read, axes);
-        LabelVolume volume = spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
-        LabelTable map = map(volume);
-        String name = out.toAbsolutePath().normalize().getFileName().toString();
-        Optional<Thorax> template = template();
-        PatientBody scanned =
-                new ScanImport(volume, file.toString(), MeshingSettings.PAPER, edgeMm, progress).run(map, name);
-        PatientBody body = alignTo == null
-                ? template.map(t -> completed(scanned, t, progress)).orElse(scanned)
-                : alignedTo(scanned, ThoraxFolder.load(alignTo));
-        Map<String, Object> report = new LinkedHashMap<>(ImportReport.of(file.toString(), volume.grid(), body));
-        report.put("notice", Disclaimer.TEXT);
-        PatientFolder.write(out, body, report);
-        print(report, () -> text(volume.grid(), body));
+        ImportResult result = ImportPipeline.run(
+                new ImportRequest(
+                        file,
+                        out.toAbsolutePath().normalize().getFileName().toString(),
+                        Optional.ofNullable(labels),
+                        edgeMm,
+                        this::corrected,
+                        template(),
+                        Optional.ofNullable(alignTo).map(ThoraxFolder::load)),
+                progress());
+        result.write(out);
+        print(result.report(), () -> text(result));
         return ExitCode.SUCCESS;
     }
 
-    private static PatientBody completed(PatientBody scanned, Thorax template, ImportProgress progress) {
-        progress.stage("bringing " + template.name() + " to the scan for what it lacks");
-        return BodyCompletion.complete(scanned, template);
-    }
-
-    private PatientBody alignedTo(PatientBody scanned, Thorax first) {
-        try {
-            return ScanAlignment.aligned(first, scanned);
-        } catch (IllegalArgumentException e) {
-            throw new BadInputException(file + " and " + alignTo + ": " + e.getMessage(), e);
-        }
+    private LabelVolume corrected(LabelVolume read) {
+        LabelVolume turned = axes == null ? read : GeometryOverride.axes(read, axes);
+        return spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
     }
 
     private Optional<Thorax> template() {
@@ -164,20 +145,12 @@ final class ImportCommand extends ReportingCommand {
         return Optional.of(SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy))));
     }
 
-    private LabelTable map(LabelVolume volume) {
-        if (labels == null) {
-            return LabelTable.named(file.toString(), volume);
-        }
-        return labels.equals(LabelTable.TOTALSEGMENTATOR)
-                ? LabelTable.totalSegmentator(volume)
-                : LabelTable.read(Path.of(labels), volume);
-    }
-
-    private String text(LabelGrid grid, PatientBody body) {
+    private static String text(ImportResult result) {
+        LabelGrid grid = result.grid();
+        PatientBody body = result.body();
         TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true, true, true, false)
                 .row(COLUMNS.values().toArray(String[]::new));
-        Map<String, Object> report = ImportReport.of(file.toString(), grid, body);
-        for (Object row : (List<?>) report.get("structures")) {
+        for (Object row : (List<?>) result.report().get("structures")) {
             table.row(COLUMNS.keySet().stream()
                     .map(key -> cell(key, ((Map<?, ?>) row).get(key)))
                     .toArray(String[]::new));
@@ -186,7 +159,7 @@ final class ImportCommand extends ReportingCommand {
         text.append(String.format(
                 Locale.ROOT,
                 "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm%n%n",
-                file,
+                result.file(),
                 grid.columns(),
                 grid.rows(),
                 grid.slices(),

@@ -1,4 +1,4 @@
-package org.phrenic.patient;
+package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
 import java.util.Map;
@@ -6,9 +6,11 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
 
 /** Writes a body as a thorax folder with one VTP file per structure, {@code import.json} and {@code thorax.yaml}. */
-public final class PatientFolder {
+final class PatientFolder {
     private PatientFolder() {}
 
     /**
@@ -18,7 +20,7 @@ public final class PatientFolder {
      * @param report content of {@code import.json}
      * @throws org.phrenic.file.OutputException if a file cannot be written
      */
-    public static void write(Path folder, PatientBody body, Map<String, ?> report) {
+    static void write(Path folder, PatientBody body, Map<String, ?> report) {
         OrderedValues files = new OrderedValues();
         for (PatientStructure s : body.structures()) {
             String name = s.structure().name();

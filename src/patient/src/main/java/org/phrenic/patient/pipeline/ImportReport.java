@@ -1,20 +1,21 @@
-package org.phrenic.patient;
+package org.phrenic.patient.pipeline;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
 
 /** The report of an import: the structures built from a volume, and their accuracy. */
-public final class ImportReport {
+final class ImportReport {
     private ImportReport() {}
 
     /** @param file name of the volume as given by the user */
-    public static Map<String, Object> of(String file, LabelGrid grid, PatientBody body) {
+    static OrderedValues of(String file, LabelGrid grid, PatientBody body) {
         double voxelMm = Math.cbrt(grid.voxelVolume());
         return new OrderedValues()
                 .with("volume", file)

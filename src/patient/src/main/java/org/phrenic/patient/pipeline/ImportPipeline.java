@@ -1,0 +1,58 @@
+package org.phrenic.patient.pipeline;
+
+import java.nio.file.Path;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.patient.ImportProgress;
+import org.phrenic.patient.MeshingSettings;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.registration.BodyCompletion;
+import org.phrenic.patient.registration.ScanAlignment;
+import org.phrenic.patient.segmentation.LabelTable;
+
+/** Turns a scan into a body: reads the volume, meshes its structures, and completes or aligns the body. */
+public final class ImportPipeline {
+    private ImportPipeline() {}
+
+    /** @throws BadInputException if the file cannot be imported; the message is one sentence */
+    public static ImportResult run(ImportRequest request, ImportProgress progress) {
+        String file = request.file().toString();
+        LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));
+        PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
+                .run(table(request, volume), request.name());
+        if (request.alignTo().isPresent()) {
+            return new ImportResult(file, volume.grid(), aligned(request, scanned));
+        }
+        return new ImportResult(
+                file,
+                volume.grid(),
+                request.template().map(t -> completed(scanned, t, progress)).orElse(scanned));
+    }
+
+    private static LabelTable table(ImportRequest request, LabelVolume volume) {
+        if (request.labels().isEmpty()) {
+            return LabelTable.named(request.file().toString(), volume);
+        }
+        String labels = request.labels().get();
+        return labels.equals(LabelTable.TOTALSEGMENTATOR)
+                ? LabelTable.totalSegmentator(volume)
+                : LabelTable.read(Path.of(labels), volume);
+    }
+
+    private static PatientBody completed(PatientBody scanned, Thorax template, ImportProgress progress) {
+        progress.stage("bringing " + template.name() + " to the scan for what it lacks");
+        return BodyCompletion.complete(scanned, template);
+    }
+
+    private static PatientBody aligned(ImportRequest request, PatientBody scanned) {
+        Thorax first = request.alignTo().orElseThrow();
+        try {
+            return ScanAlignment.aligned(first, scanned);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(request.file() + " and " + first.name() + ": " + e.getMessage(), e);
+        }
+    }
+}
