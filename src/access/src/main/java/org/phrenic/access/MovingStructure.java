@@ -2,6 +2,7 @@ package org.phrenic.access;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
@@ -96,7 +97,8 @@ public final class MovingStructure {
             case LIVER -> "liver";
             case DIAPHRAGM -> "diaphragm";
             case SKIN -> "skin";
-            case STERNUM, VERTEBRA, DISC, OTHER -> surface.name().replace('_', ' ');
+            case STERNUM, VERTEBRA, DISC -> surface.name().replace('_', ' ');
+            case ORGAN, VESSEL, MUSCLE, BONE, LESION, OTHER -> side + OrganNames.words(surface.name());
         };
     }
 

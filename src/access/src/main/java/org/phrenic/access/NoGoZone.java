@@ -12,13 +12,13 @@ import org.phrenic.anatomy.StructureKind;
 /** Structures that a needle should not touch. */
 public enum NoGoZone {
     LUNG("lung"),
-    /** Ribs, costal cartilages, sternum, vertebrae and discs. */
+    /** Ribs, costal cartilages, sternum, vertebrae, discs and other bones. */
     BONE("bone"),
     /** Zone of the intercostal vessels and nerve below a rib ({@link CostalGroove}). */
     VESSELS("vessels below a rib"),
     /** The pleural recess ({@link PleuralReflection}). */
     PLEURA("pleural recess"),
-    /** Any other structure, such as trachea or bowel. */
+    /** Any other organ or large vessel, such as gall bladder, bowel or portal vein, and unknown structures. */
     ORGAN("other organ");
 
     private final String label;
@@ -38,10 +38,10 @@ public enum NoGoZone {
     /** The zone of a kind of structure, or empty if a needle may pass through it. */
     public static Optional<NoGoZone> of(StructureKind kind) {
         return switch (kind) {
-            case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> Optional.of(BONE);
+            case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC, BONE -> Optional.of(BONE);
             case LUNG -> Optional.of(LUNG);
-            case OTHER -> Optional.of(ORGAN);
-            case DIAPHRAGM, LIVER, SKIN -> Optional.empty();
+            case ORGAN, VESSEL, OTHER -> Optional.of(ORGAN);
+            case DIAPHRAGM, LIVER, SKIN, MUSCLE, LESION -> Optional.empty();
         };
     }
 

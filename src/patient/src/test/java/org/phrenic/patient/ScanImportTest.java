@@ -165,10 +165,11 @@ class ScanImportTest {
     @Test
     void namesOfTotalSegmentatorAreKnownByNameAndByNumber() {
         LabelVolume named = ScanSamples.volume(l -> l, Map.of(1, "lung_lower_lobe_right", 5, "liver", 9, "brain"));
-        assertThat(LabelTable.named("scan", named).structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver"));
-        assertThat(LabelTable.totalSegmentator(named).structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver"));
+        assertThat(LabelTable.named("scan", named).structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver", 9, "brain"));
+        assertThat(LabelTable.totalSegmentator(named).structures())
+                .isEqualTo(Map.of(1, "lung_R", 5, "liver", 9, "brain"));
         assertThat(LabelTable.totalSegmentator(ScanSamples.volume()).structures())
-                .hasSize(50)
+                .hasSize(117)
                 .containsEntry(5, "liver")
                 .containsEntry(92, "rib_01_L")
                 .containsEntry(115, "rib_12_R");

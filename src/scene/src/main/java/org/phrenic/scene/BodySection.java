@@ -49,9 +49,14 @@ public record BodySection(
     /** Painting order of the kinds of structures. */
     private static final List<StructureKind> PAINTING_ORDER = List.of(
             StructureKind.SKIN,
+            StructureKind.MUSCLE,
             StructureKind.OTHER,
             StructureKind.LUNG,
             StructureKind.LIVER,
+            StructureKind.ORGAN,
+            StructureKind.VESSEL,
+            StructureKind.LESION,
+            StructureKind.BONE,
             StructureKind.DIAPHRAGM,
             StructureKind.COSTAL_CARTILAGE,
             StructureKind.STERNUM,

@@ -86,7 +86,7 @@ public final class NeedlePictures implements AutoCloseable {
             case LUNG -> usual.withOpacity(0.25f);
             case SKIN -> usual.withOpacity(0.10f);
             case RIB, COSTAL_CARTILAGE, STERNUM -> usual.withOpacity(0.55f);
-            case VERTEBRA, DISC, OTHER -> usual;
+            case VERTEBRA, DISC, ORGAN, VESSEL, MUSCLE, BONE, LESION, OTHER -> usual;
         });
         SceneStyle section = style(
                         all,

@@ -139,7 +139,7 @@ public final class PaperFigures {
                 .withAppearances(breath.surfaces, (s, usual) -> switch (s.kind()) {
                     case DIAPHRAGM -> usual;
                     case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC -> usual.withOpacity(BONE_OPACITY);
-                    case LUNG, LIVER, SKIN, OTHER -> usual.withVisible(false);
+                    default -> usual.withVisible(false);
                 });
         // The first nodes of the scene belong to the diaphragm.
         int[] nodes = breath.overlays.stream()

@@ -1,6 +1,6 @@
 package org.phrenic.anatomy;
 
-/** Kind of a structure of the thorax. */
+/** Kind of a structure of the trunk. */
 public enum StructureKind {
     RIB,
     COSTAL_CARTILAGE,
@@ -11,5 +11,21 @@ public enum StructureKind {
     LUNG,
     LIVER,
     SKIN,
-    OTHER
+    /** An organ other than lungs and liver, such as heart, kidney or colon. */
+    ORGAN,
+    /** A large vessel, such as the aorta or the portal vein. */
+    VESSEL,
+    /** A muscle other than the diaphragm. */
+    MUSCLE,
+    /** A bone outside the model of the chest wall, such as a scapula or a cervical vertebra. */
+    BONE,
+    /** A lesion, such as a tumour of the liver. */
+    LESION,
+    /** Any other structure, such as the trachea. */
+    OTHER;
+
+    /** Whether a thorax may have many structures of this kind that differ in their names only. */
+    public boolean isNamed() {
+        return compareTo(ORGAN) >= 0;
+    }
 }

@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 /**
  * Kind, level and side of a structure, parsed from its name: {@code rib_05_R}, {@code costal_cartilage_02_L},
  * {@code sternum_body}, {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code diaphragm},
- * {@code liver}, {@code skin_torso}. Case and leading zeros are ignored.
+ * {@code liver}, {@code skin_torso}, and the names of {@link OrganNames}. Case and leading zeros are ignored.
  *
  * @param kind kind of structure
  * @param level as in {@link Structure}
@@ -56,10 +56,8 @@ public record StructureName(StructureKind kind, int level, Side side) {
             kind = StructureKind.LIVER;
         } else if (n.startsWith("skin")) {
             kind = StructureKind.SKIN;
-        } else if (n.equals("trachea")) {
-            kind = StructureKind.OTHER;
         }
-        return Optional.ofNullable(kind).map(k -> new StructureName(k, 0, Side.MIDLINE));
+        return kind == null ? OrganNames.parse(name) : Optional.of(new StructureName(kind, 0, Side.MIDLINE));
     }
 
     private static Side side(String letter) {

@@ -27,6 +27,16 @@ class StructureNameTest {
         "diaphragm, DIAPHRAGM, 0, MIDLINE",
         "liver, LIVER, 0, MIDLINE",
         "skin_torso, SKIN, 0, MIDLINE",
+        "heart, ORGAN, 0, MIDLINE",
+        "kidney_R, ORGAN, 0, RIGHT",
+        "Adrenal_Gland_l, ORGAN, 0, LEFT",
+        "inferior_vena_cava, VESSEL, 0, MIDLINE",
+        "iliopsoas_L, MUSCLE, 0, LEFT",
+        "vertebra_C7, BONE, 0, MIDLINE",
+        "liver_tumor, LESION, 0, MIDLINE",
+        "vessel_left_gastric_artery, VESSEL, 0, MIDLINE",
+        "other_150, OTHER, 0, MIDLINE",
+        "trachea, OTHER, 0, MIDLINE",
     })
     void aNameSaysWhatTheStructureIs(String name, StructureKind kind, int level, Side side) {
         assertThat(StructureName.parse(name)).contains(new StructureName(kind, level, side));
@@ -35,11 +45,29 @@ class StructureNameTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "rib_00_R", "rib_13_L", "costal_cartilage_11_L", "vertebra_T13", "vertebra_T00", "vertebra_L0",
-                "vertebra_L06", "disc_C6_C7", "rib_05", "heart", "diaphragm_old", ""
+                "rib_00_R",
+                "rib_13_L",
+                "costal_cartilage_11_L",
+                "vertebra_T13",
+                "vertebra_T00",
+                "vertebra_L0",
+                "vertebra_L06",
+                "disc_C6_C7",
+                "rib_05",
+                "blob",
+                "diaphragm_old",
+                "other_",
+                ""
             })
     void whatNoBodyHasIsNoName(String name) {
         assertThat(StructureName.parse(name)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"Liver Tumour #2, other_liver_tumour_2", "150, other_150", "--, other_unnamed"})
+    void anyTextMakesTheNameOfAnObstacle(String text, String name) {
+        assertThat(OrganNames.other(text)).isEqualTo(name);
+        assertThat(StructureName.parse(name)).contains(new StructureName(StructureKind.OTHER, 0, Side.MIDLINE));
     }
 
     @Test

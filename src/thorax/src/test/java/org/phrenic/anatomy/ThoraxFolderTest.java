@@ -82,10 +82,10 @@ class ThoraxFolderTest {
         broken[broken.length - 2] = 1;
         broken[broken.length - 1] = 2;
         MeshFiles.write(folder.resolve("sternum_manubrium.ply"), new TriangleMesh(box.positions(), broken));
-        MeshFiles.write(folder.resolve("heart.ply"), box);
+        MeshFiles.write(folder.resolve("blob.ply"), box);
         assertThat(ThoraxFolder.load(folder).notes())
                 .anyMatch(n -> n.startsWith("sternum_manubrium: "))
-                .anyMatch(n -> n.startsWith("heart.ply: left out"))
+                .anyMatch(n -> n.startsWith("blob.ply: left out"))
                 .hasSize(3);
     }
 

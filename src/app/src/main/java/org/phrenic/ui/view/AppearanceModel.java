@@ -30,6 +30,10 @@ public final class AppearanceModel {
         DIAPHRAGM("Diaphragm", StructureKind.DIAPHRAGM),
         LUNGS("Lungs", StructureKind.LUNG),
         LIVER("Liver", StructureKind.LIVER),
+        ORGANS("Organs", StructureKind.ORGAN, StructureKind.LESION),
+        VESSELS("Vessels", StructureKind.VESSEL),
+        MUSCLES("Muscles", StructureKind.MUSCLE),
+        BONES("Other bones", StructureKind.BONE),
         OTHER("Other", StructureKind.OTHER);
 
         private final String label;

@@ -80,7 +80,10 @@ public final class BodyCompletion {
     }
 
     private static boolean isSame(Structure a, Structure b) {
-        return a.kind() == b.kind() && a.level() == b.level() && a.side() == b.side();
+        return a.kind() == b.kind()
+                && a.level() == b.level()
+                && a.side() == b.side()
+                && (!a.kind().isNamed() || a.name().equals(b.name()));
     }
 
     /**

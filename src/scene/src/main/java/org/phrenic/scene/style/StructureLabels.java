@@ -2,6 +2,7 @@ package org.phrenic.scene.style;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -30,7 +31,8 @@ public final class StructureLabels {
             case DISC -> s.level() == 0 ? "Disc C7-T1" : "Disc " + level(s.level()) + "-" + below(s.level());
             case LUNG -> lung(name, s.side());
             case SKIN -> "Skin";
-            default -> capitalized(name);
+            case STERNUM, DIAPHRAGM, LIVER -> capitalized(name);
+            default -> capitalized(OrganNames.words(name)) + side(s.side());
         };
     }
 
@@ -46,6 +48,11 @@ public final class StructureLabels {
             case LUNG -> "Lungs";
             case LIVER -> "Liver";
             case SKIN -> "Skin";
+            case ORGAN -> "Organs";
+            case VESSEL -> "Vessels";
+            case MUSCLE -> "Muscles";
+            case BONE -> "Other bones";
+            case LESION -> "Lesions";
             case OTHER -> "Other";
         };
     }

@@ -24,6 +24,11 @@ public record SurfaceMaterial(Appearance appearance, float specular, float shini
             case LUNG -> new SurfaceMaterial(Appearance.of(0xd98f8d, 0.42f), 0.22f, 36);
             case LIVER -> new SurfaceMaterial(Appearance.of(0x68352a, 1), 0.42f, 55);
             case SKIN -> new SurfaceMaterial(Appearance.of(0xd8a283, 0.15f), 0.25f, 40);
+            case ORGAN -> new SurfaceMaterial(Appearance.of(0xa8685a, 1), 0.25f, 40);
+            case VESSEL -> new SurfaceMaterial(Appearance.of(0x5d6f9e, 1), 0.25f, 40);
+            case MUSCLE -> new SurfaceMaterial(Appearance.of(0x9a5a4a, 1).withVisible(false), 0.11f, 22);
+            case BONE -> new SurfaceMaterial(Appearance.of(0xe3cda0, 1), 0.14f, 24);
+            case LESION -> new SurfaceMaterial(Appearance.of(0xc9b84a, 1), 0.25f, 40);
             case OTHER -> new SurfaceMaterial(Appearance.of(0xb9a98f, 1), 0.15f, 30);
         };
     }

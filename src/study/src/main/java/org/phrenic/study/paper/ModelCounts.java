@@ -122,7 +122,7 @@ public record ModelCounts(
             case RIB, COSTAL_CARTILAGE ->
                 PLACES.get(s.level() >= FIRST_FLOATING ? 2 : s.level() >= FIRST_OF_MARGIN ? 1 : 4);
             case VERTEBRA, DISC -> PLACES.get(3);
-            case DIAPHRAGM, LUNG, LIVER, SKIN, OTHER -> null;
+            default -> null;
         };
     }
 

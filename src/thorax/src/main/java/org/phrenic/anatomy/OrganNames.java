@@ -1,0 +1,108 @@
+package org.phrenic.anatomy;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Names of organs, vessels, muscles, bones and lesions outside the mechanical model. A name is one of the known ones,
+ * such as {@code kidney_R} or {@code inferior_vena_cava}, or free text after the prefix of its kind: {@code organ_},
+ * {@code vessel_}, {@code muscle_}, {@code bone_}, {@code lesion_} or {@code other_}. The suffixes {@code _R} and
+ * {@code _L} state the side.
+ */
+public final class OrganNames {
+    private static final Map<String, StructureKind> KNOWN = known();
+
+    private OrganNames() {}
+
+    private static Map<String, StructureKind> known() {
+        Map<String, StructureKind> all = new LinkedHashMap<>();
+        put(
+                all,
+                StructureKind.ORGAN,
+                "heart atrial_appendage spleen stomach kidney gallbladder pancreas colon small_bowel");
+        put(
+                all,
+                StructureKind.ORGAN,
+                "duodenum esophagus oesophagus adrenal_gland urinary_bladder prostate uterus rectum");
+        put(all, StructureKind.ORGAN, "thyroid_gland kidney_cyst spinal_cord brain");
+        put(
+                all,
+                StructureKind.VESSEL,
+                "aorta inferior_vena_cava superior_vena_cava portal_and_splenic_vein portal_vein");
+        put(
+                all,
+                StructureKind.VESSEL,
+                "splenic_vein hepatic_vein pulmonary_vein pulmonary_artery brachiocephalic_trunk");
+        put(all, StructureKind.VESSEL, "brachiocephalic_vein subclavian_artery common_carotid_artery iliac_artery");
+        put(all, StructureKind.VESSEL, "iliac_vein liver_vessels");
+        put(all, StructureKind.MUSCLE, "autochthon iliopsoas gluteus_maximus gluteus_medius gluteus_minimus");
+        put(all, StructureKind.MUSCLE, "intercostal_muscles abdominal_wall");
+        put(
+                all,
+                StructureKind.BONE,
+                "scapula clavicle humerus femur hip sacrum skull vertebra_s1 vertebra_c1 vertebra_c2");
+        put(all, StructureKind.BONE, "vertebra_c3 vertebra_c4 vertebra_c5 vertebra_c6 vertebra_c7");
+        put(all, StructureKind.LESION, "liver_tumor liver_tumour liver_lesion tumor tumour lesion");
+        put(all, StructureKind.OTHER, "trachea");
+        return Collections.unmodifiableMap(all);
+    }
+
+    private static void put(Map<String, StructureKind> all, StructureKind kind, String names) {
+        for (String name : names.split(" ", -1)) {
+            all.put(name, kind);
+        }
+    }
+
+    /** Kind and side of a named structure; empty if the name is unknown. Case is ignored. */
+    static Optional<StructureName> parse(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        Side side = side(lower);
+        String stem = stem(lower, side);
+        StructureKind kind = KNOWN.get(stem);
+        for (StructureKind named : StructureKind.values()) {
+            if (named.isNamed() && stem.length() > prefix(named).length() && stem.startsWith(prefix(named))) {
+                kind = named;
+            }
+        }
+        return Optional.ofNullable(kind).map(k -> new StructureName(k, 0, side));
+    }
+
+    private static Side side(String lower) {
+        return lower.endsWith("_r") ? Side.RIGHT : lower.endsWith("_l") ? Side.LEFT : Side.MIDLINE;
+    }
+
+    private static String stem(String lower, Side side) {
+        return side == Side.MIDLINE ? lower : lower.substring(0, lower.length() - 2);
+    }
+
+    /** Words for a name without its side and without the prefix of its kind: {@code kidney_R} is "kidney". */
+    public static String words(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        String stem = stem(lower, side(lower));
+        for (StructureKind named : StructureKind.values()) {
+            String prefix = prefix(named);
+            if (named.isNamed() && stem.length() > prefix.length() && stem.startsWith(prefix)) {
+                stem = stem.substring(prefix.length());
+            }
+        }
+        return stem.replace('_', ' ');
+    }
+
+    private static String prefix(StructureKind kind) {
+        return kind.name().toLowerCase(Locale.ROOT) + "_";
+    }
+
+    /**
+     * A name for a structure that has none here: the prefix {@code other_} and the letters and digits of the text.
+     *
+     * @param text name in a file, or a label number
+     */
+    public static String other(String text) {
+        String word =
+                text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
+        return prefix(StructureKind.OTHER) + (word.isEmpty() ? "unnamed" : word);
+    }
+}
