@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.mesh.io.volume.VolumeSamples;
 import org.phrenic.patient.ScanSamples;
@@ -242,6 +243,11 @@ class ImportRefusalTest {
                 Stream.concat(Arrays.stream(args), Arrays.stream(more)).toArray(String[]::new));
     }
 
+    /** The import of a volume with a table of labels of these rows. */
+    private CommandLineRun labelled(Path volume, String... rows) throws IOException {
+        return imported(volume, "--labels", table(rows).toString());
+    }
+
     private Path table(String... rows) throws IOException {
         return Files.writeString(folder.resolve("labels.csv"), String.join("\n", rows) + "\n");
     }
@@ -251,8 +257,7 @@ class ImportRefusalTest {
     void isToldInOneSentenceAndNothingIsWritten(String what, String expected, String name, byte[] content)
             throws IOException {
         Path volume = Files.write(folder.resolve(name), content);
-        CommandLineRun run =
-                imported(volume, "--labels", table("label,structure", "1,lungs").toString());
+        CommandLineRun run = labelled(volume, "label,structure", "1,lungs");
         assertRefused(run, expected);
         assertThat(run.err()).contains(name);
     }
@@ -319,18 +324,25 @@ class ImportRefusalTest {
         assertThat(big).isEqualTo(little).contains("lung_R", "lung_L");
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "'', labels.csv",
+        "'label,structure', labels.csv",
+        "'label,structure;1,heart', '''heart'''",
+        "'label,structure;9,liver', 'found labels 1, 5 and none of the 1 labels asked for'"
+    })
+    void aTableThatDoesNotFitTheVolumeIsRefused(String rows, String expected) throws IOException {
+        assertRefused(labelled(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4), rows.split(";", -1)), expected);
+    }
+
     @Test
-    void tablesThatDoNotFitTheVolume() throws IOException {
-        Path scan = scan(LITTLE, ScanSamples.voxels(), 4, 4, 4);
-        assertRefused(imported(scan), "no names of labels");
-        assertRefused(imported(scan, "--labels", table("").toString()), "labels.csv");
-        assertRefused(imported(scan, "--labels", table("label,structure").toString()), "labels.csv");
-        assertRefused(
-                imported(scan, "--labels", table("label,structure", "1,heart").toString()), "'heart'");
-        assertRefused(
-                imported(scan, "--labels", table("label,structure", "9,liver").toString()),
-                "found labels 1, 5 and none of the 1 labels asked for");
-        assertThat(noted(scan, "label,structure", "1,lungs", "9,rib_01_R"))
+    void aVolumeWithoutATableIsRefused() throws IOException {
+        assertRefused(imported(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4)), "no names of labels");
+    }
+
+    @Test
+    void aTableThatFitsInPartIsNoted() throws IOException {
+        assertThat(noted(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4), "label,structure", "1,lungs", "9,rib_01_R"))
                 .contains("lacks what the table names: label 9 (rib_01_R)")
                 .contains("none of the structures asked for: 5");
     }
@@ -338,8 +350,7 @@ class ImportRefusalTest {
     @Test
     void aVolumeOfBackground() throws IOException {
         Path scan = scan(LITTLE, new byte[ScanSamples.voxels().length], 4, 4, 4);
-        assertRefused(
-                imported(scan, "--labels", table("label,structure", "1,lungs").toString()), "background alone");
+        assertRefused(labelled(scan, "label,structure", "1,lungs"), "background alone");
     }
 
     @Test

@@ -141,6 +141,33 @@ abstract class IntegratorContract {
                 coarse());
     }
 
+    /**
+     * 2,000 undamped periods at ω h = 0.2: the energy swings within a band that does not move.
+     *
+     * @param above relative height of the band above the initial energy, of the scheme's order in ω h
+     * @param below relative depth of the band below it
+     */
+    void assertEnergyStaysInItsBand(double above, double below) {
+        ParticleSystem system = SampleSystems.oscillator(0.1, 0.1, 0);
+        system.positions()[0] = 1;
+        Integrator integrator = kind().create(system);
+        int period = 31;
+        double[] high = new double[2];
+        double[] low = {1, 1};
+        for (int i = 0; i < 2000 * period; i++) {
+            integrator.step(i * 0.2, 0.2);
+            double energy = system.kineticEnergy() + system.potentialEnergy();
+            int part = i < 1000 * period ? 0 : 1;
+            high[part] = Math.max(high[part], energy);
+            low[part] = Math.min(low[part], energy);
+        }
+        // 1/2 m (v² + ω² x²) of 0.05 µJ at the start.
+        assertThat(high[0]).isLessThan(0.05 * (1 + above));
+        assertThat(low[0]).isGreaterThan(0.05 * (1 - below));
+        assertThat(high[1]).isCloseTo(high[0], within(1e-6));
+        assertThat(low[1]).isCloseTo(low[0], within(1e-6));
+    }
+
     /** A mass on a spring whose other end swings as A sin Ωt: x = A ω²/(ω² - Ω²) (sin Ωt - Ω/ω sin ωt) from rest. */
     private static double swungError(double x, double v, double t) {
         double factor = 2 * OMEGA * OMEGA / (OMEGA * OMEGA - 9);
