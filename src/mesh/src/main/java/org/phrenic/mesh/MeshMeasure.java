@@ -1,5 +1,6 @@
 package org.phrenic.mesh;
 
+import java.util.Arrays;
 import org.phrenic.engine.math.Triangles;
 
 /** Measures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
@@ -118,9 +119,7 @@ public final class MeshMeasure {
     public static double[] edgeLengths(TriangleMesh mesh, MeshTopology topology) {
         int[] edges = topology.edges();
         double[] lengths = new double[topology.edgeCount()];
-        for (int e = 0; e < lengths.length; e++) {
-            lengths[e] = distance(mesh, edges[2 * e], edges[2 * e + 1]);
-        }
+        Arrays.setAll(lengths, e -> distance(mesh, edges[2 * e], edges[2 * e + 1]));
         return lengths;
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
@@ -100,9 +101,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
     /** Sensitivities in per cent per per cent, for a parameter change of {@code share} of its value. */
     public static double[] effects(double[] reference, double[] low, double[] high, double share) {
         double[] effects = new double[reference.length];
-        for (int i = 0; i < effects.length; i++) {
-            effects[i] = reference[i] == 0 ? Double.NaN : (high[i] - low[i]) / (reference[i] * share);
-        }
+        Arrays.setAll(effects, i -> reference[i] == 0 ? Double.NaN : (high[i] - low[i]) / (reference[i] * share));
         return effects;
     }
 

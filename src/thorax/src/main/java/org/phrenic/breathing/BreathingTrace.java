@@ -77,9 +77,7 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
             throw new IllegalArgumentException(name + ": the signal stays at " + low + ", expected breathing");
         }
         double[] scaled = new double[amplitude.length];
-        for (int i = 0; i < scaled.length; i++) {
-            scaled[i] = (amplitude[i] - low) / (high - low);
-        }
+        Arrays.setAll(scaled, i -> (amplitude[i] - low) / (high - low));
         return new BreathingTrace(name, timeS, scaled, dropped);
     }
 }

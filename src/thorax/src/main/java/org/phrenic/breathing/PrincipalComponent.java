@@ -1,5 +1,6 @@
 package org.phrenic.breathing;
 
+import java.util.Arrays;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
@@ -54,9 +55,7 @@ final class PrincipalComponent {
             third += signal[n] * signal[n] * signal[n];
         }
         if (third < 0) {
-            for (int n = 0; n < count; n++) {
-                signal[n] = -signal[n];
-            }
+            Arrays.setAll(signal, n -> -signal[n]);
         }
         return signal;
     }

@@ -27,9 +27,7 @@ final class PlainValues {
         }
         if (value instanceof List<?> list) {
             List<Object> copy = new ArrayList<>();
-            for (Object item : list) {
-                copy.add(copy(path + "[" + copy.size() + "]", item));
-            }
+            list.forEach(item -> copy.add(copy(path + "[" + copy.size() + "]", item)));
             return copy;
         }
         if (value instanceof double[] numbers) {

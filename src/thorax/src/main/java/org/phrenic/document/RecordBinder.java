@@ -35,9 +35,7 @@ final class RecordBinder {
     static <T> T bind(YamlMap map, Class<T> type) {
         RecordComponent[] components = type.getRecordComponents();
         Object[] values = new Object[components.length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = component(map, components[i]);
-        }
+        Arrays.setAll(values, i -> component(map, components[i]));
         try {
             Constructor<T> constructor = type.getDeclaredConstructor(
                     Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -87,9 +88,7 @@ final class RunRecorder {
             displacement[i] -= surface.rest().positions()[i];
         }
         double[] tendon = new double[mesh.vertexCount()];
-        for (int i = 0; i < tendon.length; i++) {
-            tendon[i] = surface.tendon()[i] ? 1 : 0;
-        }
+        Arrays.setAll(tendon, i -> surface.tendon()[i] ? 1 : 0);
         Map<String, double[]> data = new LinkedHashMap<>();
         data.put("displacement_mm", displacement);
         data.put("tendon", tendon);

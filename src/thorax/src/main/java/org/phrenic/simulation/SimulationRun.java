@@ -58,9 +58,7 @@ public final class SimulationRun {
     public static Map<String, Object> run(Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
         long begun = System.nanoTime();
         Thorax thorax = loadThorax(scenario);
-        for (String note : thorax.notes()) {
-            progress.note(note);
-        }
+        thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
             Stepper stepper = simulation.stepper();
             if (stepper.substeps() > 1) {

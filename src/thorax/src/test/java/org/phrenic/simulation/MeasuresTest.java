@@ -37,10 +37,10 @@ class MeasuresTest {
     static void make() {
         simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
         Diaphragm sheet = Diaphragm.withTrefoilTendon(DomeSheet.adult(12));
-        dome = DiaphragmPart.builder(sheet, TissueLaw.membrane(300, 60))
-                .tendonRatio(10)
-                .withStruts()
-                .addTo(new MassSpringBuilder());
+        double[] noCrura = new double[sheet.sheet().vertexCount()];
+        TissueLaw law = TissueLaw.membrane(300, 60);
+        dome = new DiaphragmPart(
+                sheet, new DiaphragmPart.Tissue(law, 10, 1, true, noCrura, 1, 1), new MassSpringBuilder());
     }
 
     @AfterAll

@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io;
 
+import java.util.Arrays;
 import java.util.StringTokenizer;
 import org.phrenic.file.ByteCursor;
 import org.phrenic.file.Numbers;
@@ -47,9 +48,7 @@ final class ObjReader {
         int comment = statement.indexOf('#');
         StringTokenizer tokens = new StringTokenizer(comment < 0 ? statement : statement.substring(0, comment));
         String[] words = new String[tokens.countTokens()];
-        for (int i = 0; i < words.length; i++) {
-            words[i] = tokens.nextToken();
-        }
+        Arrays.setAll(words, i -> tokens.nextToken());
         return words;
     }
 

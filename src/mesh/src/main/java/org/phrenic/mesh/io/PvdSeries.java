@@ -51,9 +51,7 @@ public final class PvdSeries {
                 <VTKFile type="Collection" version="0.1" byte_order="LittleEndian">
                 <Collection>
                 """);
-        for (String entry : entries) {
-            xml.append(entry).append('\n');
-        }
+        entries.forEach(entry -> xml.append(entry).append('\n'));
         AtomicFile.write(index, xml.append("</Collection>\n</VTKFile>\n").toString());
     }
 }

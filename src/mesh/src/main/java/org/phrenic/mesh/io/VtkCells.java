@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io;
 
+import java.util.Arrays;
 import org.phrenic.file.ByteCursor;
 import org.phrenic.file.InputLocator;
 import org.phrenic.file.Numbers;
@@ -93,9 +94,7 @@ final class VtkCells {
         cursor.lineOrNull();
         cursor.requireValues(count, type, count + " numbers of " + keyword);
         long[] values = new long[count];
-        for (int i = 0; i < count; i++) {
-            values[i] = cursor.readLong(type, "a number of " + keyword);
-        }
+        Arrays.setAll(values, i -> cursor.readLong(type, "a number of " + keyword));
         return values;
     }
 }

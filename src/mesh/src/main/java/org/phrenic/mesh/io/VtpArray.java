@@ -63,9 +63,8 @@ final class VtpArray implements InputLocator {
         }
         ByteBuffer content = content(bytes);
         double[] values = new double[content.capacity() / array.type().size()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = array.type().readDouble(content, i * array.type().size());
-        }
+        Arrays.setAll(
+                values, i -> array.type().readDouble(content, i * array.type().size()));
         return values;
     }
 
@@ -88,9 +87,8 @@ final class VtpArray implements InputLocator {
         }
         ByteBuffer content = content(bytes);
         long[] values = new long[content.capacity() / array.type().size()];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = array.type().readLong(content, i * array.type().size());
-        }
+        Arrays.setAll(
+                values, i -> array.type().readLong(content, i * array.type().size()));
         return values;
     }
 

@@ -74,9 +74,7 @@ final class RibMeasure implements SceneMeasure {
     public void measure(SceneGeometry view, Frame frame, Map<String, Double> values) {
         ribs.forEach((level, pair) -> {
             double[] mean = new double[OF_RIB.size() - 1];
-            for (Rib rib : pair) {
-                add(frame.pose(rib.surface), rib, 1.0 / pair.size(), mean);
-            }
+            pair.forEach(rib -> add(frame.pose(rib.surface), rib, 1.0 / pair.size(), mean));
             for (int i = 0; i < mean.length; i++) {
                 values.put(SceneGeometry.name("rib", level, OF_RIB.get(i)), mean[i]);
             }

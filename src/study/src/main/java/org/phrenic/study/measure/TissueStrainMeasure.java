@@ -1,6 +1,7 @@
 package org.phrenic.study.measure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.engine.kinematics.RigidMotion;
@@ -32,9 +33,7 @@ final class TissueStrainMeasure implements SceneMeasure {
         TriangleMesh rest = view.surface(sheet).rest();
         edges = new MeshTopology(rest).edges();
         restLength = new double[edges.length / 2];
-        for (int e = 0; e < restLength.length; e++) {
-            restLength[e] = length(rest.positions(), e);
-        }
+        Arrays.setAll(restLength, e -> length(rest.positions(), e));
         tendonPieces = tendonPieces(view.surface(sheet).tendon());
     }
 

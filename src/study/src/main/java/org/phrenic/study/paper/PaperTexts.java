@@ -64,9 +64,10 @@ final class PaperTexts {
 
     static List<List<String>> rows(String table, Object... values) {
         List<List<String>> rows = new ArrayList<>();
-        for (Row row : TABLES.get(table).rows) {
-            rows.add(row.cells.stream().map(cell -> filled(cell, values)).toList());
-        }
+        TABLES.get(table)
+                .rows
+                .forEach(row -> rows.add(
+                        row.cells.stream().map(cell -> filled(cell, values)).toList()));
         return rows;
     }
 

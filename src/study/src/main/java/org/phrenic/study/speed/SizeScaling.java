@@ -45,9 +45,7 @@ public record SizeScaling(List<Row> rows) {
             int steps = Math.max(3, (int) (trialS * timer.rateOver(trialS)));
             timer.rate(steps);
             double[] rates = new double[trials];
-            for (int i = 0; i < trials; i++) {
-                rates[i] = timer.rate(steps);
-            }
+            Arrays.setAll(rates, i -> timer.rate(steps));
             Arrays.sort(rates);
             return new Row(work.nodeCount(), work.edgeCount(), threads, BareWorkload.KERNEL, rates[trials / 2]);
         }

@@ -80,9 +80,7 @@ final class DomeScene implements StabilityScene {
     private double[] masses(int nodes) {
         double[] mass = new double[nodes];
         double spread = Math.sqrt(parameters.massRatio);
-        for (int i = 0; i < nodes; i++) {
-            mass[i] = spread == 1 ? parameters.mass : parameters.mass * (i % 7 == 0 ? spread : 1 / spread);
-        }
+        Arrays.setAll(mass, i -> spread == 1 ? parameters.mass : parameters.mass * (i % 7 == 0 ? spread : 1 / spread));
         return mass;
     }
 

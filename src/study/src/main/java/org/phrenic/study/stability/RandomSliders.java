@@ -91,9 +91,7 @@ final class RandomSliders implements Consumer<Simulation> {
     private List<Assignment> restoringChanges() {
         List<Assignment> list = new ArrayList<>();
         list.add(ThoraxScene.assignment(Breathing.PRESET, initialScenario.breathing()));
-        for (SwitchSetting setting : SWITCHES) {
-            list.add(ThoraxScene.assignment(setting, initialScenario.get(setting)));
-        }
+        SWITCHES.forEach(setting -> list.add(ThoraxScene.assignment(setting, initialScenario.get(setting))));
         for (Parameter p : parameters) {
             double value = initialScenario.get(p);
             if (p == Breathing.DEPTH) {

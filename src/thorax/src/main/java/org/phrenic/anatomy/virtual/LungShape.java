@@ -1,5 +1,6 @@
 package org.phrenic.anatomy.virtual;
 
+import java.util.Arrays;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.virtual.shape.Clearance;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
@@ -48,9 +49,7 @@ final class LungShape implements VerticalAxis {
         roofOffset = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
         roof = (x, y, z) -> dome.at(x, y, z) - roofOffset;
         double[][] border = new double[Meridians.AZIMUTHS][];
-        for (int i = 0; i < border.length; i++) {
-            border[i] = lowerBorder(Meridians.azimuth(i));
-        }
+        Arrays.setAll(border, i -> lowerBorder(Meridians.azimuth(i)));
         sideLines = new Meridians(this::sideRegion, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
         baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, border);
     }

@@ -84,9 +84,7 @@ public final class VirtualThorax {
         for (var part : List.of(discs, skin, liver, lungL, lungR, diaphragm)) {
             part.join();
         }
-        for (var part : List.of(discs, diaphragm, lungR, lungL, liver, skin)) {
-            structures.addAll(part.join());
-        }
+        List.of(discs, diaphragm, lungR, lungL, liver, skin).forEach(part -> structures.addAll(part.join()));
         return new Thorax(parameters.name(), structures, List.of());
     }
 

@@ -59,9 +59,7 @@ public final class TracePattern implements BreathingPattern {
         }
         curve = new MonotoneCubic(timeS, depth);
         onsetsS = new double[restful.length];
-        for (int i = 0; i < restful.length; i++) {
-            onsetsS[i] = timeS[restful[i] - first];
-        }
+        Arrays.setAll(onsetsS, i -> timeS[restful[i] - first]);
     }
 
     @Override

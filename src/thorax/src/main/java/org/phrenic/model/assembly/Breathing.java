@@ -21,7 +21,7 @@ import org.phrenic.parameter.SettingValues;
 import org.phrenic.parameter.SwitchSetting;
 
 /** The breathing pattern: a preset or a recording, with rate, depth and balance from the settings. */
-public final class Breathing implements ScenePart {
+public final class Breathing extends ScenePart {
     /** A preset from {@code data/breathing} that is part of the program. */
     public static final Setting<BreathingPreset> PRESET = new PresetSetting();
     /** A recording whose curve replaces the preset's. */
@@ -58,10 +58,9 @@ public final class Breathing implements ScenePart {
             .describedAs("Balance of chest and abdomen: 0 breathes with the diaphragm alone, 1 with the ribs alone, 0.5"
                     + " leaves both as they stand.");
 
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE);
-    }
+public Breathing() {
+    super(Stage.LOADS, RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE);
+}
 
     /**
      * The breathing pattern for given settings.

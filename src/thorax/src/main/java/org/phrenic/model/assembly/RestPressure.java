@@ -57,9 +57,7 @@ public final class RestPressure {
         setRestLengths(springs);
         double[] left = solver.unbalancedForce(pressing, tension);
         residual = shareAtAssembly > 0 ? relativeResidual(left, pressing, free) : 0;
-        for (int i = 0; i < left.length; i++) {
-            left[i] = -left[i];
-        }
+        Arrays.setAll(left, i -> -left[i]);
         load = new ConstantLoad(scene.layout(), left);
         load.setLoadFactor(shareAtAssembly);
         scene.system().add(load);

@@ -8,12 +8,12 @@ import org.phrenic.parameter.Parameter;
  * state of a scene: one object serves all scenes of a material. What it adds to a scene reads its values from the
  * {@link org.phrenic.parameter.RampedValue}s of that scene.
  */
-public interface ScenePart {
+public abstract class ScenePart {
     /**
      * Order in which parts are added. Forces are summed in this order, and the last bit of a floating-point sum depends
      * on it.
      */
-    enum Stage {
+    public enum Stage {
         BOUNDARY,
         PRESSURE,
         SPRINGS,
@@ -23,19 +23,28 @@ public interface ScenePart {
         LOADS
     }
 
+    private final Stage stage;
+    private final List<Parameter> parameters;
+
+    /** @param parameters that the part declares */
+    protected ScenePart(Stage stage, Parameter... parameters) {
+        this.stage = stage;
+        this.parameters = List.of(parameters);
+    }
+
     /** Stage of this part. Parts of one stage are added in the order in which the material lists them. */
-    default Stage stage() {
-        return Stage.LOADS;
+    public final Stage stage() {
+        return stage;
     }
 
     /** The parameters that it declares. */
-    default List<Parameter> parameters() {
-        return List.of();
+    public final List<Parameter> parameters() {
+        return parameters;
     }
 
     /**
      * Adds forces and constraints to a scene whose nodes exist. The default does nothing, for parts that only declare
      * parameters.
      */
-    default void addTo(Scene scene) {}
+    public void addTo(Scene scene) {}
 }

@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.List;
 import org.phrenic.engine.force.ActionLine;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
@@ -12,7 +11,7 @@ import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 
 /** Muscle force of Villard, Bourne and Bello 2009: one action line through the centre of each hemidiaphragm. */
-public final class ActionLines implements ScenePart {
+public final class ActionLines extends ScenePart {
     public static final Parameter MUSCLE_FORCE = Parameter.named("muscle_force_mn", "Muscle force")
             .unit("mN")
             .range(0, 1000)
@@ -28,14 +27,8 @@ public final class ActionLines implements ScenePart {
             .effect(Effect.SCENE)
             .describedAs("Distance from an action line at which its force has fallen to nothing.");
 
-    @Override
-    public Stage stage() {
-        return Stage.ACTION_LINES;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(MUSCLE_FORCE, ACTION_RADIUS);
+    public ActionLines() {
+        super(Stage.ACTION_LINES, MUSCLE_FORCE, ACTION_RADIUS);
     }
 
     @Override

@@ -21,7 +21,7 @@ import org.phrenic.parameter.Parameter;
  * Attachments of nodes to bone. The insertion of the diaphragm follows bone exactly; the origin of the crura, sternum,
  * cartilages and lungs are attached by springs to anchors on bone.
  */
-public final class BoneAttachments implements ScenePart {
+public final class BoneAttachments extends ScenePart {
     public static final Parameter STERNUM_COUPLING = Parameter.named("sternum_coupling", "Sternum coupling")
             .range(0, 10)
             .initial(1)
@@ -42,24 +42,16 @@ public final class BoneAttachments implements ScenePart {
 
     /** For a sheet held by pressure and crura: stiffness of muscle and of the lungs. */
     BoneAttachments(Parameter muscle, Parameter lungs) {
+        super(Stage.BOUNDARY, STERNUM_COUPLING);
         stiffness = List.of(muscle, lungs);
         besideInsertion = false;
     }
 
     /** For the paper's sheet, which is also attached around its insertion: the stiffness of all springs. */
     BoneAttachments(Parameter springs) {
+        super(Stage.BOUNDARY, STERNUM_COUPLING);
         stiffness = List.of(springs);
         besideInsertion = true;
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.BOUNDARY;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(STERNUM_COUPLING);
     }
 
     @Override
@@ -96,10 +88,8 @@ public final class BoneAttachments implements ScenePart {
         for (int i = 0; i < sheet.sheet().vertexCount(); i++) {
             double fade = FallOff.at(sheet.distanceFromInsertion(i), INSERTION_MM);
             if (fade > 0 && !sheet.isInserted(i)) {
-                scene.nodes()
-                        .attachToBone(
-                                scene.diaphragm().firstNode + i,
-                                INSERTION_SHARE * scene.settings().get(stiffness.get(0)) * fade);
+                double held = INSERTION_SHARE * scene.settings().get(stiffness.get(0)) * fade;
+                scene.nodes().attachToBone(scene.diaphragm().firstNode + i, held);
             }
         }
     }
@@ -127,24 +117,27 @@ public final class BoneAttachments implements ScenePart {
         }
         double[] each = scene.nodes().attachedStiffnesses();
         double[] anchors = MassSpringBuilder.positionsOf(scene.restPositions(), 0, attached);
-        Attachments springs = new Attachments(
-                scene.layout(),
-                attached,
-                Arrays.stream(order).mapToDouble(i -> each[i]).toArray(),
-                0,
-                onBone(scene, anchors));
+        double[] ordered = Arrays.stream(order).mapToDouble(i -> each[i]).toArray();
+        Attachments springs = new Attachments(scene.layout(), attached, ordered, 0, onBone(scene, anchors));
         springs.setRefreshInterval(scene.refreshS());
         springs.setStiffnessFactor(scene.settings().get(STERNUM_COUPLING));
         scene.system().add(springs);
+        tune(scene, springs, stiffness, true);
+        return attached;
+    }
+
+    /**
+     * Scales attachments with the stiffness of muscle and of the lungs, the first and last of {@code stiffness}, and,
+     * if they are coupled, with {@link #STERNUM_COUPLING}.
+     */
+    static void tune(Scene scene, Attachments springs, List<Parameter> stiffness, boolean coupled) {
         List<Parameter> parameters = new ArrayList<>(stiffness);
         parameters.add(STERNUM_COUPLING);
         scene.tunes(parameters, () -> {
             TunableAttachments tunable = scene.tunable(springs);
             int lung = stiffness.size() - 1;
-            int coupling = stiffness.size();
-            return (value, assembled, asAssembled) ->
-                    tunable.tune(asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], value[coupling]);
+            return (value, assembled, asAssembled) -> tunable.tune(
+                    asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], coupled ? value[lung + 1] : 1);
         });
-        return attached;
     }
 }

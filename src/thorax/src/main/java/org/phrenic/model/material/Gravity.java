@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.List;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.mesh.MeshMeasure;
@@ -21,7 +20,7 @@ import org.phrenic.parameter.RampedValue;
  * share {@value #LIVER_SHARE} of the liver's mass, at {@value #LIVER_KG_PER_M3} kg/m³, is distributed over the
  * diaphragm above it by area.
  */
-public final class Gravity implements ScenePart {
+public final class Gravity extends ScenePart {
     public static final Parameter ACCELERATION = Parameter.named("gravity_m_per_s2", "Gravity")
             .unit("m/s^2")
             .range(0, 9.81)
@@ -52,9 +51,8 @@ public final class Gravity implements ScenePart {
                 .effect(Effect.SCENE);
     }
 
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(ACCELERATION, TILT, ROLL);
+    public Gravity() {
+        super(Stage.LOADS, ACCELERATION, TILT, ROLL);
     }
 
     @Override

@@ -1,6 +1,6 @@
 package org.phrenic.model.material;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.PrescribedMotion;
@@ -8,7 +8,6 @@ import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
-import org.phrenic.model.assembly.TunableAttachments;
 import org.phrenic.model.organ.LungBaseMotion;
 import org.phrenic.model.organ.LungPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -19,7 +18,7 @@ import org.phrenic.parameter.Parameter;
  * Holds the lungs in the chest: attaches their base to the diaphragm, along which it slides if there is a chest wall,
  * and keeps the pleura on that wall.
  */
-public final class Lungs implements ScenePart {
+public final class Lungs extends ScenePart {
     public static final Parameter LUNG_STIFFNESS = Parameter.named("lung_stiffness_n_per_m", "Lung stiffness")
             .unit("N/m")
             .range(0.1, 100)
@@ -30,19 +29,10 @@ public final class Lungs implements ScenePart {
 
     private final List<Parameter> stiffness;
 
-    /** @param stiffness of muscle, and of the lungs if they have their own */
+    /** @param stiffness of muscle, then {@link #LUNG_STIFFNESS} if the lungs have their own */
     Lungs(Parameter... stiffness) {
+        super(Stage.LUNGS, Arrays.copyOfRange(stiffness, 1, stiffness.length));
         this.stiffness = List.of(stiffness);
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.LUNGS;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return stiffness.contains(LUNG_STIFFNESS) ? List.of(LUNG_STIFFNESS) : List.of();
     }
 
     @Override
@@ -70,14 +60,7 @@ public final class Lungs implements ScenePart {
         Attachments base = new Attachments(scene.layout(), nodes, lungs.baseSprings.stiffnesses(), 0, places);
         base.setRefreshInterval(scene.refreshS());
         scene.addLungBase(base);
-        List<Parameter> parameters = new ArrayList<>(stiffness);
-        parameters.add(BoneAttachments.STERNUM_COUPLING);
-        scene.tunes(parameters, () -> {
-            TunableAttachments tunable = scene.tunable(base);
-            int lung = stiffness.size() - 1;
-            return (value, assembled, asAssembled) ->
-                    tunable.tune(asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], 1);
-        });
+        BoneAttachments.tune(scene, base, stiffness, false);
     }
 
     private static void holdToPleura(Scene scene, LungPart lungs, MovingChestWall wall) {

@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.List;
 import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
@@ -12,7 +11,7 @@ import org.phrenic.parameter.RampedValue;
  * Load that displaces the mediastinal surfaces of the lungs outward during inspiration. It stands for the heart and
  * mediastinum, which become narrower and longer and are not modelled.
  */
-public final class Mediastinum implements ScenePart {
+public final class Mediastinum extends ScenePart {
     public static final Parameter MEDIASTINUM_RIGHT = displacement("mediastinum_right_mm", "Mediastinum right")
             .describedAs(
                     "How far the mediastinal surface of the right lung is pushed out at full inspiration, where heart"
@@ -24,14 +23,8 @@ public final class Mediastinum implements ScenePart {
         return Parameter.named(key, label).unit("mm").range(0, 40).initial(0).fitted(0, 40);
     }
 
-    @Override
-    public Stage stage() {
-        return Stage.LUNGS;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT);
+    public Mediastinum() {
+        super(Stage.LUNGS, MEDIASTINUM_RIGHT, MEDIASTINUM_LEFT);
     }
 
     @Override

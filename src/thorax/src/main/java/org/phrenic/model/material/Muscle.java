@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.List;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
@@ -11,7 +10,7 @@ import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.SwitchSetting;
 
 /** The diaphragm's muscle: its fibres shorten with the activation of the breath. */
-public final class Muscle implements ScenePart {
+public final class Muscle extends ScenePart {
     public static final SwitchSetting MUSCLE =
             new SwitchSetting("muscle", "Muscle", Effect.DRIVE, true, "The diaphragm's muscle is driven.");
     public static final Parameter MUSCLE_ACTIVATION = Parameter.named("muscle_activation", "Muscle activation")
@@ -40,14 +39,8 @@ public final class Muscle implements ScenePart {
                     "Activation of the diaphragm's front over that of its back, changing smoothly over 50 mm to each"
                             + " side of its middle. The stronger takes what left_over_right leaves it.");
 
-    @Override
-    public Stage stage() {
-        return Stage.SPRINGS;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, FRONT_OVER_BACK);
+    public Muscle() {
+        super(Stage.SPRINGS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, FRONT_OVER_BACK);
     }
 
     @Override

@@ -79,10 +79,11 @@ final class PaperMaterial extends TissueMaterial {
 
     @Override
     public DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law) {
-        return DiaphragmPart.builder(diaphragm, law)
-                .tendonRatio(scene.settings().get(SheetSprings.TENDON_RATIO))
-                .linksPerNode(scene.settings().get(RigidTendon.LINKS_PER_NODE))
-                .addTo(scene.nodes());
+        double ratio = scene.settings().get(SheetSprings.TENDON_RATIO);
+        int links = scene.settings().get(RigidTendon.LINKS_PER_NODE);
+        double[] noCrura = new double[diaphragm.sheet().vertexCount()];
+        DiaphragmPart.Tissue tissue = new DiaphragmPart.Tissue(law, ratio, links, false, noCrura, 1, 1);
+        return new DiaphragmPart(diaphragm, tissue, scene.nodes());
     }
 
     @Override

@@ -10,17 +10,13 @@ import org.phrenic.model.organ.SpringList;
 import org.phrenic.parameter.Parameter;
 
 /** Springs of sternum, cartilages and lungs. */
-final class PassiveSprings implements ScenePart {
+final class PassiveSprings extends ScenePart {
     private final List<Parameter> stiffness;
 
     /** @param stiffness of muscle, and of the lungs if they have their own */
     PassiveSprings(Parameter... stiffness) {
+        super(Stage.SPRINGS);
         this.stiffness = List.of(stiffness);
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.SPRINGS;
     }
 
     @Override

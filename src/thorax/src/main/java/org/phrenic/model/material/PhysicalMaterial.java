@@ -86,13 +86,15 @@ final class PhysicalMaterial extends TissueMaterial {
     @Override
     public DiaphragmPart diaphragm(Scene scene, Diaphragm diaphragm, TissueLaw law) {
         SettingValues values = scene.settings();
-        return DiaphragmPart.builder(diaphragm, law)
-                .crura(CruralOrigin.attachmentShares(scene.thorax(), diaphragm))
-                .tendonRatio(values.get(SheetSprings.TENDON_RATIO))
-                .linksPerNode(values.get(RigidTendon.LINKS_PER_NODE))
-                .withStruts()
-                .driveRatios(values.get(Muscle.LEFT_OVER_RIGHT), values.get(Muscle.FRONT_OVER_BACK))
-                .addTo(scene.nodes());
+        DiaphragmPart.Tissue tissue = new DiaphragmPart.Tissue(
+                law,
+                values.get(SheetSprings.TENDON_RATIO),
+                values.get(RigidTendon.LINKS_PER_NODE),
+                true,
+                CruralOrigin.attachmentShares(scene.thorax(), diaphragm),
+                values.get(Muscle.LEFT_OVER_RIGHT),
+                values.get(Muscle.FRONT_OVER_BACK));
+        return new DiaphragmPart(diaphragm, tissue, scene.nodes());
     }
 
     @Override
@@ -106,13 +108,9 @@ final class PhysicalMaterial extends TissueMaterial {
         }
         lungs.forEach(lung -> contents.add(lung.mesh()));
         double[] box = sheet.sheet().bounds();
-        return Optional.of(new MovingChestWall(
-                contents.points(),
-                0.5 * (box[0] + box[3]),
-                0.5 * (box[1] + box[4]),
-                scene.bones(),
-                scene.pose(),
-                scene.workers()));
+        double x = 0.5 * (box[0] + box[3]);
+        double y = 0.5 * (box[1] + box[4]);
+        return Optional.of(new MovingChestWall(contents.points(), x, y, scene.bones(), scene.pose(), scene.workers()));
     }
 
     @Override

@@ -6,7 +6,6 @@ import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
-import org.phrenic.model.assembly.TunableAttachments;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 
@@ -15,12 +14,11 @@ import org.phrenic.model.organ.MassSpringBuilder;
  * pressure nor bending stiffness. Every node is tied to its rest position by a weak spring: soft enough that the action
  * lines move the dome, fast enough (6 1/s) to follow a breath.
  */
-final class RestoringSprings implements ScenePart {
+final class RestoringSprings extends ScenePart {
     private static final double SHARE = 0.25;
 
-    @Override
-    public Stage stage() {
-        return Stage.BOUNDARY;
+    RestoringSprings() {
+        super(Stage.BOUNDARY);
     }
 
     @Override
@@ -29,19 +27,10 @@ final class RestoringSprings implements ScenePart {
         int[] free = MassSpringBuilder.offset(diaphragm.freeVertices(), diaphragm.firstNode);
         double[] stiffness = new double[free.length];
         Arrays.fill(stiffness, SHARE * scene.settings().get(SheetSprings.SPRING_STIFFNESS));
-        Attachments springs = new Attachments(
-                scene.layout(),
-                free,
-                stiffness,
-                0,
-                PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.restPositions(), 0, free)));
+        PrescribedMotion still =
+                PrescribedMotion.stationary(MassSpringBuilder.positionsOf(scene.restPositions(), 0, free));
+        Attachments springs = new Attachments(scene.layout(), free, stiffness, 0, still);
         scene.system().add(springs);
-        scene.tunes(List.of(SheetSprings.SPRING_STIFFNESS, BoneAttachments.STERNUM_COUPLING), () -> {
-            TunableAttachments tunable = scene.tunable(springs);
-            return (value, assembled, asAssembled) -> {
-                double factor = value[0] / assembled[0];
-                tunable.tune(asAssembled, factor, factor, 1);
-            };
-        });
+        BoneAttachments.tune(scene, springs, List.of(SheetSprings.SPRING_STIFFNESS), false);
     }
 }

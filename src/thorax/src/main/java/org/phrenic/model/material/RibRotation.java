@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.List;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.RibGains;
 import org.phrenic.breathing.BreathState;
@@ -14,7 +13,7 @@ import org.phrenic.parameter.RampedValues;
 import org.phrenic.parameter.SwitchSetting;
 
 /** Rotation of the ribs about their helical axes, driven by the breath. */
-public final class RibRotation implements ScenePart {
+public final class RibRotation extends ScenePart {
     public static final SwitchSetting RIBS =
             new SwitchSetting("ribs", "Ribs", Effect.DRIVE, true, "The ribs turn about their helical axes.");
     public static final Parameter RIB_ROTATION = factor("rib_rotation", "Rib rotation", 1.5)
@@ -44,17 +43,12 @@ public final class RibRotation implements ScenePart {
         return Parameter.named(key, label).range(0, maximum).initial(1).group(Group.RIBS);
     }
 
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE);
-    }
+public RibRotation() {
+    super(Stage.LOADS, RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE);
+}
 
     /** The drive of a scene's rib cage. */
-    static RibCagePose.RibDrive drive(RampedValues values, BreathDrive breath) {
-        return new Drive(values, breath);
-    }
-
-    private static final class Drive implements RibCagePose.RibDrive {
+    static final class Drive implements RibCagePose.RibDrive {
         private final BreathDrive breath;
         private final RampedValue all;
         private final RampedValue upper;

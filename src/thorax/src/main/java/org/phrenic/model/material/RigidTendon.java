@@ -11,7 +11,7 @@ import org.phrenic.parameter.SwitchSetting;
 import org.phrenic.parameter.WholeSetting;
 
 /** Rigid links across the central tendon: the tensegrity of Villard, Bourne and Bello 2009. */
-public final class RigidTendon implements ScenePart {
+public final class RigidTendon extends ScenePart {
     public static final SwitchSetting TENSEGRITY = new SwitchSetting(
             "tensegrity", "Tensegrity", Effect.SCENE, true, "Rigid links hold the two faces of the sheet apart.");
     private static final int MAX_LINKS = 3;
@@ -27,9 +27,8 @@ public final class RigidTendon implements ScenePart {
     private static final double TOLERANCE = 1e-6;
     private static final int SWEEPS = 50;
 
-    @Override
-    public Stage stage() {
-        return Stage.CONSTRAINTS;
+    public RigidTendon() {
+        super(Stage.CONSTRAINTS);
     }
 
     @Override

@@ -74,7 +74,7 @@ public final class SceneAssembly {
             BreathDrive drive,
             RibCage cage,
             Workers workers) {
-        RibCagePose pose = new RibCagePose(cage, RibRotation.drive(values, drive));
+        RibCagePose pose = new RibCagePose(cage, new RibRotation.Drive(values, drive));
         return new SceneAssembly(settings, new Scene(settings, thorax, values, drive, pose, workers)).build();
     }
 

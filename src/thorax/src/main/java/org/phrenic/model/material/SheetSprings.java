@@ -1,5 +1,6 @@
 package org.phrenic.model.material;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.model.assembly.RestPressure;
@@ -13,7 +14,7 @@ import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 
 /** Springs of the diaphragm along its edges and across its thickness, stiffer in the tendon. */
-public final class SheetSprings implements ScenePart {
+public final class SheetSprings extends ScenePart {
     public static final Parameter MUSCLE_STIFFNESS = Parameter.named("muscle_stiffness_n_per_m", "Muscle stiffness")
             .unit("N/m")
             .range(30, 3000)
@@ -41,18 +42,11 @@ public final class SheetSprings implements ScenePart {
 
     /** @param contractile whether muscle shortens and prestress balances the pressure */
     SheetSprings(Parameter stiffness, boolean contractile) {
+        super(
+                Stage.SPRINGS,
+                contractile ? new Parameter[] {stiffness, TENDON_RATIO} : new Parameter[] {TENDON_RATIO, stiffness});
         this.stiffness = stiffness;
         this.contractile = contractile;
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.SPRINGS;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return contractile ? List.of(stiffness, TENDON_RATIO) : List.of(TENDON_RATIO, stiffness);
     }
 
     @Override
@@ -65,60 +59,36 @@ public final class SheetSprings implements ScenePart {
             builder.contractileShares(list.contractileShare());
         }
         scene.addSheet(builder.build());
+        List<Parameter> tuned = new ArrayList<>(List.of(stiffness, TENDON_RATIO));
         if (contractile) {
-            scene.tunes(
-                    List.of(
-                            stiffness,
-                            TENDON_RATIO,
-                            TransdiaphragmaticPressure.REST_PRESSURE,
-                            Muscle.LEFT_OVER_RIGHT,
-                            Muscle.FRONT_OVER_BACK),
-                    () -> contractileTuning(scene));
-        } else {
-            scene.tunes(List.of(stiffness, TENDON_RATIO), () -> passiveTuning(scene));
+            Parameter pressure = TransdiaphragmaticPressure.REST_PRESSURE;
+            tuned.addAll(List.of(pressure, Muscle.LEFT_OVER_RIGHT, Muscle.FRONT_OVER_BACK));
         }
+        scene.tunes(tuned, () -> tuning(scene));
     }
 
-    private static TissueTuner.Action contractileTuning(Scene scene) {
+    private TissueTuner.Action tuning(Scene scene) {
         TunableSprings springs = scene.tunable(scene.sheetSprings());
+        DiaphragmPart sheet = scene.diaphragm();
         RestPressure pressure = scene.restPressure();
         return (value, assembled, asAssembled) -> {
-            pressure.scaleLoad(value[2]);
+            if (contractile) {
+                pressure.scaleLoad(value[2]);
+            }
             if (asAssembled) {
                 springs.restoreAssembled();
                 return;
             }
+            double muscle = value[0] / assembled[0];
+            double tendon = muscle * (value[1] / assembled[1]);
             for (int e = 0; e < springs.count; e++) {
-                setStiffness(springs, e, scene.diaphragm(), value, assembled, pressure.additionalTension(e, value[2]));
-                setShortening(springs, e, scene.diaphragm().contractileShare(e, value[3], value[4]));
+                double tension = contractile ? pressure.additionalTension(e, value[2]) : 0;
+                springs.set(e, sheet.isTendonEdge(e) ? tendon : muscle, tension);
+                double share = sheet.contractileShare(e, contractile ? value[3] : 1, contractile ? value[4] : 1);
+                springs.shortening[e] =
+                        share * RestPressure.limitedRestLength(springs.lengthAtRest[e], springs.restLength[e]);
             }
             springs.apply();
         };
-    }
-
-    private static TissueTuner.Action passiveTuning(Scene scene) {
-        TunableSprings springs = scene.tunable(scene.sheetSprings());
-        return (value, assembled, asAssembled) -> {
-            if (asAssembled) {
-                springs.restoreAssembled();
-                return;
-            }
-            for (int e = 0; e < springs.count; e++) {
-                setStiffness(springs, e, scene.diaphragm(), value, assembled, 0);
-                setShortening(springs, e, scene.diaphragm().contractileShare(e, 1, 1));
-            }
-            springs.apply();
-        };
-    }
-
-    private static void setStiffness(
-            TunableSprings springs, int e, DiaphragmPart sheet, double[] value, double[] assembled, double tension) {
-        double muscle = value[0] / assembled[0];
-        double tendon = muscle * (value[1] / assembled[1]);
-        springs.set(e, sheet.isTendonEdge(e) ? tendon : muscle, tension);
-    }
-
-    private static void setShortening(TunableSprings springs, int e, double share) {
-        springs.shortening[e] = share * RestPressure.limitedRestLength(springs.lengthAtRest[e], springs.restLength[e]);
     }
 }

@@ -11,7 +11,7 @@ import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Parameter;
 
 /** Masses and viscous damping of all nodes. */
-public abstract class TissueMass implements ScenePart {
+public abstract class TissueMass extends ScenePart {
     public static final Parameter AREA_DENSITY = Parameter.named("area_density_kg_per_m2", "Mass per area")
             .unit("kg/m^2")
             .range(3, 1000)
@@ -90,11 +90,10 @@ public abstract class TissueMass implements ScenePart {
         }
     };
 
-    private final Parameter mass;
     private final Parameter damping;
 
     private TissueMass(Parameter mass, Parameter damping) {
-        this.mass = mass;
+        super(Stage.BOUNDARY, mass, damping);
         this.damping = damping;
     }
 
@@ -106,16 +105,6 @@ public abstract class TissueMass implements ScenePart {
     abstract double tendonFactor(double[] value, double[] assembled);
 
     abstract double lungFactor(double[] value, double[] assembled);
-
-    @Override
-    public Stage stage() {
-        return Stage.BOUNDARY;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(mass, damping);
-    }
 
     @Override
     public void addTo(Scene scene) {

@@ -1,8 +1,8 @@
 package org.phrenic.model.material;
 
 import java.util.Arrays;
-import java.util.List;
 import org.phrenic.engine.force.FacePressure;
+import org.phrenic.model.assembly.BreathDrive;
 import org.phrenic.model.assembly.RestPressure;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
@@ -17,7 +17,7 @@ import org.phrenic.parameter.SwitchSetting;
  * Transdiaphragmatic pressure on the abdominal face: the pressure at rest, balanced by the prestress of the sheet, and
  * the pressure of the breathing effort.
  */
-public final class TransdiaphragmaticPressure implements ScenePart {
+public final class TransdiaphragmaticPressure extends ScenePart {
     public static final SwitchSetting PRESSURE =
             new SwitchSetting("pressure", "Pressure", Effect.SCENE, true, "Transdiaphragmatic pressure acts.");
     public static final Parameter REST_PRESSURE = Parameter.named("rest_pressure_kpa", "Pressure at rest")
@@ -48,14 +48,8 @@ public final class TransdiaphragmaticPressure implements ScenePart {
                     "Pressure of effort under the left hemidiaphragm over that under the right; the greater is what"
                             + " the effort makes.");
 
-    @Override
-    public Stage stage() {
-        return Stage.PRESSURE;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of(REST_PRESSURE, GREATEST_PRESSURE, PRESSURE_LEFT_OVER_RIGHT);
+    public TransdiaphragmaticPressure() {
+        super(Stage.PRESSURE, REST_PRESSURE, GREATEST_PRESSURE, PRESSURE_LEFT_OVER_RIGHT);
     }
 
     @Override
@@ -69,18 +63,15 @@ public final class TransdiaphragmaticPressure implements ScenePart {
         RampedValue rest = scene.ramped(REST_PRESSURE);
         RampedValue greatest = scene.ramped(GREATEST_PRESSURE);
         RampedValue sides = scene.ramped(PRESSURE_LEFT_OVER_RIGHT);
-        scene.balancePressure(new RestPressure(
-                scene,
-                pressure,
-                rest.target(),
-                REST_PRESSURE.defaultValue(scene.settings()),
-                scene.settings().get(WallContact.CONTACT)));
-        scene.drive()
-                .measurePressure((time, breath) ->
-                        rest.at(time) + greatest.at(time) * (breath.pressure + breath.abdominalPressure));
+        double usual = REST_PRESSURE.defaultValue(scene.settings());
+        boolean leans = scene.settings().get(WallContact.CONTACT);
+        scene.balancePressure(new RestPressure(scene, pressure, rest.target(), usual, leans));
+        BreathDrive.Quantity exerted =
+                (time, breath) -> greatest.at(time) * (breath.pressure + breath.abdominalPressure);
+        scene.drive().measurePressure((time, breath) -> rest.at(time) + exerted.at(time, breath));
         scene.drive().beforeForces((time, breath) -> {
             double leftOverRight = sides.at(time);
-            double effort = greatest.at(time) * (breath.pressure + breath.abdominalPressure);
+            double effort = exerted.at(time, breath);
             double right = Math.min(1, 1 / leftOverRight);
             pressure.setPressure(rest.at(time) + right * effort);
             pressure.setSecondaryPressure((Math.min(1, leftOverRight) - right) * effort);

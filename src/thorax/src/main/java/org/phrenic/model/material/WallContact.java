@@ -14,7 +14,7 @@ import org.phrenic.parameter.SwitchSetting;
  * Contact between the sheet and the chest wall, along which the sheet slides, and the constraint that keeps its
  * thoracic face outside the abdominal face.
  */
-public final class WallContact implements ScenePart {
+public final class WallContact extends ScenePart {
     public static final SwitchSetting CONTACT = new SwitchSetting(
             "contact",
             "Contact",
@@ -22,9 +22,8 @@ public final class WallContact implements ScenePart {
             true,
             "The diaphragm slides on the chest wall and does not pass through it.");
 
-    @Override
-    public Stage stage() {
-        return Stage.CONSTRAINTS;
+    public WallContact() {
+        super(Stage.CONSTRAINTS);
     }
 
     @Override

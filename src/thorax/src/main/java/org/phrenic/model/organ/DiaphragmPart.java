@@ -1,5 +1,6 @@
 package org.phrenic.model.organ;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
@@ -69,18 +70,37 @@ public final class DiaphragmPart {
     private double[] leftShare;
     private double[] frontShare;
 
-    private DiaphragmPart(Builder from, MassSpringBuilder parts) {
+    /**
+     * Tissue of a diaphragm.
+     *
+     * @param tendonRatio stiffness of the tendon as a multiple of the muscle's
+     * @param linksPerNode number of rigid links per tendon node
+     * @param struts whether struts cross the thickness and the faces are kept from inverting
+     * @param crura share of each vertex that belongs to the tendinous origin of the crura, 0 to 1
+     * @param leftOverRight ratio of activation, left to right
+     * @param frontOverBack ratio of activation, front to back
+     */
+    @SuppressWarnings("ArrayRecordComponent") // read once
+    public record Tissue(
+            TissueLaw law,
+            double tendonRatio,
+            int linksPerNode,
+            boolean struts,
+            double[] crura,
+            double leftOverRight,
+            double frontOverBack) {}
+
+    /** Adds the nodes and springs of a diaphragm to a scene. */
+    public DiaphragmPart(Diaphragm diaphragm, Tissue from, MassSpringBuilder parts) {
         double[] origin = from.crura;
         TissueLaw law = from.law;
         double tendonRatio = from.tendonRatio;
-        diaphragm = from.diaphragm;
+        this.diaphragm = diaphragm;
         this.cruralShare = origin;
         TriangleMesh sheet = diaphragm.sheet();
         double[] muscle = law.masses(sheet, 1);
         double[] tendon = law.masses(sheet, tendonRatio);
-        for (int i = 0; i < muscle.length; i++) {
-            muscle[i] = diaphragm.isTendon(i) ? tendon[i] : muscle[i];
-        }
+        Arrays.setAll(muscle, i -> diaphragm.isTendon(i) ? tendon[i] : muscle[i]);
         firstNode = parts.addNodes(sheet, muscle);
         int[] crural = IntStream.range(0, origin.length)
                 .filter(i -> origin[i] > 0 && !diaphragm.isInserted(i))
@@ -111,7 +131,7 @@ public final class DiaphragmPart {
                         : List.of());
     }
 
-    private void addEdges(SpringList springs, Builder from) {
+    private void addEdges(SpringList springs, Tissue from) {
         TriangleMesh sheet = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
         double[] p = sheet.positions();
@@ -265,64 +285,5 @@ public final class DiaphragmPart {
                 .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
                 .map(i -> firstNode + t[i])
                 .toArray();
-    }
-
-    /** Starts a builder. By default the sheet has no struts and its muscle is activated uniformly. */
-    public static Builder builder(Diaphragm diaphragm, TissueLaw law) {
-        return new Builder(diaphragm, law);
-    }
-
-    /** Builder of a diaphragm. */
-    public static final class Builder {
-        private final Diaphragm diaphragm;
-        private final TissueLaw law;
-        private double[] crura;
-        private double tendonRatio = 1;
-        private boolean struts;
-        private int linksPerNode = 1;
-        private double leftOverRight = 1;
-        private double frontOverBack = 1;
-
-        private Builder(Diaphragm diaphragm, TissueLaw law) {
-            this.diaphragm = diaphragm;
-            this.law = law;
-            crura = new double[diaphragm.sheet().vertexCount()];
-        }
-
-        /** Sets the share of each vertex that belongs to the tendinous origin of the crura, 0 to 1. */
-        public Builder crura(double[] shares) {
-            crura = shares;
-            return this;
-        }
-
-        /** Sets the ratio of tendon stiffness to muscle stiffness. */
-        public Builder tendonRatio(double ratio) {
-            tendonRatio = ratio;
-            return this;
-        }
-
-        /** Adds struts across the thickness, and the constraint that prevents the faces from inverting. */
-        public Builder withStruts() {
-            struts = true;
-            return this;
-        }
-
-        /** Sets the number of rigid links per tendon node. */
-        public Builder linksPerNode(int count) {
-            linksPerNode = count;
-            return this;
-        }
-
-        /** Sets the ratios of activation: left to right, and front to back. */
-        public Builder driveRatios(double leftRight, double frontBack) {
-            leftOverRight = leftRight;
-            frontOverBack = frontBack;
-            return this;
-        }
-
-        /** Adds the nodes and springs of the diaphragm to a scene. */
-        public DiaphragmPart addTo(MassSpringBuilder parts) {
-            return new DiaphragmPart(this, parts);
-        }
     }
 }

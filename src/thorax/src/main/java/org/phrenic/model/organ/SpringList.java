@@ -59,13 +59,4 @@ public final class SpringList {
     public void setRest(int i, double length) {
         rest[i] = length;
     }
-
-    public boolean anyContractile() {
-        for (int i = 0; i < count; i++) {
-            if (contractileShare[i] != 0) {
-                return true;
-            }
-        }
-        return false;
-    }
 }

@@ -4,7 +4,6 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.scenario.ScheduledChange;
 
 /** Shell command line that runs a scenario without a window. */
 final class RunCommandLine {
@@ -29,9 +28,7 @@ final class RunCommandLine {
         if (scenario.steps() >= 0) {
             option(line, "--steps", Long.toString(scenario.steps()));
         }
-        for (ScheduledChange change : scenario.changes()) {
-            option(line, "--change", change.text());
-        }
+        scenario.changes().forEach(change -> option(line, "--change", change.text()));
         return line.toString();
     }
 

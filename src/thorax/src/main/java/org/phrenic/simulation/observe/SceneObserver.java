@@ -42,9 +42,7 @@ public final class SceneObserver {
 
     public SceneObserver(Scene scene) {
         this.scene = scene;
-        for (int i = 0; i < PLACES.length; i++) {
-            patches[i] = new SheetPatch(scene.diaphragm(), PLACES[i][0], PLACES[i][1]);
-        }
+        Arrays.setAll(patches, i -> new SheetPatch(scene.diaphragm(), PLACES[i][0], PLACES[i][1]));
         fibres = new FibreShortening(scene.diaphragm(), scene.restPositions());
         scene.pose().update(0);
         cage = new CageMeasure(scene.thorax(), scene.pose());

@@ -1,5 +1,6 @@
 package org.phrenic.simulation.observe;
 
+import java.util.Arrays;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
@@ -63,9 +64,7 @@ public final class SkinMotion {
         withBones = new LinearBlendSkinning(
                 scene.pose(), rest, blend, scene.system().workers());
         boneShare = new double[mesh.vertexCount()];
-        for (int i = 0; i < boneShare.length; i++) {
-            boneShare[i] = FallOff.at(Math.max(0, blend.distance()[i] - WITH_BONE_MM), FADE_MM);
-        }
+        Arrays.setAll(boneShare, i -> FallOff.at(Math.max(0, blend.distance()[i] - WITH_BONE_MM), FADE_MM));
         abdominal = scene.diaphragm().abdominalTriangles();
         nodesAtRest = scene.restPositions();
         abdominalDisplacement = abdominalDisplacement(scene, mesh, blend.distance());
@@ -97,9 +96,7 @@ public final class SkinMotion {
             }
         }
         double whole = sum / weightAbove((top - mesh.bounds()[2]) / WALL_MM);
-        for (int c = 0; c < out.length; c++) {
-            out[c] = whole > 0 ? out[c] / whole : 0;
-        }
+        Arrays.setAll(out, c -> whole > 0 ? out[c] / whole : 0);
         return out;
     }
 

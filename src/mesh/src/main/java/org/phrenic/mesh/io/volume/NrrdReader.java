@@ -233,9 +233,7 @@ final class NrrdReader {
             throw header.badInput(key, "found a vector of " + parts.length + " numbers, expected 3");
         }
         double[] vector = new double[3];
-        for (int i = 0; i < 3; i++) {
-            vector[i] = header.number(key, parts[i].strip());
-        }
+        Arrays.setAll(vector, i -> header.number(key, parts[i].strip()));
         return vector;
     }
 

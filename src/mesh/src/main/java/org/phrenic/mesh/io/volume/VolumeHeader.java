@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -97,9 +98,7 @@ final class VolumeHeader {
             throw badInput(key, "found " + words.length + " numbers, expected " + count);
         }
         double[] numbers = new double[count];
-        for (int i = 0; i < count; i++) {
-            numbers[i] = number(key, words[i]);
-        }
+        Arrays.setAll(numbers, i -> number(key, words[i]));
         return numbers;
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual.shape;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -16,9 +17,7 @@ public final class RingMesh {
         int rings = Math.max(3, (int) Math.round(meridians.meanLength() / (edge * 0.88)));
         int[] counts = new int[rings];
         double[] perimeters = meridians.perimeters(rings);
-        for (int k = 0; k < rings; k++) {
-            counts[k] = Math.max(6, (int) Math.round(perimeters[k] / edge));
-        }
+        Arrays.setAll(counts, k -> Math.max(6, (int) Math.round(perimeters[k] / edge)));
         counts[rings - 1] = border > 0 ? border : counts[rings - 1];
         return counts;
     }
