@@ -6,6 +6,11 @@ import java.util.Locale;
 public final class ReportNumbers {
     private ReportNumbers() {}
 
+    /** A text in the format of {@link String#format}, with decimal points in every locale. */
+    public static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+
     /** Two decimals below 10, one below 100, none from 100 on: 0.12, 12.3, 123; empty for NaN and infinity. */
     public static String number(double value) {
         if (!Double.isFinite(value)) {

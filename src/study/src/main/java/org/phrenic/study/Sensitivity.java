@@ -1,9 +1,10 @@
 package org.phrenic.study;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
@@ -79,8 +80,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
             for (double end : pair) {
                 Scenario altered = single.with(parameter, end);
                 jobs.add(new BatchRunner.Job<>(
-                        String.format(Locale.ROOT, "%s %.4g", parameter.key(), end),
-                        () -> breathChanges(altered, thorax)));
+                        format("%s %.4g", parameter.key(), end), () -> breathChanges(altered, thorax)));
             }
         }
         List<double[]> seen = BatchRunner.run(jobs, threads, progress);

@@ -1,9 +1,10 @@
 package org.phrenic.study;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
@@ -11,12 +12,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 
 /** A sensitivity study as Markdown and as values for JSON. */
-public final class SensitivityReport {
-    private final Sensitivity sensitivity;
-
-    public SensitivityReport(Sensitivity sensitivity) {
-        this.sensitivity = sensitivity;
-    }
+public record SensitivityReport(Sensitivity sensitivity) {
 
     /** Table cells with header: the parameter, then per cent per per cent for each observable. */
     public List<List<String>> cells() {
@@ -35,7 +31,7 @@ public final class SensitivityReport {
     }
 
     private static String signed(double effect) {
-        String text = String.format(Locale.ROOT, "%+.2f", effect);
+        String text = format("%+.2f", effect);
         return text.endsWith("0.00") ? "0.00" : text;
     }
 

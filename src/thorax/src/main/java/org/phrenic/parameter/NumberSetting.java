@@ -11,7 +11,8 @@ public class NumberSetting extends Setting<Double> {
      * Unit and range of the values offered.
      *
      * @param unit {@code 1} for a dimensionless number
-     * @param minimum smallest value offered; except for a {@link Parameter}, a scenario may state any number above 0
+     * @param minimum smallest value offered; except for a {@link Parameter}, a scenario may state any number above 0,
+     *     and 0 if it is the minimum
      * @param maximum largest value offered
      */
     public record Range(String unit, double minimum, double maximum) {}
@@ -54,10 +55,10 @@ public class NumberSetting extends Setting<Double> {
     @Override
     public Double read(YamlMap yaml, Path folder) {
         double value = yaml.number(key());
-        if (!(value > 0) || !(value <= maximum())) {
-            throw yaml.bad(
-                    key(),
-                    "found " + number(value) + ", expected more than 0, at most " + number(maximum()) + " " + unit());
+        boolean allowed = value > 0 || (value == 0 && minimum() == 0);
+        if (!allowed || !(value <= maximum())) {
+            String expected = "expected more than 0, at most " + number(maximum()) + " " + unit();
+            throw yaml.bad(key(), "found " + number(value) + ", " + expected);
         }
         return value;
     }

@@ -109,16 +109,17 @@ public final class Parameter extends NumberSetting {
             this.label = label;
         }
 
-        public Builder unit(String name) {
-            unit = name;
-            return this;
-        }
-
         /** Sets the smallest and largest value. */
         public Builder range(double least, double greatest) {
             minimum = least;
             maximum = greatest;
             return this;
+        }
+
+        /** Sets the smallest and largest value and their unit. */
+        public Builder range(double least, double greatest, String unitName) {
+            unit = unitName;
+            return range(least, greatest);
         }
 
         /** Sets the default value, which a material can override. */
@@ -142,6 +143,10 @@ public final class Parameter extends NumberSetting {
         public Builder group(Group heading) {
             group = heading;
             return this;
+        }
+
+        public Builder shown(Group heading, Effect what) {
+            return group(heading).effect(what);
         }
 
         /** Sets the switch that makes the effective value 0 while it is off. */

@@ -41,12 +41,7 @@ public final class RampedValues {
 
     /** Whether springs, masses or damping in given settings differ from the current targets. */
     public boolean differsInTissue(SettingValues settings) {
-        for (RampedValue value : tissue) {
-            if (Double.compare(value.in(settings), value.target()) != 0) {
-                return true;
-            }
-        }
-        return false;
+        return tissue.stream().anyMatch(value -> Double.compare(value.in(settings), value.target()) != 0);
     }
 
     /** Starts ramps of all values to those in given settings. */

@@ -78,9 +78,10 @@ public abstract class Setting<T> {
         return value;
     }
 
-    /** The value as text, as in {@code --set}. */
+    /** The value as text, as in {@code --set}; {@code none} for a value that a file omits. */
     public String format(T value) {
-        return String.valueOf(toPlain(value));
+        Object plain = toPlain(value);
+        return plain == null ? "none" : plain.toString();
     }
 
     @Override

@@ -190,7 +190,6 @@ public final class Scenario implements SettingValues {
         return Optional.of(list);
     }
 
-    /** Name of the scenario. */
     public String name() {
         return get(RunSettings.NAME);
     }
@@ -245,7 +244,6 @@ public final class Scenario implements SettingValues {
         return get(Numerics.TIME_STEP);
     }
 
-    /** Integrator. */
     public IntegratorKind integrator() {
         return get(Numerics.INTEGRATOR);
     }

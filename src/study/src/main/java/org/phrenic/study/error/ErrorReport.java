@@ -1,13 +1,15 @@
 package org.phrenic.study.error;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
@@ -78,8 +80,7 @@ public final class ErrorReport {
     /** Describes the scene and its reference solution. */
     public static String heading(ErrorStudy study) {
         double[] uncertainty = study.referenceUncertainty();
-        return String.format(
-                Locale.ROOT,
+        return format(
                 "%s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
                         + " as long its diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its"
                         + " nodes %.2g mm rms and at most %.2g mm.",
@@ -129,8 +130,7 @@ public final class ErrorReport {
     /** Describes the distance from equilibrium at one phase. */
     public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
         NewtonEquilibrium.Result newton = lag.newton();
-        return String.format(
-                Locale.ROOT,
+        return format(
                 "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium"
                         + " of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they"
                         + " come to rest by themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation"
@@ -150,8 +150,7 @@ public final class ErrorReport {
     /** Describes the mesh refinement errors, one sentence each. */
     public List<String> meshSentences() {
         List<String> lines = new ArrayList<>();
-        meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(String.format(
-                Locale.ROOT,
+        meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(format(
                 "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of"
                         + " resolution %s; its domes go down %+.2f mm more.",
                 material,
@@ -177,26 +176,25 @@ public final class ErrorReport {
     }
 
     private static Map<String, Object> values(ErrorStudy study) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("scenario", study.scenario().toMap());
-        map.put("nodes", study.nodes());
-        map.put("breath_s", study.simulatedS());
-        map.put("excursion_mm", study.excursionMm());
-        map.put("reference", study.reference().label());
-        map.put("reference_halving_rms_mm", study.referenceUncertainty()[0]);
-        map.put("reference_halving_max_mm", study.referenceUncertainty()[1]);
-        map.put("reference_halving_all_rms_mm", study.referenceUncertainty()[2]);
-        map.put("reference_halving_all_max_mm", study.referenceUncertainty()[3]);
-        map.put(
-                "settings",
-                ErrorTable.of(List.of(study)).rows().stream()
-                        .map(ErrorTable.Row::measurement)
-                        .toList());
-        map.put(
-                "equilibrium",
-                study.equilibrium().stream().map(ErrorReport::values).toList());
-        map.put("left_out", study.skipped());
-        return map;
+        return new OrderedValues()
+                .with("scenario", study.scenario().toMap())
+                .with("nodes", study.nodes())
+                .with("breath_s", study.simulatedS())
+                .with("excursion_mm", study.excursionMm())
+                .with("reference", study.reference().label())
+                .with("reference_halving_rms_mm", study.referenceUncertainty()[0])
+                .with("reference_halving_max_mm", study.referenceUncertainty()[1])
+                .with("reference_halving_all_rms_mm", study.referenceUncertainty()[2])
+                .with("reference_halving_all_max_mm", study.referenceUncertainty()[3])
+                .with(
+                        "settings",
+                        ErrorTable.of(List.of(study)).rows().stream()
+                                .map(ErrorTable.Row::measurement)
+                                .toList())
+                .with(
+                        "equilibrium",
+                        study.equilibrium().stream().map(ErrorReport::values).toList())
+                .with("left_out", study.skipped());
     }
 
     private static Map<String, Object> values(EquilibriumLag lag) {
@@ -214,6 +212,6 @@ public final class ErrorReport {
         String format = size == 0 || size >= 100
                 ? "%.0f"
                 : size < 1e-3 ? "%.1e" : size < 0.1 ? "%.4f" : size < 10 ? "%.2f" : "%.1f";
-        return String.format(Locale.ROOT, format, value);
+        return format(format, value);
     }
 }

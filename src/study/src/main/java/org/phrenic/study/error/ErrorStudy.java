@@ -1,5 +1,7 @@
 package org.phrenic.study.error;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -155,8 +157,7 @@ public record ErrorStudy(
                 / settings.timeStepS()
                 * (implicit ? EVALUATIONS_PER_SOLVE : settings.integrator().forceEvaluations());
         if (cost > MAX_EVALUATIONS_PER_S) {
-            return String.format(
-                    Locale.ROOT, "some %.0f force evaluations a simulated second, more than any use is worth", cost);
+            return format("some %.0f force evaluations a simulated second, more than any use is worth", cost);
         }
         boolean finest = settings.sweeps() == Collections.max(grid.sweeps())
                 && settings.refreshS() == Collections.min(grid.refreshesS());

@@ -1,5 +1,7 @@
 package org.phrenic.study.error;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -9,7 +11,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.document.CsvTable;
@@ -242,16 +243,11 @@ public record ErrorTable(String name, List<Row> rows) {
         Row row = candidates.stream()
                 .filter(r -> r.point().rmsMm() <= maxErrorMm)
                 .min(Comparator.comparingDouble(r -> r.point().cpuS()))
-                .orElseThrow(() -> new BadInputException(String.format(
-                        Locale.ROOT,
+                .orElseThrow(() -> new BadInputException(format(
                         "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material"
                                 + " %s at resolution %s",
-                        ReportNumbers.trimmed(maxErrorMm, 6),
-                        least,
-                        material,
-                        resolution)));
-        String sentence = String.format(
-                Locale.ROOT,
+                        ReportNumbers.trimmed(maxErrorMm, 6), least, material, resolution)));
+        String sentence = format(
                 "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the"
                         + " excursion), %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
                 ReportNumbers.trimmed(maxErrorMm, 6),

@@ -1,7 +1,8 @@
 package org.phrenic.study.error;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
@@ -38,14 +39,9 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
 
     /** Readable description for progress messages and reports. */
     public String label() {
-        return String.format(
-                Locale.ROOT,
+        return format(
                 "%s, step %s s, %d sweep%s, refresh %s s",
-                integrator.label(),
-                number(timeStepS),
-                sweeps,
-                sweeps == 1 ? "" : "s",
-                number(refreshS));
+                integrator.label(), number(timeStepS), sweeps, sweeps == 1 ? "" : "s", number(refreshS));
     }
 
     /** Formats a time with at most four significant digits. */

@@ -1,11 +1,11 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.format;
 import static org.phrenic.study.ReportNumbers.grouped;
 import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.material.ActionLines;
@@ -60,7 +60,7 @@ final class ModelSection {
                         grouped(published.rigidLinks()),
                         grouped(ours.rigidLinks()),
                         trimmed(Materials.PHYSICAL.defaultOf(SheetSprings.TENDON_RATIO, Scenario.defaults()), 4),
-                        String.format(Locale.ROOT, "%.0e", worstLinkError()),
+                        format("%.0e", worstLinkError()),
                         trimmed(SternumPart.STIFFNESS, 4),
                         trimmed(Materials.PAPER.defaultOf(ActionLines.ACTION_RADIUS, Scenario.defaults()), 4)));
         report.section("The parameters");
@@ -83,7 +83,7 @@ final class ModelSection {
                         value(TissueMass.DAMPING_RATE, Materials.PHYSICAL),
                         timeStep("paper"),
                         timeStep("physical"),
-                        String.format(Locale.ROOT, "%.2f", 1000 * published.rk2LimitS()),
+                        format("%.2f", 1000 * published.rk2LimitS()),
                         published.rk2Substeps()));
     }
 

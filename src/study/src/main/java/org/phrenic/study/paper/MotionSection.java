@@ -17,19 +17,13 @@ import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
 
 /** The paper's statements about fig. 3: motion of tendon and muscle, and the three phenomena that cause it. */
-final class MotionSection {
+record MotionSection(Reproduction reproduction) {
     private static final String MUSCLE = "muscle_edge_change_percent";
     private static final String TENDON = "tendon_edge_change_percent";
     /** Largest ratio of tendon to muscle edge length change at which the tendon counts as keeping its shape. */
     private static final double MAX_TENDON_SHARE = 0.25;
     /** Smallest ratio of tendon edge change without links to that with links for the links to count as effective. */
     private static final double MIN_CHANGE_WITHOUT_LINKS = 1.5;
-
-    private final Reproduction reproduction;
-
-    MotionSection(Reproduction reproduction) {
-        this.reproduction = reproduction;
-    }
 
     void add(ReportDocument report) {
         report.paragraph(PaperTexts.text("motion"));

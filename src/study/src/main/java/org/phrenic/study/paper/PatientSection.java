@@ -1,10 +1,10 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.format;
 import static org.phrenic.study.ReportNumbers.grouped;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.fit.InspiratoryHold;
@@ -14,14 +14,7 @@ import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.PatientCase.DistanceChange;
 
 /** The paper's patients (figs. 4 and 5, table 2) and the patients of this study. */
-final class PatientSection {
-    private final PatientResults results;
-    private final ReportPictures pictures;
-
-    PatientSection(PatientResults results, ReportPictures pictures) {
-        this.results = results;
-        this.pictures = pictures;
-    }
+record PatientSection(PatientResults results, ReportPictures pictures) {
 
     void add(ReportDocument report) {
         report.section("Figs. 4 and 5, table 2: the patients");
@@ -103,11 +96,11 @@ final class PatientSection {
     }
 
     private static String tenths(double value) {
-        return String.format(Locale.ROOT, "%.1f", value);
+        return format("%.1f", value);
     }
 
     private static String hundredths(double value) {
-        return String.format(Locale.ROOT, "%.2f", value);
+        return format("%.2f", value);
     }
 
     List<Claim> claims() {

@@ -1,16 +1,16 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.format;
 import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
 
 /** Statements on breathing by the paper's clinical collaborator. */
-final class PhysiologySection {
+record PhysiologySection(Reproduction reproduction) {
     /** "Only the domes descend": largest ratio of the centre's descent to that of the domes. */
     private static final double MAX_CENTRE_SHARE = 0.25;
     /** Tolerance of a skeletal level: half a bone. */
@@ -18,12 +18,6 @@ final class PhysiologySection {
 
     private static final double FOURTH_SPACE = 4.5;
     private static final double FIFTH_RIB = 5;
-
-    private final Reproduction reproduction;
-
-    PhysiologySection(Reproduction reproduction) {
-        this.reproduction = reproduction;
-    }
 
     void add(ReportDocument report) {
         report.section("The discussion: physiology");
@@ -67,14 +61,14 @@ final class PhysiologySection {
         return PaperTexts.claim(
                 "tendon-level",
                 Verdict.agrees(Math.abs(from - 8) <= LEVEL_TOLERANCE && Math.abs(to - 9) <= LEVEL_TOLERANCE),
-                String.format(Locale.ROOT, "T%.1f to T%.1f, by %.1f vertebrae", from, to, to - from));
+                format("T%.1f to T%.1f, by %.1f vertebrae", from, to, to - from));
     }
 
     private static Claim level(String key, double found, double expected) {
         return PaperTexts.claim(
                 key,
                 Verdict.agrees(Math.abs(found - expected) <= LEVEL_TOLERANCE),
-                String.format(Locale.ROOT, "%.1f at end-expiration", found));
+                format("%.1f at end-expiration", found));
     }
 
     private Claim dimensions() {

@@ -13,23 +13,14 @@ import org.phrenic.scenario.Settings;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
 
-/** Report with every table, figure and claim of the paper in its order, as printed and as reproduced. */
-public final class ReproductionReport {
+/**
+ * Report with every table, figure and claim of the paper in its order, as printed and as reproduced.
+ *
+ * @param madeBy program and version
+ */
+public record ReproductionReport(
+        Reproduction reproduction, PatientResults patients, ReportPictures pictures, String madeBy) {
     private static final List<Column> PAPER_AND_HERE = PaperTexts.columns(2, "the paper", "here");
-
-    private final Reproduction reproduction;
-    private final PatientResults patients;
-    private final ReportPictures pictures;
-    private final String madeBy;
-
-    /** @param madeBy program and version */
-    public ReproductionReport(
-            Reproduction reproduction, PatientResults patients, ReportPictures pictures, String madeBy) {
-        this.reproduction = reproduction;
-        this.patients = patients;
-        this.pictures = pictures;
-        this.madeBy = madeBy;
-    }
 
     /** The complete report. */
     public ReportDocument document() {

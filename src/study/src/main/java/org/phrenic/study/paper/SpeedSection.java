@@ -1,5 +1,6 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.study.ReportNumbers.format;
 import static org.phrenic.study.ReportNumbers.grouped;
 
 import java.util.ArrayList;
@@ -65,10 +66,6 @@ final class SpeedSection {
             row.addAll(List.of("-", "-", "-"));
         }
         return row;
-    }
-
-    private static String format(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
     }
 
     private static String percent(double[] range) {

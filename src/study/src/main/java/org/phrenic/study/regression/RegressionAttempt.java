@@ -12,6 +12,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.Key;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -104,10 +105,7 @@ record RegressionAttempt(
 
     /** Values for YAML. */
     Map<String, Object> values(Map<String, String> leaves) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put(OF, specification());
-        map.put(REPORT, new LinkedHashMap<>(leaves));
-        return map;
+        return new OrderedValues().with(OF, specification()).with(REPORT, new LinkedHashMap<>(leaves));
     }
 
     /**

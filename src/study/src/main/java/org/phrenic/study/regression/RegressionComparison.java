@@ -1,6 +1,7 @@
 package org.phrenic.study.regression;
 
-import java.util.Locale;
+import static org.phrenic.study.ReportNumbers.format;
+
 import org.phrenic.simulation.observe.Observation;
 
 /**
@@ -78,21 +79,13 @@ public record RegressionComparison(
         String name = Observation.COLUMNS.get(observable.index);
         String sentence = "";
         if (!(node.error <= scene.toleranceMm())) {
-            sentence = String.format(
-                    Locale.ROOT,
+            sentence = format(
                     "node %d is %.4g mm from its reference at %.3f s, the tolerance is %s mm",
-                    node.index,
-                    node.error,
-                    node.timeS,
-                    scene.toleranceMm());
+                    node.index, node.error, node.timeS, scene.toleranceMm());
         } else if (!(observable.error <= scene.observableTolerance())) {
-            sentence = String.format(
-                    Locale.ROOT,
+            sentence = format(
                     "%s is off by %.3g of it at %.3f s, the tolerance is %s",
-                    name,
-                    observable.error,
-                    observable.timeS,
-                    scene.observableTolerance());
+                    name, observable.error, observable.timeS, scene.observableTolerance());
         }
         return new RegressionComparison(
                 scene.name(),

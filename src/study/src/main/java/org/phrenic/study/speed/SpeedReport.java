@@ -1,12 +1,14 @@
 package org.phrenic.study.speed;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
@@ -15,12 +17,7 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
 /** A {@link SpeedStudy} as tables, Markdown, CSV and values for JSON. */
-public final class SpeedReport {
-    private final SpeedStudy study;
-
-    public SpeedReport(SpeedStudy study) {
-        this.study = study;
-    }
+public record SpeedReport(SpeedStudy study) {
 
     /** Measured cell of table 1 for a number of threads. */
     private record Cell(int threads, SpeedTable.Row row, double speedup, double realTimeFactor) {
@@ -37,18 +34,17 @@ public final class SpeedReport {
         }
 
         Map<String, Object> values() {
-            Map<String, Object> map = new LinkedHashMap<>();
-            map.put("forces", row.forces().label());
-            map.put("resolution", resolution());
-            map.put("vertices", row.vertices());
-            map.put("threads", threads);
-            map.put("paper_steps_per_s", published());
-            map.put("steps_per_s", row.stepsPerS());
-            map.put("times_the_paper", speedup());
-            map.put("realtime_factor", realTimeFactor);
-            map.put("ns_per_node_step", nanosPerNodeStep());
-            map.put("trials_steps_per_s", row.trials());
-            return map;
+            return new OrderedValues()
+                    .with("forces", row.forces().label())
+                    .with("resolution", resolution())
+                    .with("vertices", row.vertices())
+                    .with("threads", threads)
+                    .with("paper_steps_per_s", published())
+                    .with("steps_per_s", row.stepsPerS())
+                    .with("times_the_paper", speedup())
+                    .with("realtime_factor", realTimeFactor)
+                    .with("ns_per_node_step", nanosPerNodeStep())
+                    .with("trials_steps_per_s", row.trials());
         }
     }
 
@@ -62,10 +58,6 @@ public final class SpeedReport {
             }
         }));
         return cells;
-    }
-
-    private static String format(String format, double value) {
-        return String.format(Locale.ROOT, format, value);
     }
 
     /** Table 1 of the paper with the measured values: a header and one row per cell. */

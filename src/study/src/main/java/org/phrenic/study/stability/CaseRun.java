@@ -1,8 +1,9 @@
 package org.phrenic.study.stability;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -136,8 +137,7 @@ final class CaseRun {
         String reason = stepper.substepRefinementReason();
         if (stepper.substeps() > substeps && !reason.isEmpty()) {
             refinementTime = stepper.time();
-            refinement = String.format(
-                    Locale.ROOT, "at %.2f s: %s: split into %d substeps", refinementTime, reason, stepper.substeps());
+            refinement = format("at %.2f s: %s: split into %d substeps", refinementTime, reason, stepper.substeps());
         }
         substeps = stepper.substeps();
     }
@@ -233,13 +233,8 @@ final class CaseRun {
     private void checkBound(StabilityMeasure measure, double value, double factor, double time) {
         double maximum = bounds.maximum(measure) * factor;
         if (bounds.isBounded(measure) && !(value <= maximum) && violation.isEmpty()) {
-            violation = String.format(
-                    Locale.ROOT,
-                    "at %.2f s: %s: found %.4g, expected at most %.4g",
-                    time,
-                    measure.description(),
-                    value,
-                    maximum);
+            violation = format(
+                    "at %.2f s: %s: found %.4g, expected at most %.4g", time, measure.description(), value, maximum);
         }
     }
 
@@ -249,12 +244,10 @@ final class CaseRun {
                 !violation.isEmpty() ? Outcome.SILENT_FAILURE : reported.isEmpty() ? Outcome.STABLE : Outcome.RECOVERED;
         double repeat = found.getOrDefault(StabilityMeasure.REPEAT_MM, Double.NaN);
         if (reported.isEmpty() && repeat > MAX_REPEAT_MM) {
-            reported = String.format(
-                    Locale.ROOT,
+            reported = format(
                     "no breath repeats another: nodes end one up to %.2g mm from where they ended another; stopped,"
                             + " all come to rest within %.2g mm of their start",
-                    repeat,
-                    found.getOrDefault(StabilityMeasure.DRIFT_MM, Double.NaN));
+                    repeat, found.getOrDefault(StabilityMeasure.DRIFT_MM, Double.NaN));
         }
         return new CaseResult(
                 stabilityCase.key(),

@@ -1,14 +1,16 @@
 package org.phrenic.study.stability;
 
+import static org.phrenic.study.ReportNumbers.format;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
@@ -16,12 +18,7 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.integrator.IntegratorKind;
 
 /** A stability study as Markdown, CSV and values for JSON. The output is deterministic. */
-public final class StabilityReport {
-    private final StabilityStudy study;
-
-    public StabilityReport(StabilityStudy study) {
-        this.study = study;
-    }
+public record StabilityReport(StabilityStudy study) {
 
     private CaseResult result(String key, IntegratorKind integrator) {
         return study.cells().stream()
@@ -48,8 +45,7 @@ public final class StabilityReport {
             List<String> row = new ArrayList<>(List.of(key));
             for (IntegratorKind integrator : study.integrators()) {
                 CaseResult c = result(key, integrator);
-                row.add(c.outcome().label()
-                        + (c.endedEarly() ? String.format(Locale.ROOT, " (%.3g s)", c.simulatedS()) : ""));
+                row.add(c.outcome().label() + (c.endedEarly() ? format(" (%.3g s)", c.simulatedS()) : ""));
             }
             rows.add(row);
         }
@@ -84,8 +80,7 @@ public final class StabilityReport {
     }
 
     private String requestedS(String key) {
-        return String.format(
-                Locale.ROOT, "%.4g", result(key, study.integrators().get(0)).requestedS());
+        return format("%.4g", result(key, study.integrators().get(0)).requestedS());
     }
 
     private static List<String> row(CaseResult c) {
@@ -97,7 +92,7 @@ public final class StabilityReport {
     }
 
     private static String brief(double value) {
-        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3g", value);
+        return Double.isNaN(value) ? "" : format("%.3g", value);
     }
 
     /** Values of a cell by CSV column and JSON field. */
@@ -127,12 +122,13 @@ public final class StabilityReport {
 
     /** The study as values for JSON. */
     public Map<String, Object> values() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", Disclaimer.TEXT);
-        map.put("passes", study.passes());
-        map.put("cases", study.cases());
-        map.put("cells", study.cells().stream().map(StabilityReport::values).toList());
-        return map;
+        return new OrderedValues()
+                .with("notice", Disclaimer.TEXT)
+                .with("passes", study.passes())
+                .with("cases", study.cases())
+                .with(
+                        "cells",
+                        study.cells().stream().map(StabilityReport::values).toList());
     }
 
     private static Map<String, Object> values(CaseResult c) {

@@ -2,13 +2,13 @@ package org.phrenic.study.validation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.Key;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
@@ -211,9 +211,8 @@ public record LiverMotion(List<Row> rows) {
 
     /** The study as values for JSON. */
     public Map<String, Object> values() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("rows", rows.stream().map(Row::values).toList());
-        map.put("outside", outOfRangeCount());
-        return map;
+        return new OrderedValues()
+                .with("rows", rows.stream().map(Row::values).toList())
+                .with("outside", outOfRangeCount());
     }
 }

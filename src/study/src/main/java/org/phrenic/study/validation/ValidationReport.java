@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
@@ -14,7 +15,7 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.validation.Finding.Verdict;
 
 /** A validation as Markdown and as values for JSON. The output is deterministic. */
-public final class ValidationReport {
+public record ValidationReport(Validation validation) {
     private static final List<Column> COLUMNS = List.of(
             Column.text("quantity"),
             Column.text("preset"),
@@ -25,12 +26,6 @@ public final class ValidationReport {
             Column.text("verdict"),
             Column.text("measured"),
             Column.text("source"));
-
-    private final Validation validation;
-
-    public ValidationReport(Validation validation) {
-        this.validation = validation;
-    }
 
     private static long count(Validation.Body body, Confidence confidence, Verdict verdict) {
         return body.findings().stream()
@@ -122,15 +117,16 @@ public final class ValidationReport {
 
     /** The validation as values for JSON. */
     public Map<String, Object> values() {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("notice", Disclaimer.TEXT);
-        map.put("table", validation.table().name());
-        map.put("passes", validation.passes());
-        map.put("settings", validation.settings().toMap());
-        map.put(
-                "bodies",
-                validation.bodies().stream().map(ValidationReport::values).toList());
-        return map;
+        return new OrderedValues()
+                .with("notice", Disclaimer.TEXT)
+                .with("table", validation.table().name())
+                .with("passes", validation.passes())
+                .with("settings", validation.settings().toMap())
+                .with(
+                        "bodies",
+                        validation.bodies().stream()
+                                .map(ValidationReport::values)
+                                .toList());
     }
 
     private static Map<String, Object> values(Validation.Body body) {

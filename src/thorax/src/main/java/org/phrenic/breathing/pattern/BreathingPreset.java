@@ -3,14 +3,11 @@ package org.phrenic.breathing.pattern;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
-import org.phrenic.breathing.BreathingTrace;
-import org.phrenic.breathing.BreathingTraceReader;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
@@ -18,7 +15,7 @@ import org.phrenic.file.BadInputException;
 /**
  * A named breathing pattern, read from a YAML file: a kind of pattern and its parameters, which may be replaced.
  *
- * <p>Keys of every kind: {@code name}, {@code kind} (periodic, hold, cough, waxing or trace) and those of
+ * <p>Keys of every kind: {@code name}, {@code kind} (periodic, hold, cough or waxing) and those of
  * {@link BreathingParameters}. Further keys by kind:
  *
  * <ul>
@@ -26,7 +23,6 @@ import org.phrenic.file.BadInputException;
  *       other breaths), {@code breaths_before}, {@code hold_s}, {@code creep_fraction}
  *   <li>cough: {@code compression_s}, {@code expulsion_s}, {@code abdominal_pressure}
  *   <li>waxing: {@code breaths}, {@code apnoea_s}
- *   <li>trace: {@code file} (beside the YAML file), {@code detrend} and {@code loop} (true or false)
  * </ul>
  */
 public final class BreathingPreset {
@@ -71,29 +67,18 @@ public final class BreathingPreset {
             if (in == null) {
                 throw new IllegalStateException("breathing: preset '" + name + "' is missing from the program");
             }
-            return read(YamlDocument.read(file, in), file, null);
+            return read(YamlDocument.read(file, in), file);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    /**
-     * Reads a preset from a file.
-     *
-     * @throws BadInputException if the file cannot be read or a key is missing, unknown or out of range; the message
-     *     names file, line and key
-     */
-    public static BreathingPreset read(Path file) {
-        return read(
-                YamlDocument.read(file), file.toString(), file.toAbsolutePath().getParent());
-    }
-
-    static BreathingPreset read(YamlMap yaml, String file, Path folder) {
+    static BreathingPreset read(YamlMap yaml, String file) {
         if (yaml.keys().isEmpty()) {
             throw new BadInputException(file + ": no keys, expected lines of 'key: value'");
         }
         try {
-            BreathingPreset preset = ofKind(yaml, folder);
+            BreathingPreset preset = ofKind(yaml);
             // Build the pattern here, so that its errors are reported with the name of the file.
             preset.pattern();
             return preset;
@@ -102,7 +87,7 @@ public final class BreathingPreset {
         }
     }
 
-    private static BreathingPreset ofKind(YamlMap yaml, Path folder) {
+    private static BreathingPreset ofKind(YamlMap yaml) {
         String name = yaml.text("name");
         String kind = yaml.text("kind");
         return switch (kind) {
@@ -122,8 +107,8 @@ public final class BreathingPreset {
                 yield new BreathingPreset(name, parameters, p -> new CheyneStokesPattern(name, p, breaths, apnoeaS));
             }
             case "hold" -> hold(yaml, name);
-            case "trace" -> trace(yaml, name, folder);
-            default -> throw yaml.bad("kind", "found '" + kind + "', expected periodic, hold, cough, waxing or trace");
+
+            default -> throw yaml.bad("kind", "found '" + kind + "', expected periodic, hold, cough or waxing");
         };
     }
 
@@ -142,17 +127,6 @@ public final class BreathingPreset {
         BreathingParameters held = parameters(yaml, "at", "around", "breaths_before", "hold_s", "creep_fraction");
         double creep = yaml.number("creep_fraction");
         return new BreathingPreset(name, held, p -> new HoldPattern(name, around, before, p, holdS, creep));
-    }
-
-    private static BreathingPreset trace(YamlMap yaml, String name, Path folder) {
-        if (folder == null) {
-            throw yaml.bad("kind", "found 'trace', expected one that needs no file beside the program");
-        }
-        BreathingParameters parameters = parameters(yaml, "file", "detrend", "loop");
-        BreathingTrace read = BreathingTraceReader.read(folder.resolve(yaml.text("file")));
-        BreathingTrace trace = yaml.flag("detrend", false) ? read.detrended() : read;
-        boolean loops = yaml.flag("loop", true);
-        return new BreathingPreset(name, parameters, p -> new TracePattern(trace, p, loops));
     }
 
     /**

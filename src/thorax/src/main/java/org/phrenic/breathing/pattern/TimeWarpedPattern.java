@@ -5,23 +5,14 @@ import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.TimeWarp;
 
-/** A pattern at warped time: its values at time t are those at tau(t), its rates are those at tau(t) times tau'(t). */
-public final class TimeWarpedPattern implements BreathingPattern {
-    private final BreathingPattern pattern;
-    private final TimeWarp clock;
-    private final double originS;
-
-    /**
-     * @param pattern function of warped time
-     * @param clock time warp tau
-     * @param originS warped time at which the pattern begins, s
-     */
-    public TimeWarpedPattern(BreathingPattern pattern, TimeWarp clock, double originS) {
-        this.pattern = pattern;
-        this.clock = clock;
-        this.originS = originS;
-    }
-
+/**
+ * A pattern at warped time: its values at time t are those at tau(t), its rates are those at tau(t) times tau'(t).
+ *
+ * @param pattern function of warped time
+ * @param clock time warp tau
+ * @param originS warped time at which the pattern begins, s
+ */
+public record TimeWarpedPattern(BreathingPattern pattern, TimeWarp clock, double originS) implements BreathingPattern {
     @Override
     public String name() {
         return pattern.name();

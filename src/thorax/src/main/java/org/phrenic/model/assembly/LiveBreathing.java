@@ -14,20 +14,19 @@ import org.phrenic.parameter.SettingValues;
  * made.
  */
 public final class LiveBreathing implements BreathingPattern {
+    /** The last pattern, the same at warped time, and its blend with those before it. */
+    private record State(BreathingPattern base, TimeWarpedPattern warped, BreathingPattern pattern) {}
+
     private final TimeWarp clock;
-    private BreathingPattern base;
-    private TimeWarpedPattern warped;
-    private BreathingPattern pattern;
-    private BreathingPattern previousBase;
-    private TimeWarpedPattern previousWarped;
-    private BreathingPattern previous;
+    private State state;
+    private State previous;
     private long changedAtStep = -1;
 
     public LiveBreathing(SettingValues settings) {
         clock = new TimeWarp(!settings.get(Breathing.HOLD));
-        base = Breathing.patternOf(settings);
-        warped = new TimeWarpedPattern(base, clock, 0);
-        pattern = warped;
+        BreathingPattern base = Breathing.patternOf(settings);
+        TimeWarpedPattern warped = new TimeWarpedPattern(base, clock, 0);
+        state = new State(base, warped, warped);
     }
 
     /** Holds or releases the breath. */
@@ -42,27 +41,19 @@ public final class LiveBreathing implements BreathingPattern {
      * @param anew whether it starts from its beginning instead of continuing at the current phase
      */
     public void change(BreathingPattern next, boolean anew, long step, double nowS) {
-        if (step == changedAtStep) {
-            base = previousBase;
-            warped = previousWarped;
-            pattern = previous;
-        }
-        double intoS = anew ? 0 : matchPhase(next, warped.patternTimeS(nowS));
-        TimeWarpedPattern nextLeaf = new TimeWarpedPattern(next, clock, clock.warpedTime(nowS) - intoS);
-        previousBase = base;
-        previousWarped = warped;
-        previous = pattern;
+        State from = step == changedAtStep ? previous : state;
+        double intoS = anew ? 0 : matchPhase(from.base, next, from.warped.patternTimeS(nowS));
+        TimeWarpedPattern warped = new TimeWarpedPattern(next, clock, clock.warpedTime(nowS) - intoS);
+        previous = from;
         changedAtStep = step;
-        pattern = BlendedPattern.crossfade(pattern, nextLeaf, nowS, Ramp.DEFAULT_S, anew);
-        base = next;
-        warped = nextLeaf;
+        state = new State(next, warped, BlendedPattern.crossfade(from.pattern, warped, nowS, Ramp.DEFAULT_S, anew));
     }
 
     /**
      * Time in the next pattern at the same phase of the period. If one of the patterns is not periodic, the time since
      * the start is kept.
      */
-    private double matchPhase(BreathingPattern next, double intoS) {
+    private static double matchPhase(BreathingPattern base, BreathingPattern next, double intoS) {
         double from = base.periodS();
         double to = next.periodS();
         return Double.isInfinite(from) || Double.isInfinite(to) || from == to ? intoS : intoS / from * to;
@@ -70,21 +61,21 @@ public final class LiveBreathing implements BreathingPattern {
 
     @Override
     public String name() {
-        return pattern.name();
+        return state.pattern.name();
     }
 
     @Override
     public double periodS() {
-        return pattern.periodS();
+        return state.pattern.periodS();
     }
 
     @Override
     public double fullDurationS() {
-        return pattern.fullDurationS();
+        return state.pattern.fullDurationS();
     }
 
     @Override
-    public void at(double timeS, BreathState state) {
-        pattern.at(timeS, state);
+    public void at(double timeS, BreathState breath) {
+        state.pattern.at(timeS, breath);
     }
 }

@@ -13,18 +13,15 @@ import org.phrenic.parameter.RampedValue;
 /** Muscle force of Villard, Bourne and Bello 2009: one action line through the centre of each hemidiaphragm. */
 public final class ActionLines extends ScenePart {
     public static final Parameter MUSCLE_FORCE = Parameter.named("muscle_force_mn", "Muscle force")
-            .unit("mN")
-            .range(0, 1000)
+            .range(0, 1000, "mN")
             .initial(300)
             .group(Group.MUSCLE)
             .switchedBy(Muscle.MUSCLE)
             .describedAs("Force on a node on an action line at full drive (Villard, Bourne and Bello 2009).");
     public static final Parameter ACTION_RADIUS = Parameter.named("action_line_radius_mm", "Action line radius")
-            .unit("mm")
-            .range(5, 200)
+            .range(5, 200, "mm")
             .initial(60)
-            .group(Group.MUSCLE)
-            .effect(Effect.SCENE)
+            .shown(Group.MUSCLE, Effect.SCENE)
             .describedAs("Distance from an action line at which its force has fallen to nothing.");
 
     public ActionLines() {

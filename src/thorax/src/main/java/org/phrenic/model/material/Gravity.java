@@ -22,11 +22,9 @@ import org.phrenic.parameter.RampedValue;
  */
 public final class Gravity extends ScenePart {
     public static final Parameter ACCELERATION = Parameter.named("gravity_m_per_s2", "Gravity")
-            .unit("m/s^2")
-            .range(0, 9.81)
+            .range(0, 9.81, "m/s^2")
             .initial(0)
-            .group(Group.BREATHING)
-            .effect(Effect.SCENE)
+            .shown(Group.BREATHING, Effect.SCENE)
             .describedAs("Weight of diaphragm and liver in the posture given; 0 leaves the body as it was scanned.");
     public static final Parameter TILT = angle("gravity_tilt_deg", "Gravity tilt", 180)
             .describedAs(
@@ -44,11 +42,9 @@ public final class Gravity extends ScenePart {
 
     private static Parameter.Builder angle(String key, String label, double maximum) {
         return Parameter.named(key, label)
-                .unit("deg")
-                .range(-maximum, maximum)
+                .range(-maximum, maximum, "deg")
                 .initial(0)
-                .group(Group.BREATHING)
-                .effect(Effect.SCENE);
+                .shown(Group.BREATHING, Effect.SCENE);
     }
 
     public Gravity() {

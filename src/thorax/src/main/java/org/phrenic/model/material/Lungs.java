@@ -20,8 +20,7 @@ import org.phrenic.parameter.Parameter;
  */
 public final class Lungs extends ScenePart {
     public static final Parameter LUNG_STIFFNESS = Parameter.named("lung_stiffness_n_per_m", "Lung stiffness")
-            .unit("N/m")
-            .range(0.1, 100)
+            .range(0.1, 100, "N/m")
             .initial(5)
             .limitsStep()
             .fitted(1, 20)

@@ -20,7 +20,7 @@ public final class Mediastinum extends ScenePart {
             displacement("mediastinum_left_mm", "Mediastinum left").describedAs("The same of the left lung.");
 
     private static Parameter.Builder displacement(String key, String label) {
-        return Parameter.named(key, label).unit("mm").range(0, 40).initial(0).fitted(0, 40);
+        return Parameter.named(key, label).range(0, 40, "mm").initial(0).fitted(0, 40);
     }
 
     public Mediastinum() {

@@ -23,8 +23,7 @@ public final class Muscle extends ScenePart {
     public static final Parameter LEFT_OVER_RIGHT = Parameter.named("left_over_right", "Left over right")
             .range(0.2, 5)
             .initial(1.12)
-            .group(Group.MUSCLE)
-            .effect(Effect.TISSUE)
+            .shown(Group.MUSCLE, Effect.TISSUE)
             .fitted(0.5, 2, 1)
             .describedAs("Activation of the left hemidiaphragm over that of the right; deep breaths move the left dome"
                     + " 1.07 times as far in men, 1.12 in women (Boussuges 2009). The stronger side takes"
@@ -32,8 +31,7 @@ public final class Muscle extends ScenePart {
     public static final Parameter FRONT_OVER_BACK = Parameter.named("front_over_back", "Front over back")
             .range(0.2, 5)
             .initial(1)
-            .group(Group.MUSCLE)
-            .effect(Effect.TISSUE)
+            .shown(Group.MUSCLE, Effect.TISSUE)
             .fitted(0.4, 2.5)
             .describedAs(
                     "Activation of the diaphragm's front over that of its back, changing smoothly over 50 mm to each"

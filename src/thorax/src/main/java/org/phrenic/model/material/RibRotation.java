@@ -43,9 +43,9 @@ public final class RibRotation extends ScenePart {
         return Parameter.named(key, label).range(0, maximum).initial(1).group(Group.RIBS);
     }
 
-public RibRotation() {
-    super(Stage.LOADS, RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE);
-}
+    public RibRotation() {
+        super(Stage.LOADS, RIB_ROTATION, UPPER_RIB_ROTATION, LOWER_RIB_ROTATION, RIB_LEFT_OVER_RIGHT, BUCKET_HANDLE);
+    }
 
     /** The drive of a scene's rib cage. */
     static final class Drive implements RibCagePose.RibDrive {

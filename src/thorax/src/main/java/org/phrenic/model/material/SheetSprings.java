@@ -16,8 +16,7 @@ import org.phrenic.parameter.Parameter;
 /** Springs of the diaphragm along its edges and across its thickness, stiffer in the tendon. */
 public final class SheetSprings extends ScenePart {
     public static final Parameter MUSCLE_STIFFNESS = Parameter.named("muscle_stiffness_n_per_m", "Muscle stiffness")
-            .unit("N/m")
-            .range(30, 3000)
+            .range(30, 3000, "N/m")
             .initial(300)
             .group(Group.MUSCLE)
             .limitsStep()
@@ -31,8 +30,7 @@ public final class SheetSprings extends ScenePart {
             .describedAs("Stiffness of the central tendon as a multiple of the muscle's; 5 to 10 make it all but"
                     + " inextensible in a breath.");
     public static final Parameter SPRING_STIFFNESS = Parameter.named("spring_stiffness_n_per_m", "Spring stiffness")
-            .unit("N/m")
-            .range(1, 500)
+            .range(1, 500, "N/m")
             .initial(15)
             .limitsStep()
             .describedAs("One stiffness k for every spring (Villard, Bourne and Bello 2009).");

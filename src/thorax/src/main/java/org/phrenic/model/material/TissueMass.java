@@ -13,28 +13,24 @@ import org.phrenic.parameter.Parameter;
 /** Masses and viscous damping of all nodes. */
 public abstract class TissueMass extends ScenePart {
     public static final Parameter AREA_DENSITY = Parameter.named("area_density_kg_per_m2", "Mass per area")
-            .unit("kg/m^2")
-            .range(3, 1000)
+            .range(3, 1000, "kg/m^2")
             .initial(60)
             .limitsStep()
             .describedAs(
                     "Mass per area of a face; scaled up from the 3.15 of muscle alone, for a breath is quasi-static"
                             + " and the abdomen's contents move along.");
     public static final Parameter NODE_MASS = Parameter.named("node_mass_kg", "Node mass")
-            .unit("kg")
-            .range(0.001, 10)
+            .range(0.001, 10, "kg")
             .initial(0.1)
             .limitsStep()
             .describedAs("One mass for every node (Villard, Bourne and Bello 2009).");
     public static final Parameter DAMPING = Parameter.named("damping_ns_per_m", "Damping")
-            .unit("N s/m")
-            .range(0, 100)
+            .range(0, 100, "N s/m")
             .initial(0.02)
             .effect(Effect.TISSUE)
             .describedAs("Viscous damping of a node (Villard, Bourne and Bello 2009, eq. 4).");
     public static final Parameter DAMPING_RATE = Parameter.named("damping_rate_per_s", "Damping over mass")
-            .unit("1/s")
-            .range(0, 200)
+            .range(0, 200, "1/s")
             .initial(10)
             .effect(Effect.TISSUE)
             .describedAs("Viscous damping over mass.");

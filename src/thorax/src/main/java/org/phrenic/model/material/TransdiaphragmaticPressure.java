@@ -21,17 +21,14 @@ public final class TransdiaphragmaticPressure extends ScenePart {
     public static final SwitchSetting PRESSURE =
             new SwitchSetting("pressure", "Pressure", Effect.SCENE, true, "Transdiaphragmatic pressure acts.");
     public static final Parameter REST_PRESSURE = Parameter.named("rest_pressure_kpa", "Pressure at rest")
-            .unit("kPa")
-            .range(0, 2)
+            .range(0, 2, "kPa")
             .initial(0.25)
-            .group(Group.BREATHING)
-            .effect(Effect.TISSUE)
+            .shown(Group.BREATHING, Effect.TISSUE)
             .switchedBy(PRESSURE)
             .fitted(0.05, 1)
             .describedAs("Transdiaphragmatic pressure at end-expiration; about 3 cmH2O (0.3 kPa) in man.");
     public static final Parameter GREATEST_PRESSURE = Parameter.named("greatest_pressure_kpa", "Pressure of effort")
-            .unit("kPa")
-            .range(0, 20)
+            .range(0, 20, "kPa")
             .initial(1.8)
             .group(Group.BREATHING)
             .switchedBy(PRESSURE)

@@ -5,13 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
-import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.breathing.BreathState;
@@ -109,23 +105,6 @@ class BreathingPresetTest {
     }
 
     @Test
-    void presetsWithATraceReadItBesideThem(@TempDir Path folder) throws IOException {
-        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i < 400; i++) {
-            csv.append(0.1 * i)
-                    .append(',')
-                    .append(1 - Math.cos(2 * Math.PI * 0.1 * i / 4))
-                    .append('\n');
-        }
-        Files.writeString(folder.resolve("t.csv"), csv);
-        Path file = folder.resolve("t.yaml");
-        Files.writeString(file, QUIET.replace("periodic", "trace") + "file: t.csv\ndetrend: true\nloop: false\n");
-        BreathingPattern pattern = BreathingPreset.read(file).pattern();
-        BreathingPatternContract.check(pattern, 42);
-        assertThat(pattern.periodS()).isInfinite();
-    }
-
-    @Test
     void badPresetsAreRefusedInOneSentence() {
         assertThatThrownBy(() -> BreathingPreset.named("yawn"))
                 .hasMessageStartingWith("breathing: no preset 'yawn', expected quiet, quiet-supine, deep");
@@ -138,7 +117,7 @@ class BreathingPresetTest {
                 "q.yaml: line 1, key 'pressure': found no such key, expected a number from 0 to 1");
         refused(
                 QUIET.replace("periodic", "odd"),
-                "q.yaml: line 2, key 'kind': found 'odd', expected periodic, hold, cough, waxing or trace");
+                "q.yaml: line 2, key 'kind': found 'odd', expected periodic, hold, cough or waxing");
         refused("", "q.yaml: no keys, expected lines of 'key: value'");
         assertThatThrownBy(() -> preset(QUIET + "depth: 3\n"))
                 .hasMessageStartingWith(
@@ -162,6 +141,6 @@ class BreathingPresetTest {
     }
 
     private static BreathingPreset preset(String yaml) {
-        return BreathingPreset.read(YamlDocument.parse("q.yaml", yaml), "q.yaml", null);
+        return BreathingPreset.read(YamlDocument.parse("q.yaml", yaml), "q.yaml");
     }
 }
