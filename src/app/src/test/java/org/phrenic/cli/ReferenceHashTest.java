@@ -15,6 +15,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -22,6 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * The bits of the simulation. Each scene (materials, bodies, resolutions, integrators, changes while it runs, a
  * rehearsal) ends in the same state as in commit 690655c, on one thread and on two.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");

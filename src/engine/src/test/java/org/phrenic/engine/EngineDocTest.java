@@ -17,8 +17,10 @@ import javax.tools.ToolProvider;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** The program of docs/engine.md compiles and runs with the engine and EJML alone, and prints what the page says. */
+@Isolated("captures the standard output")
 class EngineDocTest {
     private static final Path PAGE = Path.of("docs", "engine.md");
 

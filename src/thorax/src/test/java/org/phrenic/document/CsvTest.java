@@ -12,9 +12,11 @@ import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.MeshSamples;
 
+@Isolated("changes the default locale")
 class CsvTest {
     @TempDir
     Path folder;

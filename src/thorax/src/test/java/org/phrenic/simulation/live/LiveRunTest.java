@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.RigidTendon;
 import org.phrenic.scenario.Assignment;
@@ -20,6 +21,7 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
 /** A run on a thread of its own, as a window drives it. The sheet alone is stepped, for it is quick. */
+@Isolated("measures the memory and the threads of the process")
 class LiveRunTest {
     private static final long PATIENCE_S = 120;
     private static final String[] SMALL = {"resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1"};
