@@ -48,7 +48,10 @@ class ArchitectureTest {
                 "access anatomy breathing document engine file fit"
                         + " mesh model parameter patient scenario simulation");
         declare("scene", "access anatomy breathing document file mesh scenario simulation");
-        declare("ui", "access anatomy breathing document engine file mesh model parameter scenario scene simulation");
+        declare(
+                "ui",
+                "access anatomy breathing document engine file mesh model"
+                        + " parameter patient scenario scene simulation");
         declare(
                 "cli",
                 "access anatomy breathing document engine file fit mesh model"

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Opens a scenario, a thorax folder or a trace that is dropped on the window. */
+/** Opens a scenario, a thorax folder, a trace or a label volume that is dropped on the window. */
 final class FileDropHandler extends TransferHandler {
     private final transient Consumer<Path> open;
     private final transient Consumer<String> refuse;
@@ -30,7 +30,8 @@ final class FileDropHandler extends TransferHandler {
         try {
             List<?> files = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
             if (files.size() != 1) {
-                refuse.accept("found " + files.size() + " files, expected one scenario, thorax folder or trace");
+                refuse.accept("found " + files.size()
+                        + " files, expected one scenario, thorax folder, trace or label volume");
                 return false;
             }
             open.accept(((File) files.get(0)).toPath());

@@ -9,21 +9,22 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
-/** Progress of loading a scene, with a button that cancels it; the scene before runs on meanwhile. */
+/** Progress of a task beside the running scene, with a button that cancels it. */
 final class LoadingPanel extends JPanel {
     private static final int STEPS = 1000;
 
     private final JLabel what = new JLabel("Loading");
     private final JProgressBar bar = new JProgressBar(0, STEPS);
 
-    LoadingPanel(Runnable cancel) {
+    /** @param name of the panel; its button is {@code name.cancel} */
+    LoadingPanel(String name, String tip, Runnable cancel) {
         super(new MigLayout("insets 8 12 8 12, gap 10, novisualpadding", "[180!][140!][]", "[center]"));
-        setName("loading");
-        JButton stop = Controls.button("Cancel", "Keep the present scene", () -> {
+        setName(name);
+        JButton stop = Controls.button("Cancel", tip, () -> {
             setVisible(false);
             cancel.run();
         });
-        stop.setName("loading.cancel");
+        stop.setName(name + ".cancel");
         bar.getAccessibleContext().setAccessibleName("Progress of loading");
         add(what);
         add(bar, "growx");

@@ -22,6 +22,7 @@ final class MainMenuBar extends JMenuBar {
             Consumer<Workspace> showWorkspace) {
         JMenu file = addMenu("File", 'F', List.of(actions.open));
         file.add(new RecentMenu(preferences, open));
+        file.add(actions.importScan).setIcon(null);
         file.addSeparator();
         List.of(actions.save, actions.picture, actions.copy).forEach(file::add);
         file.addSeparator();

@@ -37,6 +37,7 @@ final class MenuActions {
     final MenuAction undo;
     final MenuAction redo;
     final MenuAction open;
+    final MenuAction importScan;
     final MenuAction save;
     final MenuAction copy;
     final MenuAction quit;
@@ -52,6 +53,7 @@ final class MenuActions {
         Session session = window.session();
         WindowFiles files = window.files();
         open = action("Open...", "Open a scenario, a thorax folder or a trace", "menu O", files::chooseAndOpen);
+        importScan = action("Import scan...", "Make a body of the labels of a scan", "menu I", files::chooseAndImport);
         save = action("Save scenario...", "Save the present values as a scenario", "menu S", files::saveScenario);
         picture = action("Save picture...", "Save the view as a PNG file", "F12", files::savePicture)
                 .withIcon(Icons.CAMERA);
@@ -214,7 +216,7 @@ final class MenuActions {
     /** All of them, in the order of the menus. */
     List<MenuAction> all() {
         List<MenuAction> first =
-                List.of(open, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold);
+                List.of(open, importScan, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold);
         return Stream.of(first, needle, views, docks, List.of(theme), help)
                 .flatMap(List::stream)
                 .toList();

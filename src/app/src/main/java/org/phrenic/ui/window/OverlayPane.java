@@ -5,8 +5,8 @@ import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
 
 /**
- * The welcome panel above the view, and over the view the message banner at the top and the loading panel at the
- * bottom.
+ * The welcome panel above the view, and over the view the message banner at the top and the progress of an import and
+ * of loading at the bottom.
  */
 final class OverlayPane extends JLayeredPane {
     private static final int MARGIN = 14;
@@ -16,16 +16,20 @@ final class OverlayPane extends JLayeredPane {
     private final JComponent view;
     private final MessageBanner banner;
     private final LoadingPanel loading;
+    private final LoadingPanel importing;
     private final WelcomePanel welcome;
 
-    OverlayPane(JComponent view, MessageBanner banner, LoadingPanel loading, WelcomePanel welcome) {
+    OverlayPane(
+            JComponent view, MessageBanner banner, LoadingPanel loading, LoadingPanel importing, WelcomePanel welcome) {
         this.view = view;
         this.banner = banner;
         this.loading = loading;
+        this.importing = importing;
         this.welcome = welcome;
         add(view, DEFAULT_LAYER);
         add(welcome, PALETTE_LAYER);
         add(loading, PALETTE_LAYER);
+        add(importing, PALETTE_LAYER);
         add(banner, MODAL_LAYER);
         setMinimumSize(view.getMinimumSize());
     }
@@ -53,5 +57,6 @@ final class OverlayPane extends JLayeredPane {
         Dimension l = loading.getPreferredSize();
         wide = Math.max(0, Math.min(l.width, w - 2 * MARGIN));
         loading.setBounds((w - wide) / 2, h - BOTTOM_MARGIN - l.height, wide, l.height);
+        importing.setBounds((w - wide) / 2, h - BOTTOM_MARGIN - 2 * l.height - MARGIN, wide, l.height);
     }
 }

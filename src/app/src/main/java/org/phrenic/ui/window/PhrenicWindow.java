@@ -14,11 +14,13 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.dock.ParameterDock;
+import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
@@ -44,6 +46,7 @@ public final class PhrenicWindow {
     private final DockLayout layout;
     private final MessageBanner banner = new MessageBanner();
     private final LoadingPanel loading;
+    private final LoadingPanel importing;
     private final WelcomePanel welcome;
     private final StatusBar statusBar = new StatusBar();
     private final LogDialog log = new LogDialog();
@@ -68,11 +71,14 @@ public final class PhrenicWindow {
     /**
      * Opens the window and returns when it is closed.
      *
-     * @param file scenario, thorax folder or trace to open; empty for quiet breathing of the virtual adult male
+     * @param file scenario, thorax folder or trace to open, or label volume to import; empty for quiet breathing of the
+     *     virtual adult male
      * @throws org.phrenic.file.BadInputException if the file is none of these
      */
     public static void open(Optional<Path> file) throws InterruptedException {
-        Scenario first = file.map(path -> FileOpener.readScenario(path, Scenario.defaults()))
+        Optional<Path> scan = file.filter(LabelVolumeFiles::isVolume);
+        Scenario first = file.filter(path -> scan.isEmpty())
+                .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
                 .orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
         // The body is built in parallel with the window.
@@ -83,6 +89,7 @@ public final class PhrenicWindow {
                 file.ifPresent(preferences::addRecent);
                 PhrenicWindow window = new PhrenicWindow(preferences, session);
                 window.show();
+                scan.ifPresent(window.files::open);
                 closed[0] = window.closed;
             });
         } catch (java.lang.reflect.InvocationTargetException e) {
@@ -100,12 +107,14 @@ public final class PhrenicWindow {
         SwingUtilities.updateComponentTreeUI(statusBar);
         SwingUtilities.updateComponentTreeUI(frame);
         view = new SceneViewport(session, appearance);
-        loading = new LoadingPanel(() -> session.live().cancelLoading());
+        loading = new LoadingPanel(
+                "loading", "Keep the present scene", () -> session.live().cancelLoading());
+        importing = new LoadingPanel("importing", "Import nothing", this::cancelImport);
         welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
-        files = new WindowFiles(frame, session, view, preferences, this::openExercise);
+        files = new WindowFiles(frame, session, view, preferences, this::openExercise, new ImportDisplay());
         commands = new MenuActions(this);
         toolBar = new MainToolBar(commands, session, this::showWorkspace);
-        layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, welcome));
+        layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, importing, welcome));
         docks = new DockManager(session, appearance, view, layout, preferences);
         view.setPickListener(statusBar::showPicked);
         assemble();
@@ -166,6 +175,10 @@ public final class PhrenicWindow {
     void openExercise(RehearsalPlan plan) {
         showWorkspace(Workspace.CLINICIAN);
         docks.rehearsalController().open(plan);
+    }
+
+    private void cancelImport() {
+        files.scans().cancel();
     }
 
     private void applyWorkspace(Workspace workspace) {
@@ -247,6 +260,20 @@ public final class PhrenicWindow {
 
     public MessageBanner banner() {
         return banner;
+    }
+
+    /** Shows an import in the window. */
+    private final class ImportDisplay implements ScanImporter.Display {
+        @Override
+        public void showProgress(String stage, double share) {
+            importing.show(stage, share);
+            importing.getParent().revalidate();
+        }
+
+        @Override
+        public void rehearse() {
+            showWorkspace(Workspace.CLINICIAN);
+        }
     }
 
     private final class SessionListener implements Session.Listener {

@@ -8,8 +8,10 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
+import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.Session;
@@ -26,23 +28,36 @@ public final class WindowFiles {
     private final SceneViewport view;
     private final WindowPreferences preferences;
     private final Consumer<RehearsalPlan> openPlan;
+    private final ScanImporter scans;
 
-    /** @param openPlan gets a rehearsal plan that is opened */
+    /**
+     * @param openPlan gets a rehearsal plan that is opened
+     * @param display shows the import of a scan
+     */
     WindowFiles(
             JFrame frame,
             Session session,
             SceneViewport view,
             WindowPreferences preferences,
-            Consumer<RehearsalPlan> openPlan) {
+            Consumer<RehearsalPlan> openPlan,
+            ScanImporter.Display display) {
         this.frame = frame;
         this.session = session;
         this.view = view;
         this.preferences = preferences;
         this.openPlan = openPlan;
+        scans = new ScanImporter(frame, session, display, this::open);
     }
 
-    /** Opens a scenario, a rehearsal plan, a thorax folder or a trace; anything else is refused with a message. */
+    /**
+     * Opens a scenario, a rehearsal plan, a thorax folder or a trace, and imports a label volume; anything else is
+     * refused with a message.
+     */
     public void open(Path file) {
+        if (LabelVolumeFiles.isVolume(file)) {
+            scans.begin(file);
+            return;
+        }
         preferences.addRecent(file);
         BackgroundWorker.execute(
                 () -> FileOpener.readPlan(file),
@@ -53,6 +68,16 @@ public final class WindowFiles {
     void chooseAndOpen() {
         FileDialogs.openFileOrFolder(frame, "Open a scenario, a thorax folder or a trace")
                 .ifPresent(this::open);
+    }
+
+    void chooseAndImport() {
+        FileDialogs.open(frame, "Import a segmented scan", "nii", "gz", "nrrd", "nhdr", "mha", "mhd")
+                .ifPresent(scans::begin);
+    }
+
+    /** The imports of scans. */
+    ScanImporter scans() {
+        return scans;
     }
 
     /** Saves the present values as a scenario. */

@@ -5,20 +5,27 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Component;
+import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.io.File;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JSlider;
@@ -29,6 +36,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.patient.ScanSamples;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
@@ -264,6 +272,52 @@ class WindowTest {
         WindowHarness.await("the dropped scene", () -> running().name().equals("dropped"));
         assertThat(window.set("rib_rotation")).isEqualTo(0.5);
         window.breathe(0.1);
+    }
+
+    /** A spleen and a liver by the numbers of TotalSegmentator, without a rib: imported, and refused as a body. */
+    @Test
+    void aDroppedLabelVolumeIsImportedWithTheLabelsThatAreChosen() throws Exception {
+        Path scan = folder.resolve("scan.mha");
+        String header = "ObjectType = Image\nNDims = 3\nDimSize = " + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " "
+                + ScanSamples.SLICES + "\nElementSpacing = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+        Files.write(scan, header.getBytes(StandardCharsets.US_ASCII));
+        Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
+        drop(scan);
+        JDialog dialog = dialog("import");
+        JButton start = (JButton) dialog.getRootPane().getDefaultButton();
+        assertThat(start.isEnabled()).as("no label has a known name").isFalse();
+        Path body = folder.resolve("imported");
+        WindowHarness.doOnEdt(() -> {
+            WindowHarness.find(dialog, JButton.class, "TotalSegmentator")
+                    .orElseThrow()
+                    .doClick();
+            WindowHarness.find(dialog, JComboBox.class, "Complete from")
+                    .orElseThrow()
+                    .setSelectedItem("nothing: keep what the scan has");
+            WindowHarness.find(dialog, JTextField.class, "Thorax folder")
+                    .orElseThrow()
+                    .setText(body.toString());
+            start.doClick();
+        });
+        JDialog summary = dialog("import.summary");
+        assertThat(Files.readString(body.resolve("labels.csv"))).isEqualTo("label,structure\n1,spleen\n5,liver\n");
+        assertThat(body.resolve("spleen.vtp")).isNotEmptyFile();
+        assertThat(body.resolve("liver.vtp")).isNotEmptyFile();
+        WindowHarness.await(
+                "the refusal",
+                () -> WindowHarness.onEdt(
+                        () -> window.window().banner().message().contains("cannot breathe")));
+        WindowHarness.doOnEdt(summary::dispose);
+    }
+
+    /** Waits for a dialog of this name. */
+    private static JDialog dialog(String name) throws InterruptedException {
+        Supplier<Optional<JDialog>> shown = () -> Stream.of(Window.getWindows())
+                .filter(w -> w.isVisible() && name.equals(w.getName()))
+                .map(JDialog.class::cast)
+                .findFirst();
+        WindowHarness.await("the dialog " + name, () -> shown.get().isPresent());
+        return shown.get().orElseThrow();
     }
 
     @Test

@@ -1,0 +1,55 @@
+package org.phrenic.ui.scan;
+
+import java.util.concurrent.CancellationException;
+import javax.swing.SwingUtilities;
+import org.phrenic.patient.ImportProgress;
+
+/**
+ * Reports the progress of an import on the event dispatch thread. After {@link #cancel} the next report throws a
+ * {@link CancellationException}, which ends the import before anything is written.
+ */
+final class CancellableProgress implements ImportProgress {
+    /** Receives a stage and the completed share, 0 to 1. */
+    interface Display {
+        void show(String stage, double share);
+    }
+
+    /** Share of an import before and after the meshing of structures. */
+    private static final double MESHING_BEGINS = 0.1;
+
+    private static final double MESHING_ENDS = 0.7;
+
+    private final Display display;
+    private volatile double share;
+    private volatile boolean cancelled;
+
+    CancellableProgress(Display display) {
+        this.display = display;
+    }
+
+    void cancel() {
+        cancelled = true;
+    }
+
+    @Override
+    public void stage(String what) {
+        report(what, share);
+    }
+
+    @Override
+    public void meshed(int count, int total, String structure) {
+        report("meshing " + structure, MESHING_BEGINS + (MESHING_ENDS - MESHING_BEGINS) * count / total);
+    }
+
+    private void report(String what, double done) {
+        if (cancelled) {
+            throw new CancellationException("the import was cancelled");
+        }
+        share = done;
+        SwingUtilities.invokeLater(() -> {
+            if (!cancelled) {
+                display.show(what, done);
+            }
+        });
+    }
+}

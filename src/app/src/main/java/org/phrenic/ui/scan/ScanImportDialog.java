@@ -1,0 +1,138 @@
+package org.phrenic.ui.scan;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.DefaultCellEditor;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.FileDialogs;
+
+/** Asks which label is which structure, what completes the body, and where its thorax folder goes. */
+final class ScanImportDialog {
+    /** The answers of the dialog. */
+    record Choice(ScanLabels labels, Optional<String> template, Path folder) {}
+
+    /** Receives the answers. */
+    interface Start {
+        void accept(Choice choice);
+    }
+
+    private static final Map<String, String> TEMPLATES = Map.of(
+            "the virtual man", "virtual/adult-male",
+            "the virtual woman", "virtual/adult-female",
+            "nothing: keep what the scan has", "none");
+    private static final Dimension SIZE = new Dimension(620, 560);
+
+    private final Path file;
+    private final ScanLabels labels;
+    private final JLabel recognised = new JLabel();
+    private final JComboBox<String> template =
+            new JComboBox<>(TEMPLATES.keySet().stream().sorted().toArray(String[]::new));
+    private final JTextField folder = new JTextField();
+    private final JButton start = new JButton("Import");
+    private JDialog dialog;
+
+    ScanImportDialog(Path file, ScanLabels labels) {
+        this.file = file;
+        this.labels = labels;
+        template.setSelectedItem("the virtual man");
+        folder.setText(proposedFolder(file).toString());
+        labels.addTableModelListener(e -> showRecognised());
+        showRecognised();
+    }
+
+    /** A folder beside the scan, or in the home folder where nothing can be written beside it. */
+    static Path proposedFolder(Path file) {
+        String name = file.getFileName().toString();
+        String stem = name.substring(0, name.indexOf('.') > 0 ? name.indexOf('.') : name.length());
+        Path beside = file.toAbsolutePath().getParent();
+        Path parent = Files.isWritable(beside) ? beside : Path.of(System.getProperty("user.home"));
+        return parent.resolve(stem + "-body");
+    }
+
+    /** Shows the dialog; {@code import} receives the answers unless it is cancelled. */
+    void show(Window owner, Start onStart) {
+        JPanel content = content();
+        dialog = new JDialog(owner, "Import scan");
+        dialog.setName("import");
+        start.setName("import.start");
+        start.addActionListener(e -> {
+            dialog.dispose();
+            onStart.accept(new Choice(labels, template(), Path.of(folder.getText())));
+        });
+        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push[][]", ""));
+        foot.add(Controls.secondaryLabel(Disclaimer.TEXT), "wmin 0");
+        foot.add(Controls.button("Cancel", "Import nothing", dialog::dispose));
+        foot.add(start);
+        dialog.getContentPane().add(content);
+        dialog.getContentPane().add(foot, BorderLayout.SOUTH);
+        dialog.getRootPane().setDefaultButton(start);
+        dialog.setSize(SIZE);
+        dialog.setLocationRelativeTo(owner);
+        dialog.setVisible(true);
+    }
+
+    private JPanel content() {
+        JPanel content =
+                new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][]"));
+        content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
+        content.add(recognised, "span 2, wmin 0");
+        content.add(
+                Controls.button(
+                        "TotalSegmentator",
+                        "Assign structures by the label numbers of TotalSegmentator",
+                        labels::assignByNumber),
+                "wrap");
+        content.add(new JScrollPane(table()), "span 3, grow, wrap");
+        content.add(new JLabel("Complete from"));
+        content.add(
+                Controls.describe(template, "Complete from", "Where structures come from that the scan lacks"),
+                "span 2, wrap");
+        content.add(new JLabel("Thorax folder"));
+        content.add(Controls.describe(folder, "Thorax folder", "The folder that the body is written to"), "wmin 0");
+        content.add(
+                Controls.button("Choose...", "Choose the folder that the body is written to", () -> FileDialogs.folder(
+                                content, "Thorax folder")
+                        .ifPresent(chosen -> folder.setText(chosen.toString()))));
+        return content;
+    }
+
+    private JTable table() {
+        JTable table = new JTable(labels);
+        table.getAccessibleContext().setAccessibleName("Labels");
+        table.setName("import.labels");
+        JComboBox<String> structures = new JComboBox<>();
+        structures.setEditable(true);
+        structures.addItem(ScanLabels.NONE);
+        labels.known().forEach(structures::addItem);
+        table.getColumnModel().getColumn(ScanLabels.STRUCTURE_COLUMN).setCellEditor(new DefaultCellEditor(structures));
+        int[] widths = {60, 200, 90, 200};
+        for (int i = 0; i < widths.length; i++) {
+            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
+        }
+        return table;
+    }
+
+    private Optional<String> template() {
+        return Optional.of(TEMPLATES.get((String) template.getSelectedItem())).filter(t -> !t.equals("none"));
+    }
+
+    private void showRecognised() {
+        recognised.setText(labels.recognised() + " of " + labels.getRowCount() + " labels become a structure");
+        start.setEnabled(labels.recognised() > 0);
+    }
+}

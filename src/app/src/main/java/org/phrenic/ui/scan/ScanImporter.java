@@ -1,0 +1,129 @@
+package org.phrenic.ui.scan;
+
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.patient.pipeline.ImportPipeline;
+import org.phrenic.patient.pipeline.ImportRequest;
+import org.phrenic.patient.pipeline.ImportResult;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.Session;
+
+/**
+ * Imports scans in the window: reads the labels, asks for the options, builds the body beside the running scene, writes
+ * its thorax folder, shows a summary and opens the body. Used on the event dispatch thread.
+ */
+public final class ScanImporter {
+    /** What the window shows of an import. */
+    public interface Display {
+        /** A stage and the completed share; a share of 1 ends the display. */
+        void showProgress(String stage, double share);
+
+        /** Begins a rehearsal of liver access with the present body. */
+        void rehearse();
+    }
+
+    private static final String LABELS_FILE = "labels.csv";
+
+    private final Window owner;
+    private final Session session;
+    private final Display display;
+    private final Consumer<Path> open;
+    private Optional<CancellableProgress> running = Optional.empty();
+
+    /** @param open opens the thorax folder of the body */
+    public ScanImporter(Window owner, Session session, Display display, Consumer<Path> open) {
+        this.owner = owner;
+        this.session = session;
+        this.display = display;
+        this.open = open;
+    }
+
+    /** Reads the labels of a volume and asks for the options; one import runs at a time. */
+    public void begin(Path file) {
+        if (running.isPresent()) {
+            session.refuse("An import is running; cancel it first.");
+            return;
+        }
+        display.showProgress("reading " + file.getFileName(), 0);
+        BackgroundWorker.execute(
+                () -> ScanLabels.read(file),
+                labels -> {
+                    display.showProgress("", 1);
+                    new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));
+                },
+                this::fail);
+    }
+
+    /** Cancels the running import; nothing is written. */
+    public void cancel() {
+        running.ifPresent(CancellableProgress::cancel);
+        running = Optional.empty();
+    }
+
+    private void run(Path file, ScanImportDialog.Choice choice) {
+        CancellableProgress progress = new CancellableProgress(display::showProgress);
+        running = Optional.of(progress);
+        display.showProgress("importing " + file.getFileName(), 0);
+        BackgroundWorker.execute(
+                () -> build(file, choice, progress),
+                built -> built.ifPresent(result -> finish(choice.folder(), result)),
+                this::fail);
+    }
+
+    /** The imported body, written to its folder; empty if the import was cancelled. */
+    private static Optional<ImportResult> build(
+            Path file, ScanImportDialog.Choice choice, CancellableProgress progress) {
+        try {
+            String name =
+                    choice.folder().toAbsolutePath().normalize().getFileName().toString();
+            Optional<String> labels = choice.labels()
+                    .writeIfEdited(choice.folder().resolve(LABELS_FILE))
+                    .map(Path::toString);
+            ImportRequest request = new ImportRequest(
+                    file,
+                    name,
+                    labels,
+                    Optional.empty(),
+                    UnaryOperator.identity(),
+                    choice.template().map(ScanImporter::template),
+                    Optional.empty());
+            ImportResult result = ImportPipeline.run(request, progress);
+            progress.stage("writing the thorax folder");
+            result.write(choice.folder());
+            return Optional.of(result);
+        } catch (CancellationException cancelled) {
+            return Optional.empty();
+        }
+    }
+
+    private static Thorax template(String body) {
+        Assignment anatomy = Assignment.read("template " + body, "anatomy", body);
+        return SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy)));
+    }
+
+    private void finish(Path folder, ImportResult result) {
+        running = Optional.empty();
+        display.showProgress("", 1);
+        ImportSummaryDialog.show(owner, result, display::rehearse);
+        if (result.body().canBreathe()) {
+            open.accept(folder);
+        } else {
+            session.refuse("The body in " + folder + " cannot breathe: it takes a diaphragm and ribs.");
+        }
+    }
+
+    private void fail(String sentence) {
+        running = Optional.empty();
+        display.showProgress("", 1);
+        session.refuse(sentence);
+    }
+}

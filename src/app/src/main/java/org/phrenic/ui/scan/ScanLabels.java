@@ -1,0 +1,150 @@
+package org.phrenic.ui.scan;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.table.AbstractTableModel;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.patient.segmentation.LabelTable;
+
+/** The labels of a volume as a table: number, name and size, and the structure that each one becomes. */
+final class ScanLabels extends AbstractTableModel {
+    /** The entry of a label that is not imported. */
+    static final String NONE = "not imported";
+
+    static final int STRUCTURE_COLUMN = 3;
+    private static final String[] COLUMNS = {"Label", "Name in the file", "Volume, ml", "Structure"};
+    private static final double MM3_PER_ML = 1000;
+
+    private record Row(int label, String name, double millilitres) {}
+
+    private final List<Row> rows = new ArrayList<>();
+    private final List<String> structures = new ArrayList<>();
+    private final Map<Integer, String> numbered;
+    private final String size;
+    private boolean edited;
+
+    private ScanLabels(LabelVolume volume, Map<Integer, String> guess) {
+        numbered = LabelTable.totalSegmentator(volume).structures();
+        int[] counts = volume.grid().counts();
+        for (int label = 1; label < counts.length; label++) {
+            if (counts[label] > 0) {
+                double millilitres = counts[label] * volume.grid().voxelVolume() / MM3_PER_ML;
+                rows.add(new Row(label, volume.names().getOrDefault(label, ""), millilitres));
+                structures.add(guess.getOrDefault(label, NONE));
+            }
+        }
+        size = volume.grid().columns() + " x " + volume.grid().rows() + " x "
+                + volume.grid().slices() + " voxels";
+    }
+
+    /**
+     * Reads the labels of a volume and guesses their structures.
+     *
+     * @throws BadInputException if the file is no label volume
+     */
+    static ScanLabels read(Path file) {
+        LabelVolume volume = LabelVolumeFiles.read(file);
+        return new ScanLabels(volume, guess(file, volume));
+    }
+
+    private static Map<Integer, String> guess(Path file, LabelVolume volume) {
+        try {
+            return LabelTable.named(file.toString(), volume).structures();
+        } catch (BadInputException unnamed) {
+            return Map.of();
+        }
+    }
+
+    /** Columns, rows and slices of the volume, as text. */
+    String size() {
+        return size;
+    }
+
+    /** The number of labels that become a structure. */
+    long recognised() {
+        return structures.stream().filter(s -> !s.equals(NONE)).count();
+    }
+
+    /** Names of structures to choose from. */
+    Set<String> known() {
+        Set<String> known = new TreeSet<>(numbered.values());
+        known.add(LabelTable.LUNGS);
+        known.add(LabelTable.COSTAL_CARTILAGES);
+        return known;
+    }
+
+    /** Assigns structures by the label numbers of TotalSegmentator. */
+    void assignByNumber() {
+        for (int row = 0; row < rows.size(); row++) {
+            structures.set(row, numbered.getOrDefault(rows.get(row).label(), NONE));
+        }
+        edited = true;
+        fireTableDataChanged();
+    }
+
+    /** Writes the table to a file if the guess was changed; empty if the import can guess it again. */
+    Optional<Path> writeIfEdited(Path file) {
+        if (!edited) {
+            return Optional.empty();
+        }
+        String lines = IntStream.range(0, rows.size())
+                .filter(row -> !structures.get(row).equals(NONE))
+                .mapToObj(row -> rows.get(row).label() + "," + structures.get(row))
+                .collect(Collectors.joining("\n", "label,structure\n", "\n"));
+        AtomicFile.write(file, lines);
+        return Optional.of(file);
+    }
+
+    @Override
+    public int getRowCount() {
+        return rows.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return COLUMNS[column];
+    }
+
+    @Override
+    public Class<?> getColumnClass(int column) {
+        return column == 0 || column == 2 ? Number.class : String.class;
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+        Row label = rows.get(row);
+        return switch (column) {
+            case 0 -> label.label();
+            case 1 -> label.name();
+            case 2 -> Math.round(label.millilitres());
+            default -> structures.get(row);
+        };
+    }
+
+    @Override
+    public boolean isCellEditable(int row, int column) {
+        return column == STRUCTURE_COLUMN;
+    }
+
+    @Override
+    public void setValueAt(Object value, int row, int column) {
+        structures.set(row, value.toString());
+        edited = true;
+        fireTableRowsUpdated(row, row);
+    }
+}
