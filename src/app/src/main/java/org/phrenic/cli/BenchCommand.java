@@ -22,7 +22,12 @@ import picocli.CommandLine.ParameterException;
 @Command(
         name = "bench",
         description = "Measure the engine alone on a mesh: a particle a vertex, a spring an edge.",
-        subcommands = {BenchSpeedCommand.class, BenchErrorCommand.class, BenchStabilityCommand.class},
+        subcommands = {
+            BenchSpeedCommand.class,
+            BenchErrorCommand.class,
+            BenchStabilityCommand.class,
+            BenchBodiesCommand.class
+        },
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {
             "",

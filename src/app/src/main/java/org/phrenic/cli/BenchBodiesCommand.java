@@ -1,0 +1,191 @@
+package org.phrenic.cli;
+
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.BodyThumbnails;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.body.BodyCase;
+import org.phrenic.study.body.BodyReport;
+import org.phrenic.study.body.BodyStudy;
+import org.phrenic.study.body.BreathDepth;
+import org.phrenic.study.body.RandomBodies;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+
+/** {@code phrenic bench bodies}: checks whether bodies breathe. */
+@Command(
+        name = "bodies",
+        description = "A quiet and a deep breath of each body: excursion of the domes, return, divergence, organs "
+                + "through the diaphragm.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic bench bodies patient-1 patient-2 --out result",
+            "  phrenic bench bodies --random 60 --out result            20 minutes of processor time",
+            "  phrenic bench bodies --random 6 --seed 3 --extremes --resolution medium",
+            "",
+            "DIR gets bodies.md, .html, .csv and .json, with --pictures also bodies.png.",
+            "Exit code 3 if a body is beyond a limit.",
+            Disclaimer.TEXT
+        })
+final class BenchBodiesCommand extends ReportingCommand {
+    private static final int MAX_BODIES = 10_000;
+    private static final int THUMBNAIL_WIDTH = 220;
+    private static final int THUMBNAIL_HEIGHT = 250;
+
+    @Parameters(paramLabel = "BODY", description = "A thorax folder, virtual/adult-male or virtual/adult-female.")
+    private List<String> bodies = new ArrayList<>();
+
+    @Option(
+            names = "--random",
+            paramLabel = "N",
+            description = "So many bodies of random size and shape, made from the two virtual ones.")
+    private String random = "0";
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of the random bodies (default ${DEFAULT-VALUE}).")
+    private String seed = "1";
+
+    @Option(names = "--extremes", description = "Heavy bodies, high livers, barrel chests.")
+    private boolean extremes;
+
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
+    private String resolution = "low";
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of a scenario; may be repeated.")
+    private List<String> settings = new ArrayList<>();
+
+    @Option(names = "--threads", paramLabel = "N", description = "Bodies at a time; the numbers do not depend on it.")
+    private String threads = "1";
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "Folder for the reports; without it, nothing is written.")
+    private Path out;
+
+    @Option(
+            names = "--pictures",
+            description =
+                    "Also DIR/bodies.png: thumbnails of each body from the front, the right and the back, at rest "
+                            + "and at the full inspiration of the deep breath.")
+    private boolean pictures;
+
+    @Option(
+            names = "--made-by",
+            paramLabel = "TEXT",
+            description = "What made the report, such as a commit; its first line.")
+    private String madeBy = "";
+
+    @Override
+    public Integer call() throws NoGraphicsException {
+        if (out != null) {
+            OutputFolder.requireWritable(out);
+        } else if (pictures) {
+            throw new ParameterException(commandLine(), "found --pictures without --out, expected both");
+        }
+        Scenario scenario = scenario();
+        BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
+        BodyReport report = new BodyReport(study);
+        if (out != null) {
+            writePages(out, "bodies", report.document(provenance()));
+            AtomicFile.write(out.resolve("bodies.csv"), report.csv());
+            JsonWriter.write(out.resolve("bodies.json"), report.values());
+        }
+        print(report.values(), () -> table(report.table()) + "\n" + withDisclaimer(report.summary() + ".\n"));
+        return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private BodyStudy run(Scenario scenario, BodyStudy.Witness witness) {
+        return BodyStudy.of(
+                scenario,
+                cases(scenario),
+                OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS),
+                witness,
+                progress("bodies done"));
+    }
+
+    private BodyStudy pictured(Scenario scenario) throws NoGraphicsException {
+        try (BodyThumbnails thumbnails = new BodyThumbnails(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT)) {
+            BodyStudy study = run(scenario, (body, when, surfaces, meshes) -> {
+                if (!when.equals(BreathDepth.QUIET.preset())) {
+                    thumbnails.add(body, when, surfaces, meshes);
+                }
+            });
+            thumbnails.write(out.resolve("bodies.png"));
+            return study;
+        }
+    }
+
+    private List<String> provenance() {
+        List<String> lines = new ArrayList<>();
+        if (!madeBy.isEmpty()) {
+            lines.add(madeBy);
+        }
+        lines.add("With: phrenic bench bodies " + String.join(" ", arguments()));
+        lines.add("Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
+                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".");
+        return lines;
+    }
+
+    private List<String> arguments() {
+        List<String> given = new ArrayList<>(bodies);
+        if (extremes) {
+            given.add("--extremes");
+        }
+        if (!random.equals("0")) {
+            given.addAll(List.of("--random", random, "--seed", seed));
+        }
+        given.addAll(List.of("--resolution", resolution));
+        settings.forEach(s -> given.addAll(List.of("--set", s)));
+        return given;
+    }
+
+    private Scenario scenario() {
+        List<Assignment> list = new ArrayList<>();
+        list.add(Assignment.read("--resolution " + resolution, "resolution", resolution));
+        settings.forEach(text -> list.add(Assignment.parse(text)));
+        return Scenario.defaults().with(list);
+    }
+
+    private List<BodyCase> cases(Scenario scenario) {
+        List<BodyCase> cases = new ArrayList<>();
+        for (String body : bodies) {
+            Scenario on = scenario.with(List.of(Assignment.read(body, "anatomy", body)));
+            cases.add(new BodyCase(body, "as it is", () -> SimulationRun.loadThorax(on)));
+        }
+        if (extremes) {
+            cases.addAll(RandomBodies.extremes(scenario));
+        }
+        cases.addAll(RandomBodies.series(
+                scenario,
+                OptionValues.integer("--random", random, 0, MAX_BODIES),
+                OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE)));
+        if (cases.isEmpty()) {
+            throw new ParameterException(commandLine(), "found no body, expected BODY, --random or --extremes");
+        }
+        return cases;
+    }
+
+    private static String table(List<List<String>> rows) {
+        boolean[] numbers = new boolean[rows.get(0).size()];
+        for (int i = 1; i < numbers.length; i++) {
+            numbers[i] = true;
+        }
+        return new TextTable(numbers).rows(rows).text();
+    }
+}

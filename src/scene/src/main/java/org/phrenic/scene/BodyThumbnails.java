@@ -1,0 +1,126 @@
+package org.phrenic.scene;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.scene.SurfacePictures.Layer;
+import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.PictureSettings;
+import org.phrenic.scene.export.PngFile;
+import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.scene.style.Appearance;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * A contact sheet of bodies: a row for each body, with its states from the front, the right and the back. The diaphragm
+ * and the organs lie behind translucent bones and lungs; the skin is left out.
+ */
+public final class BodyThumbnails implements AutoCloseable {
+    private static final List<AnatomicalView> VIEWS =
+            List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR);
+    private static final int CAPTION_PX = 18;
+    private static final int FONT_PX = 13;
+    private static final Appearance ORGAN = Appearance.of(0x7fa37a, 1);
+    private static final Map<StructureKind, Appearance> APPEARANCES = new EnumMap<>(StructureKind.class);
+
+    static {
+        Appearance bone = Appearance.of(0xd8cfae, 0.3f);
+        APPEARANCES.put(StructureKind.DIAPHRAGM, Appearance.of(0xb9483c, 1));
+        APPEARANCES.put(StructureKind.LIVER, Appearance.of(0x7a4a36, 1));
+        APPEARANCES.put(StructureKind.ORGAN, ORGAN);
+        APPEARANCES.put(StructureKind.LUNG, Appearance.of(0xd98f86, 0.25f));
+        APPEARANCES.put(StructureKind.RIB, bone);
+        APPEARANCES.put(StructureKind.COSTAL_CARTILAGE, bone);
+        APPEARANCES.put(StructureKind.STERNUM, bone);
+        APPEARANCES.put(StructureKind.VERTEBRA, bone);
+    }
+
+    private final SurfacePictures pictures;
+    private final int width;
+    private final int height;
+    private final Map<String, List<BufferedImage>> rows = new LinkedHashMap<>();
+    private final Map<String, List<String>> captions = new LinkedHashMap<>();
+
+    /**
+     * @param width of a thumbnail, pixels
+     * @param height of a thumbnail, pixels
+     * @throws NoGraphicsException if no OpenGL context is available; the message is one sentence
+     */
+    public BodyThumbnails(int width, int height) throws NoGraphicsException {
+        this.width = width;
+        this.height = height;
+        pictures = new SurfacePictures();
+    }
+
+    /**
+     * Adds a state of a body to its row. May be called from any thread.
+     *
+     * @param body name of the row
+     * @param state such as {@code rest}
+     * @param meshes positions of the surfaces, in their order
+     */
+    public synchronized void add(String body, String state, List<Surface> surfaces, List<TriangleMesh> meshes) {
+        Map<Appearance, List<TriangleMesh>> parts = new LinkedHashMap<>();
+        for (int i = 0; i < surfaces.size(); i++) {
+            Appearance appearance = APPEARANCES.get(surfaces.get(i).kind());
+            if (appearance != null) {
+                parts.computeIfAbsent(appearance, kind -> new ArrayList<>()).add(meshes.get(i));
+            }
+        }
+        List<Layer> layers = parts.entrySet().stream()
+                .map(e -> new Layer(MeshMerge.merge(e.getValue()), e.getKey()))
+                .toList();
+        for (AnatomicalView view : VIEWS) {
+            PictureSettings settings = new PictureSettings(view, width, height, true, 1, false, "");
+            rows.computeIfAbsent(body, name -> new ArrayList<>()).add(pictures.layers(layers, settings));
+            captions.computeIfAbsent(body, name -> new ArrayList<>()).add(state + ", " + view.label());
+        }
+    }
+
+    /**
+     * Writes the sheet as PNG.
+     *
+     * @throws IllegalStateException if no body has been added
+     */
+    public void write(Path file) {
+        int columns = rows.values().stream().mapToInt(List::size).max().orElse(0);
+        if (columns == 0) {
+            throw new IllegalStateException("found no body on the sheet of thumbnails, expected one");
+        }
+        BufferedImage sheet =
+                new BufferedImage(columns * width, rows.size() * (height + CAPTION_PX), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = sheet.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, FONT_PX));
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
+        g.setColor(Color.BLACK);
+        int y = 0;
+        for (String body : rows.keySet()) {
+            for (int i = 0; i < rows.get(body).size(); i++) {
+                String caption = captions.get(body).get(i);
+                g.drawString(i == 0 ? body + ": " + caption : caption, i * width + 2, y + FONT_PX);
+                g.drawImage(rows.get(body).get(i), i * width, y + CAPTION_PX, null);
+            }
+            y += height + CAPTION_PX;
+        }
+        g.dispose();
+        PngFile.write(file, sheet);
+    }
+
+    @Override
+    public void close() {
+        pictures.close();
+    }
+}

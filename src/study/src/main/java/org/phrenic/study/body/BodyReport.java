@@ -1,0 +1,189 @@
+package org.phrenic.study.body;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.ReportValues;
+
+/** A study of bodies as a report, CSV and values for JSON. */
+public final class BodyReport {
+    private static final List<Column> COLUMNS = List.of(
+            Column.text("body"),
+            Column.number("quiet R mm"),
+            Column.number("L"),
+            Column.number("return mm"),
+            Column.number("deep R mm"),
+            Column.number("L"),
+            Column.number("air ml"),
+            Column.number("return mm"),
+            Column.number("through: rest"),
+            Column.number("quiet"),
+            Column.number("deep"),
+            Column.number("deepest mm"));
+
+    private final BodyStudy study;
+
+    public BodyReport(BodyStudy study) {
+        this.study = study;
+    }
+
+    /** One-line summary. */
+    public String summary() {
+        long within = study.bodies().stream().filter(BodyResult::passes).count();
+        long breathe = study.bodies().stream().filter(BodyReport::completes).count();
+        return study.bodies().size() + " bodies: " + breathe + " breathe quietly and deeply to the end, " + within
+                + " within all limits";
+    }
+
+    private static boolean completes(BodyResult body) {
+        return body.refusal().isEmpty()
+                && body.breaths().stream().allMatch(b -> b.failure().isEmpty());
+    }
+
+    /** A header and one row for each body. */
+    public List<List<String>> table() {
+        List<List<String>> rows = new ArrayList<>();
+        rows.add(COLUMNS.stream().map(Column::heading).toList());
+        study.bodies().forEach(body -> rows.add(row(body)));
+        return rows;
+    }
+
+    private static Optional<BreathResult> breath(BodyResult body, BreathDepth depth) {
+        return body.breaths().stream().filter(b -> b.depth() == depth).findFirst();
+    }
+
+    private static List<String> row(BodyResult body) {
+        List<String> row = new ArrayList<>(List.of(body.name()));
+        for (BreathDepth depth : BreathDepth.values()) {
+            Optional<BreathResult> b = breath(body, depth);
+            row.add(number(b.map(r -> r.motion().domeRightMm())));
+            row.add(number(b.map(r -> r.motion().domeLeftMm())));
+            if (depth == BreathDepth.DEEP) {
+                row.add(number(b.map(r -> r.motion().airMl())));
+            }
+            row.add(number(b.map(r -> r.motion().returnRmsMm())));
+        }
+        Optional<BreathResult> quiet = breath(body, BreathDepth.QUIET);
+        Optional<BreathResult> deep = breath(body, BreathDepth.DEEP);
+        row.add(count(quiet.map(BreathResult::atRest)));
+        row.add(count(quiet.map(BreathResult::atInspiration)));
+        row.add(count(deep.map(BreathResult::atInspiration)));
+        row.add(number(body.breaths().stream()
+                .map(b -> Math.max(b.atRest().deepestMm(), b.atInspiration().deepestMm()))
+                .max(Double::compare)));
+        return row;
+    }
+
+    private static String number(Optional<Double> value) {
+        return ReportNumbers.number(value.orElse(Double.NaN));
+    }
+
+    private static String count(Optional<OrganCrossing> crossing) {
+        return crossing.map(c -> String.valueOf(c.vertices())).orElse("");
+    }
+
+    /**
+     * The whole report.
+     *
+     * @param provenance lines on how it was made: commit, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
+        ReportDocument report = new ReportDocument("Bodies that breathe", summary() + ".");
+        report.points(provenance.toArray(String[]::new));
+        report.paragraph("One quiet and one deep breath of each body from rest, default numbers, "
+                + ReportNumbers.label(study.scenario().resolution()) + " resolution. Wanted: domes "
+                + range(BodyLimits.QUIET_LEAST_MM, BodyLimits.QUIET_MOST_MM) + " mm (quiet) and "
+                + range(BodyLimits.DEEP_LEAST_MM, BodyLimits.DEEP_MOST_MM) + " mm (deep), return within "
+                + BodyLimits.RETURN_RMS_MM + " mm rms, no organ vertex more than "
+                + ReportNumbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
+                + " inspiration (columns through: number of such vertices).");
+        List<List<String>> table = table();
+        report.table("", COLUMNS, table.subList(1, table.size()));
+        report.section("How the bodies were made");
+        report.table(
+                "",
+                List.of(Column.text("body"), Column.text("made of")),
+                study.bodies().stream().map(b -> List.of(b.name(), b.origin())).toList());
+        report.section("Beyond the limits");
+        List<List<String>> faults = study.bodies().stream()
+                .flatMap(b -> b.faults().stream().map(fault -> List.of(b.name(), fault)))
+                .toList();
+        if (faults.isEmpty()) {
+            report.paragraph("Nothing.");
+        } else {
+            report.table("", List.of(Column.text("body"), Column.text("what")), faults);
+        }
+        return report;
+    }
+
+    private static String range(double low, double high) {
+        return ReportNumbers.trimmed(low, 3) + " to " + ReportNumbers.trimmed(high, 3);
+    }
+
+    /** One line for each breath with all values. */
+    public String csv() {
+        List<String> header = new ArrayList<>(List.of("body", "made_of", "breath"));
+        List<List<String>> rows = new ArrayList<>();
+        for (BodyResult body : study.bodies()) {
+            for (BreathResult breath : body.breaths()) {
+                Map<String, Object> figures = figures(breath);
+                List<String> row = new ArrayList<>(
+                        List.of(body.name(), body.origin(), breath.depth().preset()));
+                figures.values().forEach(v -> row.add(cell(v)));
+                rows.add(row);
+                if (header.size() == 3) {
+                    header.addAll(figures.keySet());
+                }
+            }
+        }
+        return CsvWriter.format(header, rows);
+    }
+
+    private static String cell(Object value) {
+        return value instanceof Double number ? CsvWriter.number(number, CsvWriter.ALL_DIGITS) : String.valueOf(value);
+    }
+
+    /** All values of a breath by CSV column and JSON field. */
+    private static Map<String, Object> figures(BreathResult breath) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("failure", breath.failure());
+        map.put("dome_right_mm", breath.motion().domeRightMm());
+        map.put("dome_left_mm", breath.motion().domeLeftMm());
+        map.put("air_ml", breath.motion().airMl());
+        map.put("return_rms_mm", breath.motion().returnRmsMm());
+        ReportValues.of(breath.atRest()).forEach((key, value) -> map.put("rest_" + key, value));
+        ReportValues.of(breath.atInspiration()).forEach((key, value) -> map.put("inspired_" + key, value));
+        return map;
+    }
+
+    /** The study as values for JSON. */
+    public Map<String, Object> values() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("notice", Disclaimer.TEXT);
+        map.put("passes", study.passes());
+        map.put("resolution", ReportNumbers.label(study.scenario().resolution()));
+        List<Map<String, Object>> bodies = new ArrayList<>();
+        for (BodyResult body : study.bodies()) {
+            Map<String, Object> one = new LinkedHashMap<>();
+            one.put("body", body.name());
+            one.put("made_of", body.origin());
+            one.put("refusal", body.refusal());
+            for (BreathResult breath : body.breaths()) {
+                Map<String, Object> figures = figures(breath);
+                figures.values().removeIf(v -> v instanceof Double d && !Double.isFinite(d));
+                one.put(breath.depth().preset(), figures);
+            }
+            one.put("faults", body.faults());
+            bodies.add(one);
+        }
+        map.put("bodies", bodies);
+        return map;
+    }
+}

@@ -1,0 +1,115 @@
+package org.phrenic.study.body;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.integrator.DivergenceException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
+
+/** Simulates a quiet and a deep breath of a body, each from rest, and measures them. */
+final class BreathCheck {
+    /** Sampling interval, s. */
+    private static final double SAMPLE_S = 0.05;
+
+    private final String body;
+    private final Simulation simulation;
+    private final SceneSurfaces surfaces;
+    private final SheetCrossing crossing;
+    private final BodyStudy.Witness witness;
+
+    private BreathCheck(String body, Simulation simulation, BodyStudy.Witness witness) {
+        this.body = body;
+        this.simulation = simulation;
+        this.witness = witness;
+        surfaces = new SceneSurfaces(simulation);
+        crossing = new SheetCrossing(simulation.scene().diaphragm().diaphragm);
+    }
+
+    /** Checks a body; a body that cannot be made or assembled gives a refusal. */
+    static BodyResult of(BodyCase body, Scenario scenario, BodyStudy.Witness witness) {
+        List<BreathResult> breaths = new ArrayList<>();
+        try {
+            Thorax thorax = body.thorax().get();
+            Scenario quiet = scenario.with("preset=" + BreathDepth.QUIET.preset());
+            try (Simulation simulation = Simulation.of(quiet, thorax)) {
+                BreathCheck check = new BreathCheck(body.name(), simulation, witness);
+                for (BreathDepth depth : BreathDepth.values()) {
+                    simulation.change(Assignment.read("breath", "preset", depth.preset()));
+                    if (!simulation.restart()) {
+                        throw new IllegalStateException("the breath cannot start again from rest");
+                    }
+                    breaths.add(check.breathe(depth));
+                }
+            }
+            return new BodyResult(body.name(), body.origin(), "", breaths);
+        } catch (BadInputException | IllegalArgumentException | IllegalStateException | DivergenceException e) {
+            return new BodyResult(body.name(), body.origin(), String.valueOf(e.getMessage()), breaths);
+        }
+    }
+
+    /** One breath from rest. */
+    private BreathResult breathe(BreathDepth depth) {
+        Frame now = surfaces.newFrame();
+        Frame lowest = surfaces.newFrame();
+        double[] rest = now.values().clone();
+        List<TriangleMesh> atRest = meshes(now);
+        OrganCrossing restCrossing = crossing.measure(surfaces.surfaces(), atRest);
+        if (depth == BreathDepth.QUIET) {
+            witness.seen(body, "rest", surfaces.surfaces(), atRest);
+        }
+        double end = simulation.breathPeriodS();
+        long chunk = Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+        try {
+            while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
+                for (long i = 0; i < chunk; i++) {
+                    simulation.step();
+                }
+                surfaces.capture(now);
+                if (domes(now.values()) < domes(lowest.values())) {
+                    lowest.copyFrom(now);
+                }
+            }
+        } catch (DivergenceException e) {
+            return BreathResult.failed(depth, e.getMessage(), restCrossing);
+        }
+        List<TriangleMesh> inspired = meshes(lowest);
+        witness.seen(body, depth.preset(), surfaces.surfaces(), inspired);
+        return new BreathResult(
+                depth,
+                "",
+                new BreathResult.Motion(
+                        value("dome_right_mm", rest) - value("dome_right_mm", lowest.values()),
+                        value("dome_left_mm", rest) - value("dome_left_mm", lowest.values()),
+                        value("lung_volume_change_ml", lowest.values()) - value("lung_volume_change_ml", rest),
+                        value("from_rest_rms_mm", now.values())),
+                restCrossing,
+                crossing.measure(surfaces.surfaces(), inspired));
+    }
+
+    private List<TriangleMesh> meshes(Frame frame) {
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (int i = 0; i < surfaces.surfaces().size(); i++) {
+            Surface surface = surfaces.surfaces().get(i);
+            double[] p = new double[surface.rest().positions().length];
+            frame.writePositions(surface, i, p);
+            meshes.add(surface.rest().withPositions(p));
+        }
+        return meshes;
+    }
+
+    private static double domes(double[] values) {
+        return value("dome_right_mm", values) + value("dome_left_mm", values);
+    }
+
+    private static double value(String column, double[] values) {
+        return values[Observation.COLUMNS.indexOf(column)];
+    }
+}

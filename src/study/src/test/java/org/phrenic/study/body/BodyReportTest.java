@@ -1,0 +1,58 @@
+package org.phrenic.study.body;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.scenario.Scenario;
+
+class BodyReportTest {
+    private static BreathResult breath(BreathDepth depth, double dome, double returned, OrganCrossing inspired) {
+        return new BreathResult(
+                depth, "", new BreathResult.Motion(dome, dome, 500, returned), OrganCrossing.NONE, inspired);
+    }
+
+    private static final BodyResult GOOD = new BodyResult(
+            "good",
+            "as it is",
+            "",
+            List.of(
+                    breath(BreathDepth.QUIET, 15, 0.2, OrganCrossing.NONE),
+                    breath(BreathDepth.DEEP, 55, 0.3, OrganCrossing.NONE)));
+
+    @Test
+    void limitsAreHeldForEachBreath() {
+        assertThat(GOOD.passes()).isTrue();
+        BodyResult bad = new BodyResult(
+                "bad",
+                "as it is",
+                "",
+                List.of(
+                        breath(BreathDepth.QUIET, 7.9, 0.51, OrganCrossing.NONE),
+                        breath(BreathDepth.DEEP, 55, Double.NaN, new OrganCrossing(0, 2, 1, 4.5, "spleen"))));
+        assertThat(bad.faults())
+                .containsExactly(
+                        "quiet: domes 7.9 and 7.9 mm",
+                        "quiet: returns to 0.51 mm rms",
+                        "deep: returns to NaN mm rms",
+                        "deep: 3 organ vertices through the diaphragm at full inspiration, spleen by 4.5 mm");
+    }
+
+    @Test
+    void refusalsAndDivergencesAreToldInTheTableAndTheSummary() {
+        BodyResult refused = new BodyResult("refused", "as it is", "no ribs, expected some", List.of());
+        BodyResult diverged = new BodyResult(
+                "diverged",
+                "as it is",
+                "",
+                List.of(BreathResult.failed(BreathDepth.QUIET, "it diverged at 0.8 s", OrganCrossing.NONE)));
+        BodyReport report = new BodyReport(new BodyStudy(Scenario.defaults(), List.of(GOOD, refused, diverged)));
+        assertThat(report.summary())
+                .isEqualTo("3 bodies: 1 breathe quietly and deeply to the end, 1 within all limits");
+        assertThat(MarkdownPage.format(report.document(List.of("By a test"))))
+                .contains("- By a test", "| refused | no ribs, expected some |", "| quiet: it diverged at 0.8 s |");
+        assertThat(report.csv().lines()).hasSize(4);
+        assertThat(report.values()).containsEntry("passes", false);
+    }
+}

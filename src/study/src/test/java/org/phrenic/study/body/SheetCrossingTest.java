@@ -1,0 +1,70 @@
+package org.phrenic.study.body;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Small octahedra as organs at known places of the virtual man's diaphragm; its right dome is highest at z = 115 mm.
+ */
+class SheetCrossingTest {
+    private static final Diaphragm SHEET = Diaphragm.withTrefoilTendon(
+            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW)
+                    .find("diaphragm")
+                    .orElseThrow()
+                    .mesh());
+
+    private static OrganCrossing crossing(String name, StructureKind kind, double x, double y, double z) {
+        double r = 2;
+        double[] p = {x + r, y, z, x - r, y, z, x, y + r, z, x, y - r, z, x, y, z + r, x, y, z - r};
+        int[] t = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+        TriangleMesh organ = new TriangleMesh(p, t);
+        List<Surface> surfaces =
+                List.of(surface("diaphragm", StructureKind.DIAPHRAGM, SHEET.sheet()), surface(name, kind, organ));
+        return new SheetCrossing(SHEET).measure(surfaces, List.of(SHEET.sheet(), organ));
+    }
+
+    private static Surface surface(String name, StructureKind kind, TriangleMesh mesh) {
+        return new Surface(name, kind, 0, Side.MIDLINE, mesh, Surface.Motion.STILL, new boolean[0]);
+    }
+
+    @Test
+    void organsOnTheirOwnSideDoNotCount() {
+        assertThat(crossing("liver", StructureKind.LIVER, -68, -16, 70)).isEqualTo(OrganCrossing.NONE);
+        assertThat(crossing("lung_R", StructureKind.LUNG, -68, -16, 160)).isEqualTo(OrganCrossing.NONE);
+        assertThat(crossing("spleen", StructureKind.ORGAN, 70, 20, 50)).isEqualTo(OrganCrossing.NONE);
+        assertThat(crossing("heart", StructureKind.ORGAN, 6, -45, 130)).isEqualTo(OrganCrossing.NONE);
+    }
+
+    /** An organ wholly on the wrong side passes nothing from its own middle, one that reaches through the dome does. */
+    @Test
+    void organThatReachesThroughTheDomeCounts() {
+        double[] p = {-68, -16, 130, -68, -10, 20, -60, -22, 20, -78, -22, 20};
+        TriangleMesh spike = new TriangleMesh(p, new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2});
+        List<Surface> surfaces = List.of(
+                surface("diaphragm", StructureKind.DIAPHRAGM, SHEET.sheet()),
+                surface("liver", StructureKind.LIVER, spike));
+        OrganCrossing crossing = new SheetCrossing(SHEET).measure(surfaces, List.of(SHEET.sheet(), spike));
+        assertThat(crossing.liverVertices()).isEqualTo(1);
+        assertThat(crossing.lungVertices()).isZero();
+        assertThat(crossing.deepest()).isEqualTo("liver");
+        // The abdominal face lies 2 to 3 mm below the highest point of the dome at 116 mm.
+        assertThat(crossing.deepestMm()).isCloseTo(15.5, within(2.5));
+    }
+
+    /** The liver's lower edge in front of the belly is below the costal margin, not through the wall. */
+    @Test
+    void beyondTheBorderThereAreNoSides() {
+        assertThat(crossing("liver", StructureKind.LIVER, -90, -110, -60)).isEqualTo(OrganCrossing.NONE);
+    }
+}
