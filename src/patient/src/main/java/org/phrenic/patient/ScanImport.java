@@ -20,6 +20,7 @@ import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.patient.segmentation.LungSplitter;
 import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.SegmentationRepair;
 
 /** Imports a label volume by meshing each of its structures. */
 public final class ScanImport {
@@ -93,6 +94,11 @@ public final class ScanImport {
     }
 
     private void split(Segmentation segmentation) {
+        try {
+            SegmentationRepair.numberRibs(segmentation).ifPresent(notes::add);
+        } catch (BadInputException problem) {
+            throw new BadInputException(file + ": " + problem.getMessage(), problem);
+        }
         if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("telling the lungs apart");
             LungSplitter.split(segmentation).ifPresent(problem -> {
@@ -103,6 +109,9 @@ public final class ScanImport {
             progress.stage("telling the cartilages apart");
             CartilageSplitter.split(segmentation).ifPresent(notes::add);
         }
+        progress.stage("filling holes, joining pieces");
+        notes.addAll(SegmentationRepair.mend(segmentation));
+        segmentation.findCuts();
     }
 
     /** Structures with enough voxels. The largest come first to balance the parallel meshing. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -14,6 +15,10 @@ public final class CartilageSplitter {
     private static final int CARTILAGES = 10;
     /** Maximum gap between rib and cartilage, in voxels. */
     private static final int GAP = 2;
+    /** Largest distance of a loose piece of cartilage from its rib, mm. */
+    private static final double REACH_MM = 15;
+    /** Number of voxels of a loose piece from which distances are measured. */
+    private static final int SAMPLES = 200;
 
     private CartilageSplitter() {}
 
@@ -39,6 +44,7 @@ public final class CartilageSplitter {
             }
         }
         region.growRegions(marks);
+        markLoosePieces(segmentation, region, marks, markOfSegment);
         byte[] segment = new byte[names.size() + 1];
         int lost = 0;
         int total = 0;
@@ -61,6 +67,54 @@ public final class CartilageSplitter {
                         "%s: %.0f %% of it left out, no rib of the scan leads to it",
                         LabelTable.COSTAL_CARTILAGES,
                         100.0 * lost / total));
+    }
+
+    /** Marks the pieces that no path connects to a rib with the nearest rib that has no cartilage yet. */
+    private static void markLoosePieces(
+            Segmentation segmentation, VoxelRegion region, byte[] marks, byte[] markOfSegment) {
+        byte[] pieces = new byte[marks.length];
+        int count = region.connectedComponents(0, pieces).length;
+        for (byte piece = VoxelRegion.SMALL_COMPONENT + 1; piece < count; piece++) {
+            IntList cells = new IntList();
+            boolean[] taken = new boolean[LabelGrid.MAX_BYTE_LABEL + 1];
+            for (int cell = 0; cell < marks.length; cell++) {
+                if (pieces[cell] == piece && marks[cell] == 0) {
+                    cells.add(cell);
+                }
+                taken[marks[cell]] = marks[cell] > 0 || taken[marks[cell]];
+            }
+            byte nearest = cells.isEmpty() ? 0 : nearest(segmentation, region, cells, markOfSegment, taken);
+            for (int i = 0; i < cells.size(); i++) {
+                marks[cells.get(i)] = nearest;
+            }
+        }
+    }
+
+    /** Mark of the nearest free rib within reach of some cells; 0 if there is none. */
+    private static byte nearest(
+            Segmentation segmentation, VoxelRegion region, IntList cells, byte[] markOfSegment, boolean[] taken) {
+        double least = REACH_MM * REACH_MM;
+        byte nearest = 0;
+        int stride = Math.max(1, cells.size() / SAMPLES);
+        for (int v = 0; v < segmentation.voxels.length; v++) {
+            byte mark = markOfSegment[segmentation.voxels[v] & LabelGrid.MAX_BYTE_LABEL];
+            if (mark == 0 || taken[mark]) {
+                continue;
+            }
+            for (int i = 0; i < cells.size(); i += stride) {
+                double square = 0;
+                for (int row = 0; row < 3; row++) {
+                    double d =
+                            segmentation.coordinate(v, row) - segmentation.coordinate(region.voxel(cells.get(i)), row);
+                    square += d * d;
+                }
+                if (square < least) {
+                    least = square;
+                    nearest = mark;
+                }
+            }
+        }
+        return nearest;
     }
 
     /** Mark of the first rib found within the gap of a voxel; 0 if there is none. */

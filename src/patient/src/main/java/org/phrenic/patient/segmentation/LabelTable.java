@@ -26,6 +26,8 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 public record LabelTable(Map<Integer, String> structures, List<String> missing) {
     /** Both lungs under one label; split by {@link LungSplitter}. */
     public static final String LUNGS = "lungs";
+    /** All ribs under one label; numbered from top to bottom. */
+    public static final String RIBS = "ribs";
     /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
     /**
@@ -146,6 +148,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     private static boolean isStructure(String name) {
         return name.equals(LUNGS)
+                || name.equals(RIBS)
                 || name.equals(COSTAL_CARTILAGES)
                 || StructureName.parse(name).isPresent();
     }

@@ -24,6 +24,9 @@ public final class Segmentation {
     byte[] voxels;
 
     private final double[] toMm;
+    /** Whether the box begins at the first voxel and ends at the last of the volume, for each direction. */
+    private final boolean[] atEnd = new boolean[6];
+
     private final List<String> names = new ArrayList<>();
     /** Sides of the volume that each structure touches, as letters of LPS and RAI. */
     private final Map<String, String> cut = new TreeMap<>();
@@ -66,7 +69,11 @@ public final class Segmentation {
             }
         }
         toMm = shifted(all, box);
-        findCuts(all, box);
+        int[] last = {all.columns() - 1, all.rows() - 1, all.slices() - 1};
+        for (int direction = 0; direction < 3; direction++) {
+            atEnd[direction] = box[direction] == 0;
+            atEnd[3 + direction] = box[3 + direction] == last[direction];
+        }
     }
 
     private static String held(int[] counts) {
@@ -121,14 +128,14 @@ public final class Segmentation {
     }
 
     /** Finds truncated structures: those that reach the first or last voxel of the volume. */
-    private void findCuts(LabelGrid all, int[] box) {
-        int[] last = {all.columns() - 1, all.rows() - 1, all.slices() - 1};
+    public void findCuts() {
+        cut.clear();
         int[] sizes = {columns, rows, slices};
         for (int direction = 0; direction < 3; direction++) {
-            if (box[direction] == 0) {
+            if (atEnd[direction]) {
                 addCut(direction, 0, side(direction, false));
             }
-            if (box[3 + direction] == last[direction]) {
+            if (atEnd[3 + direction]) {
                 addCut(direction, sizes[direction] - 1, side(direction, true));
             }
         }
@@ -185,12 +192,14 @@ public final class Segmentation {
         return names;
     }
 
-    /** Copies labels and truncated sides from the structure that this one was split from. */
+    /** Copies labels from the structure that this one was split from. */
     void inheritFrom(String name, String from) {
-        if (cut.containsKey(from)) {
-            cut.put(name, cut.get(from));
-        }
         labels.put(name, labels.get(from));
+    }
+
+    /** Sets the labels that a structure was built from. */
+    void setLabels(String name, List<Integer> from) {
+        labels.put(name, from);
     }
 
     /** Letters of the sides at which the volume truncates a structure. */

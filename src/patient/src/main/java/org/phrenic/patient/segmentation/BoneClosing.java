@@ -1,0 +1,107 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.phrenic.mesh.IntList;
+
+/**
+ * Morphological closing of bones and cartilages: a dilation by a box followed by an erosion by the same box. It fills
+ * pits, dropped voxels and gaps of up to about 3 mm, and keeps thin bones. Only background is filled.
+ */
+final class BoneClosing {
+    /** Half the size of the box along each grid direction, mm; at least one voxel. */
+    private static final double REACH_MM = 1.5;
+    /** Directions with larger spacing are not closed: there a gap of a voxel is a gap between two bones. */
+    private static final double MAX_SPACING_MM = 3.5;
+
+    private BoneClosing() {}
+
+    /** Closes segments; returns the number of voxels filled. A voxel goes to the first segment that fills it. */
+    static int close(Segmentation segmentation, List<Integer> segments) {
+        int[] reach = IntStream.range(0, 3)
+                .map(direction -> {
+                    double spacing = segmentation.grid().spacing(direction);
+                    return spacing > MAX_SPACING_MM ? 0 : Math.max(1, (int) Math.round(REACH_MM / spacing));
+                })
+                .toArray();
+        List<int[]> added = segments.parallelStream()
+                .map(segment -> addedVoxels(segmentation, segment, reach))
+                .toList();
+        int filled = 0;
+        for (int i = 0; i < added.size(); i++) {
+            for (int voxel : added.get(i)) {
+                if (segmentation.voxels[voxel] == 0) {
+                    segmentation.voxels[voxel] = (byte) (int) segments.get(i);
+                    filled++;
+                }
+            }
+        }
+        return filled;
+    }
+
+    /** Background voxels in the closing of a segment. */
+    private static int[] addedVoxels(Segmentation s, int segment, int[] reach) {
+        int[] box = s.box(segment);
+        if (box[5] < 0) {
+            return new int[0];
+        }
+        int[] size = new int[3];
+        for (int axis = 0; axis < 3; axis++) {
+            size[axis] = box[3 + axis] - box[axis] + 1 + 2 * reach[axis];
+        }
+        byte[] mask = new byte[size[0] * size[1] * size[2]];
+        for (int k = box[2]; k <= box[5]; k++) {
+            for (int j = box[1]; j <= box[4]; j++) {
+                int voxel = s.columns * (j + s.rows * k);
+                int cell = reach[0] - box[0] + size[0] * (j - box[1] + reach[1] + size[1] * (k - box[2] + reach[2]));
+                for (int i = box[0]; i <= box[3]; i++) {
+                    mask[cell + i] = (byte) (s.voxels[voxel + i] == (byte) segment ? 1 : 0);
+                }
+            }
+        }
+        for (byte value = 1; value >= 0; value--) {
+            for (int axis = 0; axis < 3; axis++) {
+                spread(mask, size, axis, reach[axis], value);
+            }
+        }
+        IntList added = new IntList();
+        for (int k = box[2]; k <= box[5]; k++) {
+            for (int j = box[1]; j <= box[4]; j++) {
+                int voxel = s.columns * (j + s.rows * k);
+                int cell = reach[0] - box[0] + size[0] * (j - box[1] + reach[1] + size[1] * (k - box[2] + reach[2]));
+                for (int i = box[0]; i <= box[3]; i++) {
+                    if (mask[cell + i] == 1 && s.voxels[voxel + i] == 0) {
+                        added.add(voxel + i);
+                    }
+                }
+            }
+        }
+        return added.toArray();
+    }
+
+    /** Sets the cells within {@code reach} of a cell with this value, along one axis. Outside the box lie zeros. */
+    private static void spread(byte[] mask, int[] size, int axis, int reach, byte value) {
+        if (reach == 0) {
+            return;
+        }
+        int stride = axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
+        int length = size[axis];
+        byte[] line = new byte[length];
+        for (int index = 0; index < mask.length / length; index++) {
+            int start = index / stride * stride * length + index % stride;
+            int last = value == 0 ? -1 : -length - reach;
+            int next = 0;
+            for (int at = 0; at < length; at++) {
+                while (next <= at + reach && next < length) {
+                    last = mask[start + next * stride] == value ? next : last;
+                    next++;
+                }
+                boolean near = last >= at - reach || (value == 0 && at + reach >= length);
+                line[at] = near ? value : (byte) (1 - value);
+            }
+            for (int at = 0; at < length; at++) {
+                mask[start + at * stride] = line[at];
+            }
+        }
+    }
+}

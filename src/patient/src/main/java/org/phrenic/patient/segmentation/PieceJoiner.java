@@ -1,0 +1,172 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.mesh.IntList;
+
+/**
+ * Joins the pieces of a bone: from the largest piece a search spreads through background, and each piece within reach
+ * is joined by a straight bridge of voxels.
+ */
+final class PieceJoiner {
+    /** Half the thickness of a bridge, mm; at least half a voxel. */
+    private static final double BRIDGE_MM = 2;
+
+    private static final int BLOCKED = -1;
+
+    private final Segmentation s;
+    private final byte segment;
+    private final double reachMm;
+    private final int[] low;
+    private final int[] size;
+    /** Piece of each cell of the box, from 1; 0 is background, {@link #BLOCKED} another structure. */
+    private final int[] pieces;
+    /** Cell of the joined pieces from which the search reached a cell. */
+    private final int[] origin;
+
+    private final IntList queue = new IntList();
+    private final boolean[] joined;
+
+    /**
+     * Prepares the pieces of a segment.
+     *
+     * @param components the pieces as lists of voxels, the largest first
+     * @param reachMm largest gap that is bridged, mm
+     */
+    PieceJoiner(Segmentation s, int segment, List<int[]> components, double reachMm) {
+        this.s = s;
+        this.segment = (byte) segment;
+        this.reachMm = reachMm;
+        int[] box = s.box(segment);
+        int[] all = {s.columns, s.rows, s.slices};
+        low = new int[3];
+        size = new int[3];
+        for (int axis = 0; axis < 3; axis++) {
+            // A margin of two voxels lets the search pass around a corner of the bone.
+            low[axis] = Math.max(0, box[axis] - 2);
+            size[axis] = Math.min(all[axis] - 1, box[3 + axis] + 2) - low[axis] + 1;
+        }
+        pieces = new int[size[0] * size[1] * size[2]];
+        origin = new int[pieces.length];
+        Arrays.fill(origin, BLOCKED);
+        for (int cell = 0; cell < pieces.length; cell++) {
+            pieces[cell] = s.voxels[voxel(cell)] == 0 ? 0 : BLOCKED;
+        }
+        joined = new boolean[components.size() + 1];
+        for (int piece = 1; piece < joined.length; piece++) {
+            for (int v : components.get(piece - 1)) {
+                pieces[cell(v)] = piece;
+            }
+        }
+        start(components.get(0), 1);
+        search(components);
+    }
+
+    private int voxel(int cell) {
+        int i = low[0] + cell % size[0];
+        int j = low[1] + cell / size[0] % size[1];
+        int k = low[2] + cell / size[0] / size[1];
+        return i + s.columns * (j + s.rows * k);
+    }
+
+    private int cell(int voxel) {
+        int i = voxel % s.columns - low[0];
+        int j = voxel / s.columns % s.rows - low[1];
+        int k = voxel / s.columns / s.rows - low[2];
+        return i + size[0] * (j + size[1] * k);
+    }
+
+    private void start(int[] voxels, int piece) {
+        joined[piece] = true;
+        for (int v : voxels) {
+            int cell = cell(v);
+            origin[cell] = cell;
+            queue.add(cell);
+        }
+    }
+
+    private void search(List<int[]> components) {
+        for (int at = 0; at < queue.size(); at++) {
+            int cell = queue.get(at);
+            int i = cell % size[0];
+            int j = cell / size[0] % size[1];
+            int k = cell / size[0] / size[1];
+            for (int neighbour = 0; neighbour < 27; neighbour++) {
+                int x = i + neighbour % 3 - 1;
+                int y = j + neighbour / 3 % 3 - 1;
+                int z = k + neighbour / 9 - 1;
+                if (x >= 0 && x < size[0] && y >= 0 && y < size[1] && z >= 0 && z < size[2]) {
+                    reach(cell, x + size[0] * (y + size[1] * z), components);
+                }
+            }
+        }
+    }
+
+    private void reach(int from, int cell, List<int[]> components) {
+        if (origin[cell] != BLOCKED || pieces[cell] == BLOCKED || distance(origin[from], cell) > reachMm) {
+            return;
+        }
+        if (pieces[cell] == 0) {
+            origin[cell] = origin[from];
+            queue.add(cell);
+        } else if (!joined[pieces[cell]]) {
+            bridge(origin[from], cell);
+            start(components.get(pieces[cell] - 1), pieces[cell]);
+        }
+    }
+
+    /** Distance between two cells, mm. */
+    private double distance(int a, int b) {
+        double square = 0;
+        for (int row = 0; row < 3; row++) {
+            double d = s.coordinate(voxel(a), row) - s.coordinate(voxel(b), row);
+            square += d * d;
+        }
+        return Math.sqrt(square);
+    }
+
+    /** Fills the background within half a bridge's thickness of the line between two cells. */
+    private void bridge(int a, int b) {
+        int[] first = {a % size[0], a / size[0] % size[1], a / size[0] / size[1]};
+        int[] last = {b % size[0], b / size[0] % size[1], b / size[0] / size[1]};
+        int steps = 0;
+        int[] half = new int[3];
+        for (int axis = 0; axis < 3; axis++) {
+            steps = Math.max(steps, 2 * Math.abs(last[axis] - first[axis]));
+            half[axis] = (int) Math.round(BRIDGE_MM / s.grid().spacing(axis));
+        }
+        for (int step = 0; step <= steps; step++) {
+            int[] at = new int[3];
+            for (int axis = 0; axis < 3; axis++) {
+                at[axis] =
+                        (int) Math.round(first[axis] + (double) step / Math.max(1, steps) * (last[axis] - first[axis]));
+            }
+            fillAbout(at, half);
+        }
+    }
+
+    private void fillAbout(int[] at, int[] half) {
+        for (int z = Math.max(0, at[2] - half[2]); z <= Math.min(size[2] - 1, at[2] + half[2]); z++) {
+            for (int y = Math.max(0, at[1] - half[1]); y <= Math.min(size[1] - 1, at[1] + half[1]); y++) {
+                for (int x = Math.max(0, at[0] - half[0]); x <= Math.min(size[0] - 1, at[0] + half[0]); x++) {
+                    int voxel = voxel(x + size[0] * (y + size[1] * z));
+                    if (s.voxels[voxel] == 0) {
+                        s.voxels[voxel] = segment;
+                    }
+                }
+            }
+        }
+    }
+
+    /** Indices, in the list given, of the pieces that no bridge reached. */
+    List<Integer> unreached() {
+        List<Integer> left = new ArrayList<>();
+        for (int piece = 1; piece < joined.length; piece++) {
+            if (!joined[piece]) {
+                left.add(piece - 1);
+            }
+        }
+        return left;
+    }
+}

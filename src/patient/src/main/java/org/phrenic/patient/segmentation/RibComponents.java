@@ -1,0 +1,231 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.phrenic.mesh.IntList;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are
+ * one rib.
+ */
+final class RibComponents {
+    /** Parts smaller than this share of the median part are fragments. */
+    private static final double FRAGMENT = 0.05;
+
+    private static final int MIN_VOXELS = 20;
+    /** Share of a label or of a part from which an overlap counts. */
+    private static final double SUBSTANTIAL = 0.15;
+    /** Share of the shorter part's range of angle that two parts of one rib may have in common. */
+    private static final double MAX_COMMON_ANGLE = 0.3;
+
+    private static final int ANGLES = 72;
+    /** Largest gap between two pieces of a rib, and distance of a fragment's centre from its rib, mm. */
+    private static final double NEAR_MM = 25;
+
+    private static final int SAMPLES = 100;
+
+    /** One rib: its voxels, and how many of them carry each segment number. */
+    static final class Rib {
+        final IntList voxels = new IntList();
+        final TreeMap<Integer, Integer> segments = new TreeMap<>();
+        /** Which of the directions about the body's long axis the rib covers. */
+        final boolean[] angles = new boolean[ANGLES];
+
+        double[] centre = new double[3];
+
+        /** Share of the rib's voxels that carry a segment number. */
+        double share(int segment) {
+            return segments.getOrDefault(segment, 0) / (double) voxels.size();
+        }
+
+        int dominantSegment() {
+            return segments.entrySet().stream()
+                    .max(Comparator.comparingInt(Map.Entry::getValue))
+                    .orElseThrow()
+                    .getKey();
+        }
+    }
+
+    private final Segmentation s;
+    private final List<Rib> ribs = new ArrayList<>();
+    private final List<Rib> fragments = new ArrayList<>();
+
+    /** @param groupOfSegment 1 for each segment of a rib, otherwise 0 */
+    RibComponents(Segmentation s, byte[] groupOfSegment) {
+        this.s = s;
+        VoxelRuns runs = new VoxelRuns(s, groupOfSegment, true);
+        TreeMap<Integer, Rib> byComponent = new TreeMap<>();
+        for (int run = 0; run < runs.count(); run++) {
+            Rib rib = byComponent.computeIfAbsent(runs.component(run), component -> new Rib());
+            for (int v = runs.from(run); v < runs.to(run); v++) {
+                rib.voxels.add(v);
+                rib.segments.merge(s.voxels[v] & LabelGrid.MAX_BYTE_LABEL, 1, Integer::sum);
+            }
+        }
+        double[] middle = new double[3];
+        for (Rib rib : byComponent.values()) {
+            for (int i = 0; i < rib.voxels.size(); i++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    rib.centre[axis] += s.coordinate(rib.voxels.get(i), axis) / rib.voxels.size();
+                }
+            }
+        }
+        List<Rib> parts = byComponent.values().stream()
+                .filter(rib -> rib.voxels.size() >= MIN_VOXELS)
+                .sorted(Comparator.comparingInt((Rib rib) -> -rib.voxels.size()))
+                .toList();
+        int large = parts.isEmpty()
+                ? 0
+                : parts.get(Math.min(parts.size() - 1, 11)).voxels.size();
+        for (Rib rib : byComponent.values()) {
+            boolean whole = rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large);
+            (whole ? ribs : fragments).add(rib);
+        }
+        for (int axis = 0; axis < 2; axis++) {
+            int direction = axis;
+            middle[axis] = ribs.stream()
+                    .mapToDouble(rib -> rib.centre[direction])
+                    .average()
+                    .orElse(0);
+        }
+        ribs.forEach(rib -> findAngles(rib, middle));
+        joinPieces(middle[0]);
+    }
+
+    private void findAngles(Rib rib, double[] middle) {
+        for (int i = 0; i < rib.voxels.size(); i++) {
+            int voxel = rib.voxels.get(i);
+            double angle = StrictMath.atan2(s.coordinate(voxel, 1) - middle[1], s.coordinate(voxel, 0) - middle[0]);
+            int bin = (int) ((angle + Math.PI) / (2 * Math.PI) * ANGLES);
+            rib.angles[Math.min(ANGLES - 1, bin)] = true;
+        }
+    }
+
+    /** Joins parts of one label alone that lie end to end: pieces of one broken rib. */
+    private void joinPieces(double middle) {
+        for (int i = 0; i < ribs.size(); i++) {
+            for (int j = ribs.size() - 1; j > i; j--) {
+                Rib a = ribs.get(i);
+                Rib b = ribs.get(j);
+                int label = a.dominantSegment();
+                boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
+                boolean sameSide = a.centre[0] < middle == b.centre[0] < middle;
+                if (pure && sameSide && commonAngle(a, b) <= MAX_COMMON_ANGLE && gap(a, b) < NEAR_MM) {
+                    append(a, b);
+                    ribs.remove(j);
+                }
+            }
+        }
+    }
+
+    /** Smallest distance between two parts, from some voxels of the second, mm. */
+    private double gap(Rib a, Rib b) {
+        double least = Double.POSITIVE_INFINITY;
+        int stride = Math.max(1, b.voxels.size() / SAMPLES);
+        for (int i = 0; i < b.voxels.size(); i += stride) {
+            int v = b.voxels.get(i);
+            double[] point = {s.coordinate(v, 0), s.coordinate(v, 1), s.coordinate(v, 2)};
+            least = Math.min(least, distance(point, a.voxels));
+        }
+        return least;
+    }
+
+    private static void append(Rib a, Rib b) {
+        double share = b.voxels.size() / (double) (a.voxels.size() + b.voxels.size());
+        for (int axis = 0; axis < 3; axis++) {
+            a.centre[axis] += share * (b.centre[axis] - a.centre[axis]);
+        }
+        for (int i = 0; i < b.voxels.size(); i++) {
+            a.voxels.add(b.voxels.get(i));
+        }
+        b.segments.forEach((segment, count) -> a.segments.merge(segment, count, Integer::sum));
+        for (int bin = 0; bin < ANGLES; bin++) {
+            a.angles[bin] |= b.angles[bin];
+        }
+    }
+
+    private static double commonAngle(Rib a, Rib b) {
+        int common = 0;
+        int ofA = 0;
+        int ofB = 0;
+        for (int bin = 0; bin < ANGLES; bin++) {
+            common += a.angles[bin] && b.angles[bin] ? 1 : 0;
+            ofA += a.angles[bin] ? 1 : 0;
+            ofB += b.angles[bin] ? 1 : 0;
+        }
+        return common / (double) Math.min(ofA, ofB);
+    }
+
+    /** The ribs, without fragments. */
+    List<Rib> ribs() {
+        return ribs;
+    }
+
+    /** Adds each fragment to the nearest rib; returns the fragments that are not near any. */
+    List<Rib> attachFragments() {
+        List<Rib> left = new ArrayList<>();
+        for (Rib fragment : fragments) {
+            Optional<Rib> nearest =
+                    ribs.stream().min(Comparator.comparingDouble(rib -> distance(fragment.centre, rib.voxels)));
+            if (nearest.isPresent() && distance(fragment.centre, nearest.get().voxels) < NEAR_MM) {
+                append(nearest.get(), fragment);
+            } else {
+                left.add(fragment);
+            }
+        }
+        return left;
+    }
+
+    private double distance(double[] point, IntList voxels) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < voxels.size(); i++) {
+            double square = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = s.coordinate(voxels.get(i), axis) - point[axis];
+                square += d * d;
+            }
+            least = Math.min(least, square);
+        }
+        return Math.sqrt(least);
+    }
+
+    /**
+     * Gives voxels that carry another rib's label to the rib that they are connected to. A label of which the rib holds
+     * the greater part stays: two ribs may touch.
+     */
+    void relabelBleeding() {
+        TreeMap<Integer, Integer> totals = totals();
+        for (Rib rib : ribs) {
+            int dominant = rib.dominantSegment();
+            for (int i = 0; i < rib.voxels.size(); i++) {
+                int segment = s.voxels[rib.voxels.get(i)] & LabelGrid.MAX_BYTE_LABEL;
+                if (rib.segments.get(segment) < SUBSTANTIAL * totals.get(segment)) {
+                    s.voxels[rib.voxels.get(i)] = (byte) dominant;
+                }
+            }
+        }
+    }
+
+    private TreeMap<Integer, Integer> totals() {
+        TreeMap<Integer, Integer> totals = new TreeMap<>();
+        ribs.forEach(rib -> rib.segments.forEach((segment, count) -> totals.merge(segment, count, Integer::sum)));
+        return totals;
+    }
+
+    /** A segment whose voxels lie in two ribs, if there is one. */
+    Optional<Integer> dividedSegment() {
+        TreeMap<Integer, Integer> totals = totals();
+        return totals.keySet().stream()
+                .filter(segment -> ribs.stream()
+                                .filter(rib ->
+                                        rib.segments.getOrDefault(segment, 0) > SUBSTANTIAL * totals.get(segment))
+                                .count()
+                        > 1)
+                .findFirst();
+    }
+}

@@ -1,0 +1,224 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * Numbers of ribs. Where a label holds parts of two ribs, or all ribs share one label, the connected ribs are numbered
+ * from top to bottom on each side. The numbers are those of least cost: the height of a rib's vertebral end above or
+ * below the vertebra of its number, and the share of its voxels that carry another number.
+ */
+final class RibNumbering {
+    private static final int RIBS = 12;
+    /** Difference in height that costs as much as no vote at all, mm: the height of a thoracic vertebra. */
+    private static final double VERTEBRA_MM = 25;
+    /** Weight of the labels' numbers where vertebrae are known. */
+    private static final double VOTE = 0.5;
+    /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
+    private static final double END_SHARE = 0.03;
+
+    private final Segmentation s;
+    private final int common;
+    private final RibComponents components;
+    /** Height of the body of each thoracic vertebra by number, mm; NaN if unknown. */
+    private final double[] vertebraZ = new double[RIBS + 1];
+
+    private RibNumbering(Segmentation s, byte[] group) {
+        this.s = s;
+        common = s.find(LabelTable.RIBS);
+        components = new RibComponents(s, group);
+    }
+
+    /**
+     * Numbers the ribs where labels do not.
+     *
+     * @return a note if ribs were numbered
+     * @throws BadInputException with a message without the file's name, if the ribs cannot be told apart
+     */
+    static Optional<String> check(Segmentation s) {
+        byte[] group = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
+        for (String name : s.names()) {
+            boolean rib = name.equals(LabelTable.RIBS)
+                    || StructureName.parse(name)
+                            .filter(n -> n.kind() == StructureKind.RIB)
+                            .isPresent();
+            group[s.find(name)] = (byte) (rib ? 1 : 0);
+        }
+        RibNumbering numbering = new RibNumbering(s, group);
+        Optional<Integer> divided = numbering.components.dividedSegment();
+        if (numbering.common == 0 && divided.isEmpty()) {
+            numbering.components.relabelBleeding();
+            return Optional.empty();
+        }
+        return Optional.of(numbering.renumber(divided));
+    }
+
+    private String renumber(Optional<Integer> divided) {
+        String found = common > 0
+                ? "ribs"
+                : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)) + " holds parts of two ribs";
+        findVertebrae();
+        double middle = components.ribs().stream()
+                .mapToDouble(rib -> rib.centre[0])
+                .average()
+                .orElseThrow(() -> new BadInputException(found + ": found no rib, expected some"));
+        List<RibComponents.Rib> ribs = components.ribs();
+        String[] nameOf = new String[ribs.size()];
+        List<String> numbered = new ArrayList<>();
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            List<Integer> onSide = new ArrayList<>();
+            double[] endZ = new double[ribs.size()];
+            for (int i = 0; i < ribs.size(); i++) {
+                // The x axis points to the patient's left.
+                if (ribs.get(i).centre[0] < middle == (side == Side.RIGHT)) {
+                    onSide.add(i);
+                    endZ[i] = endHeight(ribs.get(i), middle);
+                }
+            }
+            onSide.sort(Comparator.comparingDouble(i -> -endZ[i]));
+            int[] numbers = numbers(onSide, endZ, side, found);
+            for (int i = 0; i < numbers.length; i++) {
+                nameOf[onSide.get(i)] = name(numbers[i], side);
+                numbered.add(nameOf[onSide.get(i)]);
+            }
+        }
+        apply(ribs, nameOf);
+        return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
+                + (hasVertebrae() ? " by their vertebrae" : "");
+    }
+
+    private static String name(int number, Side side) {
+        return String.format(Locale.ROOT, "rib_%02d_%s", number, side == Side.RIGHT ? "R" : "L");
+    }
+
+    private boolean hasVertebrae() {
+        return Arrays.stream(vertebraZ).anyMatch(z -> !Double.isNaN(z));
+    }
+
+    /**
+     * Heights of vertebral bodies: means over the anterior halves of the vertebrae, interpolated between known ones.
+     */
+    private void findVertebrae() {
+        Arrays.fill(vertebraZ, Double.NaN);
+        double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][3];
+        int[] levels = new int[sums.length];
+        for (String name : s.names()) {
+            StructureName.parse(name)
+                    .filter(n -> n.kind() == StructureKind.VERTEBRA && n.level() <= RIBS)
+                    .ifPresent(n -> levels[s.find(name)] = n.level());
+        }
+        for (int pass = 0; pass < 2; pass++) {
+            for (int v = 0; v < s.voxels.length; v++) {
+                int segment = s.voxels[v] & LabelGrid.MAX_BYTE_LABEL;
+                if (levels[segment] > 0) {
+                    double y = s.coordinate(v, 1);
+                    double[] sum = sums[segment];
+                    if (pass == 0) {
+                        sum[0] += y;
+                        sum[1]++;
+                    } else if (y < sum[0]) {
+                        sum[1]++;
+                        sum[2] += s.coordinate(v, 2);
+                    }
+                }
+            }
+            for (int segment = 0; segment < sums.length; segment++) {
+                if (sums[segment][1] > 0 && pass == 0) {
+                    sums[segment][0] /= sums[segment][1];
+                    sums[segment][1] = 0;
+                } else if (sums[segment][1] > 0) {
+                    vertebraZ[levels[segment]] = sums[segment][2] / sums[segment][1];
+                }
+            }
+        }
+    }
+
+    /** Height of a rib's vertebral end: the part of its posterior half that is nearest to the median plane. */
+    private double endHeight(RibComponents.Rib rib, double middle) {
+        int n = rib.voxels.size();
+        double[][] points = new double[n][];
+        int count = 0;
+        for (int i = 0; i < n; i++) {
+            int v = rib.voxels.get(i);
+            if (s.coordinate(v, 1) >= rib.centre[1]) {
+                points[count++] = new double[] {Math.abs(s.coordinate(v, 0) - middle), s.coordinate(v, 2)};
+            }
+        }
+        double[][] posterior = Arrays.copyOf(points, count);
+        Arrays.sort(posterior, Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]));
+        int end = Math.max(1, (int) (END_SHARE * n));
+        return Arrays.stream(posterior)
+                .limit(end)
+                .mapToDouble(p -> p[1])
+                .average()
+                .orElse(rib.centre[2]);
+    }
+
+    /** Increasing numbers of least total cost for ribs from top to bottom. */
+    private int[] numbers(List<Integer> ribs, double[] endZ, Side side, String found) {
+        int n = ribs.size();
+        if (n > RIBS || (n < RIBS && common > 0 && !hasVertebrae())) {
+            throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
+                    + side.name().toLowerCase(Locale.ROOT)
+                    + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae"));
+        }
+        double[][] least = new double[n + 1][RIBS + 1];
+        for (int i = 1; i <= n; i++) {
+            Arrays.fill(least[i], Double.POSITIVE_INFINITY);
+            for (int number = i; number <= RIBS - n + i; number++) {
+                double cost = least[i - 1][number - 1] + cost(ribs.get(i - 1), endZ, number, side);
+                least[i][number] = Math.min(least[i][number - 1], cost);
+            }
+        }
+        int[] numbers = new int[n];
+        int number = RIBS;
+        for (int i = n; i > 0; i--) {
+            while (number > i && least[i][number - 1] <= least[i][number]) {
+                number--;
+            }
+            numbers[i - 1] = number--;
+        }
+        return numbers;
+    }
+
+    private double cost(int rib, double[] endZ, int number, Side side) {
+        int segment = s.find(name(number, side));
+        double vote = 1 - (segment > 0 ? components.ribs().get(rib).share(segment) : 0);
+        double z = vertebraZ[number];
+        return hasVertebrae() ? (Double.isNaN(z) ? 1 : Math.abs(endZ[rib] - z) / VERTEBRA_MM) + VOTE * vote : vote;
+    }
+
+    /** Writes the numbers to the voxels. A fragment goes to the nearest rib, or is left out if none is near. */
+    private void apply(List<RibComponents.Rib> ribs, String[] nameOf) {
+        components.attachFragments().forEach(fragment -> write(fragment, 0));
+        TreeMap<String, List<Integer>> labels = new TreeMap<>();
+        for (int i = 0; i < nameOf.length; i++) {
+            List<Integer> from = ribs.get(i).segments.keySet().stream()
+                    .flatMap(segment -> s.labels(s.names().get(segment - 1)).stream())
+                    .distinct()
+                    .sorted()
+                    .toList();
+            labels.put(nameOf[i], from);
+        }
+        for (int i = 0; i < nameOf.length; i++) {
+            write(ribs.get(i), s.segment(nameOf[i]));
+        }
+        labels.forEach(s::setLabels);
+    }
+
+    private void write(RibComponents.Rib rib, int segment) {
+        for (int i = 0; i < rib.voxels.size(); i++) {
+            s.voxels[rib.voxels.get(i)] = (byte) segment;
+        }
+    }
+}

@@ -1,0 +1,200 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.mesh.IntList;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks left out, and ribs
+ * numbered where their labels do not tell them apart.
+ */
+public final class SegmentationRepair {
+    /** Pieces of a bone below this share of its voxels are specks. */
+    private static final double BONE_SPECK = 0.005;
+    /** Pieces of an organ below this share of its voxels are specks. */
+    private static final double ORGAN_SPECK = 0.002;
+
+    private static final int SPECK_VOXELS = 10;
+    /** Largest gap that is bridged between the pieces of a rib, and of another bone, mm. */
+    private static final double RIB_GAP_MM = 20;
+
+    private static final double BONE_GAP_MM = 10;
+    /** Share of filled bone voxels from which a note is made. */
+    private static final double NOTED_FILL = 0.02;
+
+    private static final double MM3_PER_ML = 1000;
+
+    private final Segmentation s;
+    private final List<String> notes = new ArrayList<>();
+    private int specks;
+    private int speckSegments;
+
+    private SegmentationRepair(Segmentation s) {
+        this.s = s;
+    }
+
+    /**
+     * Numbers the ribs where their labels do not. To be called before cartilages are told apart.
+     *
+     * @return a note if ribs were numbered
+     * @throws org.phrenic.file.BadInputException if ribs cannot be told apart
+     */
+    public static Optional<String> numberRibs(Segmentation s) {
+        return RibNumbering.check(s);
+    }
+
+    /**
+     * Fills pits and holes, joins the pieces of bones and leaves out specks. To be called when all structures are told
+     * apart: filling would join bones that share a label.
+     *
+     * @return notes, one sentence each
+     */
+    public static List<String> mend(Segmentation s) {
+        SegmentationRepair repair = new SegmentationRepair(s);
+        repair.fill();
+        repair.join();
+        return repair.notes;
+    }
+
+    private static Optional<StructureKind> kind(String name) {
+        return StructureName.parse(name).map(StructureName::kind);
+    }
+
+    private static boolean isBone(String name) {
+        return kind(name)
+                .filter(k -> switch (k) {
+                    case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC, BONE -> true;
+                    default -> false;
+                })
+                .isPresent();
+    }
+
+    private void fill() {
+        int[] counts = s.counts();
+        List<Integer> bones = s.names().stream()
+                .filter(SegmentationRepair::isBone)
+                .map(s::find)
+                .toList();
+        int before = bones.stream().mapToInt(bone -> counts[bone]).sum();
+        int filled = BoneClosing.close(s, bones) + HoleFilling.fill(s);
+        if (before > 0 && filled > NOTED_FILL * before) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "holes and pits are filled, %.1f ml",
+                    filled * s.grid().voxelVolume() / MM3_PER_ML));
+        }
+    }
+
+    private void join() {
+        VoxelRuns runs = VoxelRuns.ofSegments(s);
+        List<TreeMap<Integer, Integer>> sizes = new ArrayList<>();
+        for (int segment = 0; segment <= s.names().size(); segment++) {
+            sizes.add(new TreeMap<>());
+        }
+        for (int run = 0; run < runs.count(); run++) {
+            int component = runs.component(run);
+            sizes.get(s.voxels[runs.from(run)] & LabelGrid.MAX_BYTE_LABEL).put(component, runs.size(component));
+        }
+        boolean[] kept = new boolean[runs.count()];
+        Arrays.fill(kept, true);
+        TreeMap<Integer, List<int[]>> pieces = new TreeMap<>();
+        for (int segment = 1; segment < sizes.size(); segment++) {
+            sort(segment, sizes.get(segment), kept, pieces);
+        }
+        collect(runs, kept, pieces);
+        List<String> joined = new ArrayList<>();
+        pieces.forEach((segment, components) -> joinBone(segment, components, joined));
+        if (!joined.isEmpty()) {
+            notes.add("joined from several pieces, their number in brackets: " + String.join(", ", joined));
+        }
+        if (specks > 0) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "specks of %d structures are left out, %.2g ml in all",
+                    speckSegments,
+                    specks * s.grid().voxelVolume() / MM3_PER_ML));
+        }
+    }
+
+    /** Decides which components of a segment are specks; bones in several pieces are entered to be joined. */
+    private void sort(
+            int segment, TreeMap<Integer, Integer> sizes, boolean[] kept, TreeMap<Integer, List<int[]>> pieces) {
+        String name = s.names().get(segment - 1);
+        boolean bone = isBone(name);
+        if (sizes.size() < 2
+                || !(bone || kind(name).filter(StructureKind::isNamed).isPresent())) {
+            return;
+        }
+        int total = sizes.values().stream().mapToInt(Integer::intValue).sum();
+        int largest = sizes.values().stream().mapToInt(Integer::intValue).max().orElseThrow();
+        double least = Math.min(largest, Math.max(SPECK_VOXELS, (bone ? BONE_SPECK : ORGAN_SPECK) * total));
+        int small = 0;
+        for (var component : sizes.entrySet()) {
+            if (component.getValue() < least) {
+                kept[component.getKey()] = false;
+                small += component.getValue();
+            }
+        }
+        specks += small;
+        speckSegments += small > 0 ? 1 : 0;
+        if (bone && sizes.values().stream().filter(size -> size >= least).count() > 1) {
+            pieces.put(segment, new ArrayList<>());
+        }
+    }
+
+    /** Clears specks and collects the voxels of the pieces of bones, the largest piece first. */
+    private void collect(VoxelRuns runs, boolean[] kept, TreeMap<Integer, List<int[]>> pieces) {
+        TreeMap<Integer, IntList> voxels = new TreeMap<>();
+        TreeMap<Integer, Integer> segmentOf = new TreeMap<>();
+        for (int run = 0; run < runs.count(); run++) {
+            int component = runs.component(run);
+            int segment = s.voxels[runs.from(run)] & LabelGrid.MAX_BYTE_LABEL;
+            if (kept[component] && pieces.containsKey(segment)) {
+                segmentOf.put(component, segment);
+                IntList list = voxels.computeIfAbsent(component, c -> new IntList());
+                for (int v = runs.from(run); v < runs.to(run); v++) {
+                    list.add(v);
+                }
+            }
+        }
+        voxels.forEach((component, list) -> pieces.get(segmentOf.get(component)).add(list.toArray()));
+        pieces.values().forEach(list -> list.sort(Comparator.comparingInt((int[] piece) -> -piece.length)));
+        for (int run = 0; run < runs.count(); run++) {
+            if (!kept[runs.component(run)]) {
+                Arrays.fill(s.voxels, runs.from(run), runs.to(run), (byte) 0);
+            }
+        }
+    }
+
+    private void joinBone(int segment, List<int[]> components, List<String> joined) {
+        String name = s.names().get(segment - 1);
+        boolean rib = kind(name).filter(k -> k == StructureKind.RIB).isPresent();
+        PieceJoiner joiner = new PieceJoiner(s, segment, components, rib ? RIB_GAP_MM : BONE_GAP_MM);
+        List<Integer> unreached = joiner.unreached();
+        if (unreached.size() + 1 < components.size()) {
+            joined.add(name + " (" + (components.size() - unreached.size()) + ")");
+        }
+        int lost = 0;
+        for (int piece : unreached) {
+            lost += components.get(piece).length;
+            for (int voxel : components.get(piece)) {
+                s.voxels[voxel] = 0;
+            }
+        }
+        if (lost > 0) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "%s: what lies too far from its largest piece is left out, %.1f ml",
+                    name,
+                    lost * s.grid().voxelVolume() / MM3_PER_ML));
+        }
+    }
+}

@@ -1,0 +1,91 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * A rib cage of voxels of 3 mm: twelve pairs of ribs as sloping half ellipses of 9 mm thickness, 24 mm apart, and
+ * twelve vertebrae. Labels as of TotalSegmentator.
+ */
+final class CageVoxels {
+    static final int COLUMNS = 90;
+    static final int ROWS = 60;
+    static final int SLICES = 130;
+    static final double SPACING_MM = 3;
+    private static final int FIRST_LEFT = 92;
+    private static final int FIRST_RIGHT = 104;
+    private static final int T1 = 43;
+
+    final byte[] labels = new byte[COLUMNS * ROWS * SLICES];
+
+    /** Label of a rib by its number and side. */
+    static int rib(int number, boolean right) {
+        return (right ? FIRST_RIGHT : FIRST_LEFT) + number - 1;
+    }
+
+    static int vertebra(int number) {
+        return T1 + 1 - number;
+    }
+
+    /** Adds ribs from a number to twelve. */
+    CageVoxels withRibs(int first) {
+        for (int number = first; number <= 12; number++) {
+            for (int step = 0; step <= 400; step++) {
+                double angle = Math.PI * step / 400;
+                // From the spine at the back, round the side, to the front; 36 mm lower there.
+                double x = 36 * StrictMath.sin(angle) + 6;
+                double y = 30 + 22 * StrictMath.cos(angle);
+                double z = 124 - 8 * number - 12 * angle / Math.PI;
+                ball(44.5 - x, y, z, 1.6, rib(number, true));
+                ball(44.5 + x, y, z, 1.6, rib(number, false));
+            }
+        }
+        return this;
+    }
+
+    CageVoxels withVertebrae(int first) {
+        for (int number = first; number <= 12; number++) {
+            ball(44.5, 50, 123 - 8 * number, 3.2, vertebra(number));
+        }
+        return this;
+    }
+
+    void ball(double x, double y, double z, double radius, int label) {
+        for (int k = (int) (z - radius); k <= z + radius; k++) {
+            for (int j = (int) (y - radius); j <= y + radius; j++) {
+                for (int i = (int) (x - radius); i <= x + radius; i++) {
+                    double square = (i - x) * (i - x) + (j - y) * (j - y) + (k - z) * (k - z);
+                    if (square <= radius * radius && at(i, j, k) == 0) {
+                        labels[i + COLUMNS * (j + ROWS * k)] = (byte) label;
+                    }
+                }
+            }
+        }
+    }
+
+    int at(int i, int j, int k) {
+        return labels[i + COLUMNS * (j + ROWS * k)] & LabelGrid.MAX_BYTE_LABEL;
+    }
+
+    Segmentation segmentation(LabelTable table) {
+        double s = SPACING_MM;
+        LabelGrid grid =
+                LabelGrid.of(COLUMNS, ROWS, SLICES, labels.clone(), new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
+        return new Segmentation(new LabelVolume(grid, Map.of(), java.util.List.of()), table, "scan");
+    }
+
+    /** The table of TotalSegmentator, with all ribs under one label of the table if wanted. */
+    static LabelTable table(boolean commonRibs) {
+        Map<Integer, String> structures = new TreeMap<>();
+        for (int number = 1; number <= 12; number++) {
+            structures.put(vertebra(number), String.format(java.util.Locale.ROOT, "vertebra_T%02d", number));
+            for (boolean right : new boolean[] {true, false}) {
+                String name = String.format(java.util.Locale.ROOT, "rib_%02d_%s", number, right ? "R" : "L");
+                structures.put(rib(number, right), commonRibs ? LabelTable.RIBS : name);
+            }
+        }
+        return new LabelTable(structures);
+    }
+}

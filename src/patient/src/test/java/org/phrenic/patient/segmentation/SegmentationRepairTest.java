@@ -1,0 +1,121 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+class SegmentationRepairTest {
+    /** Number of voxels of each structure. */
+    private static TreeMap<String, Integer> counts(Segmentation s) {
+        int[] counts = s.counts();
+        TreeMap<String, Integer> byName = new TreeMap<>();
+        for (int segment = 1; segment < counts.length; segment++) {
+            if (counts[segment] > 0) {
+                byName.put(s.names().get(segment - 1), counts[segment]);
+            }
+        }
+        return byName;
+    }
+
+    /** Number of components of each structure across the faces of voxels. */
+    private static TreeMap<String, Integer> pieces(Segmentation s) {
+        VoxelRuns runs = VoxelRuns.ofSegments(s);
+        TreeMap<String, Integer> pieces = new TreeMap<>();
+        for (int run = 0; run < runs.count(); run++) {
+            if (runs.component(run) == run) {
+                int segment = s.voxels[runs.from(run)] & LabelGrid.MAX_BYTE_LABEL;
+                pieces.merge(s.names().get(segment - 1), 1, Integer::sum);
+            }
+        }
+        return pieces;
+    }
+
+    private static TreeMap<String, Integer> repaired(Segmentation s) {
+        SegmentationRepair.numberRibs(s);
+        SegmentationRepair.mend(s);
+        return counts(s);
+    }
+
+    @Test
+    void ribsWhoseNumbersSlipHalfWayRoundAreNumberedAnew() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean slips = label >= CageVoxels.rib(7, false) && label < CageVoxels.rib(12, false);
+            // The anterior halves of left ribs 7 to 11 carry the next number.
+            if (slips && v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30) {
+                cage.labels[v]++;
+            }
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("holds parts of two ribs", "24"));
+        SegmentationRepair.mend(s);
+        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
+    }
+
+    @Test
+    void ribsUnderOneLabelAreNumberedByTheirVertebrae() {
+        Segmentation s = new CageVoxels().withRibs(5).withVertebrae(5).segmentation(CageVoxels.table(true));
+        TreeMap<String, Integer> truth =
+                counts(new CageVoxels().withRibs(5).withVertebrae(5).segmentation(CageVoxels.table(false)));
+        assertThat(repaired(s).keySet()).isEqualTo(truth.keySet());
+    }
+
+    @Test
+    void ribsThatNothingNumbersAreRefused() {
+        Segmentation s = new CageVoxels().withRibs(5).segmentation(CageVoxels.table(true));
+        assertThatThrownBy(() -> SegmentationRepair.numberRibs(s))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("8 connected ribs on the right and no vertebrae");
+    }
+
+    @Test
+    void ribsThatTouchKeepTheirNumbers() {
+        CageVoxels cage = new CageVoxels().withRibs(1);
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        for (int k = 60; k < 70; k++) {
+            cage.ball(8, 30, k, 1.2, CageVoxels.rib(6, true));
+        }
+        TreeMap<String, Integer> touching = repaired(cage.segmentation(CageVoxels.table(false)));
+        assertThat(touching.keySet()).isEqualTo(truth.keySet());
+        truth.remove("rib_06_R");
+        assertThat(touching).containsAllEntriesOf(truth);
+    }
+
+    @Test
+    void droppedVoxelsBrokenRibsAndVerticesInPiecesAreMended() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        Random random = new Random(5);
+        for (int v = 0; v < cage.labels.length; v++) {
+            int j = v / CageVoxels.COLUMNS % CageVoxels.ROWS;
+            boolean vertebraCut = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.vertebra(6) && j == 50;
+            boolean ribCut =
+                    (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(8, true) && j >= 28 && j < 32;
+            if (random.nextDouble() < 0.05 || vertebraCut || ribCut) {
+                cage.labels[v] = 0;
+            }
+        }
+        // A speck far from its bone.
+        cage.ball(2, 2, 2, 1, CageVoxels.vertebra(3));
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        List<String> notes = SegmentationRepair.mend(s);
+        assertThat(notes).anyMatch(note -> note.contains("joined") && note.contains("rib_08_R (2)"));
+        assertThat(pieces(s).values()).containsOnly(1);
+        counts(s).forEach((name, voxels) -> assertThat(voxels / (double) truth.get(name))
+                .as(String.format(Locale.ROOT, "volume of %s to that of the whole bone", name))
+                .isCloseTo(1, within(0.12)));
+    }
+}
