@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +17,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 /**
  * A planned attempt from the command line: its report, the same every time, and what is said of a plan that cannot be.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class RehearseCommandTest {
     /** Fast breaths of the coarse body without what an attempt does not need. */
     private static final String BODY =

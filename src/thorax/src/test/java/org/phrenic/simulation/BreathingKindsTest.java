@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.virtual.VirtualBodies;
@@ -16,6 +18,7 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
 
 /** Other ways to breathe, and the other body; the sheet alone is stepped. */
+@Execution(ExecutionMode.CONCURRENT)
 class BreathingKindsTest {
     @TempDir
     Path folder;

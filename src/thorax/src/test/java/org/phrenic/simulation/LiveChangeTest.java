@@ -13,6 +13,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.document.YamlWriter;
@@ -35,6 +37,7 @@ import org.phrenic.simulation.observe.SceneObserver;
  * Settings changed while the simulation runs. The sheet alone is stepped where that shows what is asked, for it is
  * quick.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class LiveChangeTest {
     /** A held time is a difference of two. */
     private static final double ROUNDING = 1e-12;
@@ -48,10 +51,10 @@ class LiveChangeTest {
     private static final double STILL_MM = 1.2;
 
     @TempDir
-    static Path folder;
+    Path folder;
 
     /** For every live key two values, the second set while the first is still ramping in. */
-    private static Map<String, List<String>> values() throws IOException {
+    private Map<String, List<String>> values() throws IOException {
         Path curve = Files.writeString(
                 folder.resolve("a curve.csv"), "time_s,amplitude\n0,0\n1,1\n2,0\n3,1\n4,0\n5,1\n6,0\n7,1\n");
         Map<String, List<String>> values = new TreeMap<>(Map.of(
@@ -135,7 +138,7 @@ class LiveChangeTest {
         }
     }
 
-    private static String firstOf(ScheduledChange change) throws IOException {
+    private String firstOf(ScheduledChange change) throws IOException {
         return values().get(change.assignment().key()).get(0);
     }
 

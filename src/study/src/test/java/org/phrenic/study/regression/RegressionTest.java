@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.Resolution;
@@ -25,6 +27,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 
 /** What the program gives is what it gave; small changes, swapped sides and lost numbers are each caught. */
+@Execution(ExecutionMode.CONCURRENT)
 class RegressionTest {
     /** When the small scene is looked at first, s; twice as late again. */
     private static final double SMALL_S = 0.25;
