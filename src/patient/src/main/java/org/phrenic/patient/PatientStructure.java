@@ -3,6 +3,7 @@ package org.phrenic.patient;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Structure;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /**
@@ -17,8 +18,10 @@ public record PatientStructure(
         Structure structure, Source source, Optional<Scan> scan, Optional<DistanceSummary> distanceToScan) {
     /** Source of a structure. */
     public enum Source {
-        /** The voxel surface of the scan. */
+        /** The voxel surface of the scan, or a mesh of the imported folder. */
         SCAN,
+        /** The surface of the scan with a part of a registered template that the scan lacks. */
+        EXTENDED,
         /** A registered template, used where the structure is missing from the scan or truncated. */
         VIRTUAL
     }
@@ -53,6 +56,11 @@ public record PatientStructure(
     /** Returns a copy with another surface. */
     public PatientStructure withStructure(Structure other) {
         return new PatientStructure(other, source, scan, distanceToScan);
+    }
+
+    /** Returns a copy whose surface comes from the scan and a template. */
+    public PatientStructure extended(TriangleMesh whole) {
+        return new PatientStructure(structure.withMesh(whole), Source.EXTENDED, scan, distanceToScan);
     }
 
     /** Returns a copy with the distances to the registered template. */

@@ -85,6 +85,19 @@ final class AffineTransform3D implements PointTransform {
         return c;
     }
 
+    /** Scale of a similarity. */
+    double scale() {
+        return Math.cbrt(m[0] * (m[5] * m[10] - m[6] * m[9])
+                - m[1] * (m[4] * m[10] - m[6] * m[8])
+                + m[2] * (m[4] * m[9] - m[5] * m[8]));
+    }
+
+    /** Rotation angle of a similarity, degrees. */
+    double turnDeg() {
+        double cosine = ((m[0] + m[5] + m[10]) / scale() - 1) / 2;
+        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+    }
+
     @Override
     public void apply(double[] points) {
         for (int i = 0; i < points.length; i += 3) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -18,17 +19,15 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
 /**
- * Completes a body with the structures that are missing from its scan or truncated. A template thorax is registered to
- * the structures that both have. The registration has three stages: bounding boxes, scaling in the transverse plane,
- * and displacement fields of decreasing radius ({@link DisplacementField}). The last two use nearest points of both
- * surfaces.
+ * Completes a body from any field of view with the structures that are missing from its scan or truncated. A template
+ * thorax is aligned by landmarks ({@link RoughAlignment}), its bones are fitted to those of the scan ({@link BoneFit}),
+ * ribs that end short of the spine are extended ({@link RibExtension}), and soft organs follow the bones and what the
+ * scan has of organs ({@link DisplacementField}).
  */
 public final class BodyCompletion {
-    private static final int SCALING_STEPS = 20;
-    /** Radii of the displacement fields, mm: first for all structures, then for soft organs only. */
-    private static final double[] BONE_RADII_MM = {160, 120, 90};
-
+    /** Radii of the displacement fields of soft organs, mm. */
     private static final double[] SOFT_RADII_MM = {120, 90, 60, 40, 30, 22};
+
     private static final int STEPS_PER_RADIUS = 5;
     /** Number of bone points that are kept fixed while soft organs are displaced. */
     private static final int FIXED_POINTS = 1200;
@@ -40,43 +39,50 @@ public final class BodyCompletion {
             StructureKind.VERTEBRA,
             StructureKind.DISC);
 
-    /** Structures transformed by a similarity. Cartilages connect them and may deform. */
+    /** Structures transformed by a similarity. Ribs bend with the cage; cartilages connect bones and may deform. */
     private static final Set<StructureKind> KEEPING_SHAPE =
-            EnumSet.of(StructureKind.RIB, StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
+            EnumSet.of(StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
+    /** Kinds that determine where a template lies. */
+    private static final Set<StructureKind> GUIDES = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.STERNUM,
+            StructureKind.VERTEBRA,
+            StructureKind.LUNG,
+            StructureKind.LIVER);
 
     private final PatientBody body;
-    private final List<Structure> template;
-    private final List<SurfacePair> pairs = new ArrayList<>();
-    private int shared;
+    private final List<Structure> rest;
+    private final List<Structure> template = new ArrayList<>();
+    private final List<SharedStructure> shared = new ArrayList<>();
+    private final List<RibFit> ribs = new ArrayList<>();
 
     private BodyCompletion(PatientBody body, Thorax template) {
         this.body = body;
-        this.template = new ArrayList<>(template.structures());
+        rest = template.structures();
+        List<PatientStructure> seen = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
-            templateOf(s).ifPresent(mesh -> addPairs(s, mesh));
+            if (seen.stream().noneMatch(other -> isSame(other.structure(), s.structure()))) {
+                seen.add(s);
+                merged(rest, s.structure()).ifPresent(mesh -> shared.add(shared(s, mesh)));
+            }
         }
     }
 
-    private void addPairs(PatientStructure s, TriangleMesh mesh) {
-        shared++;
-        TriangleMesh scan = s.structure().mesh();
-        if (s.structure().kind() != StructureKind.LUNG) {
-            pairs.add(
-                    new SurfacePair(s, scan, mesh, BONES.contains(s.structure().kind())));
-            return;
-        }
-        TriangleMesh base = DiaphragmaticSurface.of(scan);
-        TriangleMesh templateBase = DiaphragmaticSurface.of(mesh);
-        pairs.add(
-                new SurfacePair(s, DiaphragmaticSurface.complement(scan), DiaphragmaticSurface.complement(mesh), true));
-        if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
-            pairs.add(new SurfacePair(s, base, templateBase, false));
-        }
+    private SharedStructure shared(PatientStructure s, TriangleMesh mesh) {
+        List<PatientStructure> parts = body.structures().stream()
+                .filter(other -> isSame(other.structure(), s.structure()))
+                .toList();
+        return new SharedStructure(
+                s,
+                MeshMerge.merge(
+                        parts.stream().map(part -> part.structure().mesh()).toList()),
+                mesh,
+                parts.stream().allMatch(PatientStructure::isComplete));
     }
 
-    /** The structure of the template that corresponds to a structure of the body, in its current position. */
-    private Optional<TriangleMesh> templateOf(PatientStructure s) {
-        return PatientBody.merged(template.stream().filter(t -> isSame(t, s.structure())));
+    private static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {
+        return PatientBody.merged(of.stream().filter(t -> isSame(t, like)));
     }
 
     private static boolean isSame(Structure a, Structure b) {
@@ -87,85 +93,110 @@ public final class BodyCompletion {
     }
 
     /**
-     * Returns the completed body. If the scan has no complete lung, the body is returned with a note and is not
-     * completed.
+     * Returns the completed body. A body without bones, lungs and liver is returned with a note and is not completed.
      *
      * @param template template thorax, LPS, mm, at end-expiration
      */
     public static PatientBody complete(PatientBody body, Thorax template) {
-        boolean lung = body.structures().stream()
-                .anyMatch(s ->
-                        s.structure().kind() == StructureKind.LUNG && s.scan().isPresent() && s.isComplete());
-        if (!lung) {
-            return body.withNotes(List.of("not completed from " + template.name()
-                    + ": the scan has no whole lung, and without one a virtual thorax cannot be brought to it"));
-        }
         BodyCompletion completion = new BodyCompletion(body, template);
-        completion.register();
+        if (completion.shared.stream().noneMatch(s -> GUIDES.contains(s.kind()))) {
+            return body.withNotes(List.of("not completed from " + template.name()
+                    + ": the scan has no bone, lung or liver by which a virtual thorax can be placed"));
+        }
+        completion.fitBones(template);
+        completion.fitOrgans();
         return completion.completed(template.name());
     }
 
-    private void register() {
-        List<SurfacePair> complete =
-                pairs.stream().filter(SurfacePair::isComplete).toList();
-        transform(
-                AffineTransform3D.betweenBoxes(
-                        box(complete.stream().map(SurfacePair::template).toList()),
-                        box(complete.stream().map(SurfacePair::scan).toList())),
-                true);
-        for (int step = 0; step < SCALING_STEPS; step++) {
-            double[][] points = correspondences(true);
-            transform(AffineTransform3D.horizontalScaling(points[0], points[1]), true);
-        }
-        List<Structure> undeformed = List.copyOf(template);
-        displace(BONE_RADII_MM, true);
-        for (int i = 0; i < undeformed.size(); i++) {
-            Structure s = undeformed.get(i);
-            if (KEEPING_SHAPE.contains(s.kind())) {
-                double[] from = s.mesh().positions();
-                double[] to = template.get(i).mesh().positions();
-                template.set(i, AffineTransform3D.similarity(from, to).apply(s));
+    private void fitBones(Thorax whole) {
+        double plane = planeOfSymmetry(whole);
+        RoughAlignment rough = new RoughAlignment(plane);
+        List<SurfacePair> organs = new ArrayList<>();
+        for (SharedStructure s : shared) {
+            if (GUIDES.contains(s.kind())) {
+                rough.add(s);
+            }
+            if (s.kind() == StructureKind.LUNG) {
+                organs.add(new SurfacePair(
+                        s.organ(),
+                        DiaphragmaticSurface.complement(s.scan()),
+                        DiaphragmaticSurface.complement(s.template()),
+                        true));
+            } else if (s.kind() == StructureKind.LIVER) {
+                organs.add(new SurfacePair(s.organ(), s.scan(), s.template(), false));
             }
         }
-        displace(SOFT_RADII_MM, false);
+        BoneFit bones = new BoneFit(rough.align(organs), plane, shared, organs);
+        TemplateMap map = bones.fit();
+        ribs.addAll(bones.ribs());
+        template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());
     }
 
-    private void displace(double[] radiiMm, boolean bones) {
-        for (double radius : radiiMm) {
+    private static Structure placed(Structure s, TemplateMap map) {
+        Structure moved = map.apply(s);
+        return KEEPING_SHAPE.contains(s.kind())
+                ? AffineTransform3D.similarity(
+                                s.mesh().positions(), moved.mesh().positions())
+                        .apply(s)
+                : moved;
+    }
+
+    /** Mean x of the spine and the sternum of a template, mm. */
+    private static double planeOfSymmetry(Thorax whole) {
+        return whole.structures().stream()
+                .filter(s -> s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.STERNUM)
+                .mapToDouble(s -> s.mesh().centre()[0])
+                .average()
+                .orElse(0);
+    }
+
+    /** Soft organs follow what the scan has of them; bones stay. */
+    private void fitOrgans() {
+        List<SurfacePair> pairs = new ArrayList<>();
+        for (SharedStructure s : shared) {
+            TriangleMesh placed = merged(template, s.organ().structure()).orElseThrow();
+            if (s.kind() == StructureKind.LUNG) {
+                TriangleMesh base = DiaphragmaticSurface.of(s.scan());
+                TriangleMesh templateBase = DiaphragmaticSurface.of(placed);
+                pairs.add(new SurfacePair(
+                        s.organ(),
+                        DiaphragmaticSurface.complement(s.scan()),
+                        DiaphragmaticSurface.complement(placed),
+                        true));
+                if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
+                    pairs.add(new SurfacePair(s.organ(), base, templateBase, false));
+                }
+            } else if (!BONES.contains(s.kind())) {
+                pairs.add(new SurfacePair(s.organ(), s.scan(), placed, false));
+            }
+        }
+        for (double radius : SOFT_RADII_MM) {
             for (int step = 0; step < STEPS_PER_RADIUS; step++) {
-                double[][] points = correspondences(bones);
-                double[] bounds = box(template.stream().map(Structure::mesh).toList());
-                transform(new DisplacementField(points[0], points[1], radius, bounds), bones);
+                double[][] points = correspondences(pairs);
+                double[] bounds = MeshMerge.merge(
+                                template.stream().map(Structure::mesh).toList())
+                        .bounds();
+                transform(new DisplacementField(points[0], points[1], radius, bounds), pairs);
             }
         }
     }
 
-    /**
-     * Corresponding points of template and scan. For bones, only pairs that guide bones; otherwise all pairs plus fixed
-     * bone points.
-     */
-    private double[][] correspondences(boolean bones) {
+    private double[][] correspondences(List<SurfacePair> pairs) {
         List<double[]> from = new ArrayList<>();
         List<double[]> to = new ArrayList<>();
-        pairs.parallelStream()
-                .filter(pair -> !bones || pair.guidesBones())
-                .map(SurfacePair::correspondences)
-                .toList()
-                .forEach(points -> {
-                    from.addAll(points.from());
-                    to.addAll(points.to());
-                });
-        if (!bones) {
-            TriangleMesh bone = MeshMerge.merge(template.stream()
-                    .filter(s -> BONES.contains(s.kind()))
-                    .map(Structure::mesh)
-                    .toList());
-            int stride = Math.max(1, bone.vertexCount() / FIXED_POINTS);
-            for (int v = 0; v < bone.vertexCount(); v += stride) {
-                double[] p = {bone.x(v), bone.y(v), bone.z(v)};
-                from.add(p);
-                to.add(p);
-            }
+        pairs.parallelStream().map(SurfacePair::correspondences).toList().forEach(points -> {
+            from.addAll(points.from());
+            to.addAll(points.to());
+        });
+        TriangleMesh bone = MeshMerge.merge(template.stream()
+                .filter(s -> BONES.contains(s.kind()))
+                .map(Structure::mesh)
+                .toList());
+        int stride = Math.max(1, bone.vertexCount() / FIXED_POINTS);
+        for (int v = 0; v < bone.vertexCount(); v += stride) {
+            double[] p = {bone.x(v), bone.y(v), bone.z(v)};
+            from.add(p);
+            to.add(p);
         }
         return new double[][] {flat(from), flat(to)};
     }
@@ -178,30 +209,29 @@ public final class BodyCompletion {
         return all;
     }
 
-    /** Transforms the whole template, or only its soft structures. */
-    private void transform(PointTransform map, boolean bones) {
-        pairs.parallelStream()
-                .filter(pair -> bones || !BONES.contains(pair.kind()))
-                .forEach(pair -> pair.transformTemplate(map));
-        List<Structure> moved = template.parallelStream()
-                .map(s -> bones || !BONES.contains(s.kind()) ? map.apply(s) : s)
-                .toList();
-        template.clear();
-        template.addAll(moved);
+    private void transform(PointTransform map, List<SurfacePair> pairs) {
+        pairs.parallelStream().forEach(pair -> pair.transformTemplate(map));
+        IntStream.range(0, template.size())
+                .parallel()
+                .filter(i -> !BONES.contains(template.get(i).kind()))
+                .forEach(i -> template.set(i, map.apply(template.get(i))));
     }
 
     private PatientBody completed(String templateName) {
         List<PatientStructure> all = new ArrayList<>();
+        List<String> extended = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
-            Optional<DistanceSummary> off = templateOf(s).map(mesh -> SurfacePair.distanceToScan(s, mesh));
+            Optional<DistanceSummary> off =
+                    merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
             if (off.isEmpty() || s.isComplete()) {
-                all.add(off.map(s::withDistanceToScan).orElse(s));
+                all.add(extended(off.map(s::withDistanceToScan).orElse(s), extended));
             }
         }
         int added = 0;
         for (Structure structure : template) {
             if (all.stream()
-                    .noneMatch(s -> isSame(s.structure(), structure) && s.source() == PatientStructure.Source.SCAN)) {
+                    .noneMatch(
+                            s -> isSame(s.structure(), structure) && s.source() != PatientStructure.Source.VIRTUAL)) {
                 Optional<PatientStructure> cut = body.structures().stream()
                         .filter(s -> isSame(s.structure(), structure))
                         .findFirst();
@@ -209,21 +239,33 @@ public final class BodyCompletion {
                         structure,
                         PatientStructure.Source.VIRTUAL,
                         cut.flatMap(PatientStructure::scan),
-                        cut.map(s -> SurfacePair.distanceToScan(s, templateOf(s).orElseThrow()))));
+                        cut.map(s -> SurfacePair.distanceToScan(
+                                s, merged(template, s.structure()).orElseThrow()))));
                 added++;
             }
         }
         all.sort(Comparator.comparing(s -> s.structure().name()));
-        return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes())
-                .withNotes(List.of(String.format(
-                        Locale.ROOT,
-                        "%d structures come from %s, brought to the %d that it shares with the scan",
-                        added,
-                        templateName,
-                        shared)));
+        List<String> notes = new ArrayList<>();
+        notes.add(String.format(
+                Locale.ROOT,
+                "%d structures come from %s, brought to the %d that it shares with the scan",
+                added,
+                templateName,
+                shared.size()));
+        if (!extended.isEmpty()) {
+            notes.add("ribs that end short of the spine, given neck and head: " + String.join(", ", extended));
+        }
+        return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes()).withNotes(notes);
     }
 
-    private static double[] box(List<TriangleMesh> meshes) {
-        return MeshMerge.merge(meshes).bounds();
+    /** The rib with neck and head where it ends short of the spine, any other structure as it is. */
+    private PatientStructure extended(PatientStructure s, List<String> names) {
+        Optional<RibFit> rib = ribs.stream()
+                .filter(fit -> isSame(fit.shared().organ().structure(), s.structure()))
+                .filter(fit -> fit.missingMm() > 0)
+                .findFirst();
+        rib.ifPresent(fit -> names.add(
+                String.format(Locale.ROOT, "%s by %.0f mm", s.structure().name(), fit.missingMm())));
+        return rib.map(fit -> s.extended(RibExtension.extended(fit))).orElse(s);
     }
 }

@@ -1,8 +1,10 @@
 package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -18,6 +20,9 @@ final class SurfacePair {
     /** Vertices closer than this to the boundary of the scan belong to the cut, mm. */
     private static final double CUT_MM = 8;
 
+    /** Pairs are farther apart than usual beyond this multiple of the median distance. */
+    private static final double OUTLIER = 2.5;
+
     private final StructureKind kind;
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
@@ -26,6 +31,9 @@ final class SurfacePair {
     private final boolean[] atCut;
     private final boolean[] atScanBorder;
     private final boolean[] atTemplateBorder;
+    /** Surface of the template at its original place. */
+    private final TriangleMesh rest;
+
     private TriangleMesh template;
     private final TriangleTree templateTree;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -42,6 +50,7 @@ final class SurfacePair {
         scanTree = new TriangleTree(scan);
         whole = organ.isComplete();
         atCut = atCut(organ, scan);
+        rest = template;
         this.template = template;
         templateTree = new TriangleTree(template);
         atScanBorder = atBorder(scan, guidesBones);
@@ -102,6 +111,75 @@ final class SurfacePair {
 
     TriangleMesh template() {
         return template;
+    }
+
+    /** Moves the surface of the template from its original place. */
+    void place(PointTransform map) {
+        template = map.apply(rest);
+        templateTree.refit(template.positions());
+    }
+
+    /**
+     * Pairs of original points of the template and points of the scan, nearest to each other as the template is placed.
+     * Pairs much farther apart than half of all count less.
+     *
+     * @param count number of points of each surface
+     * @param sigmaMm standard deviation of a pair
+     */
+    PointPairs nearest(int count, double sigmaMm) {
+        DoubleList from = new DoubleList();
+        DoubleList to = new DoubleList();
+        DoubleList distance = new DoubleList();
+        double[] s = scan.positions();
+        int n = Math.min(count, scan.vertexCount());
+        for (int i = 0; i < n; i++) {
+            int v = (int) ((long) i * scan.vertexCount() / n);
+            if (!atCut[v]
+                    && templateTree.closest(s[3 * v], s[3 * v + 1], s[3 * v + 2], hit)
+                    && !atTemplateBorder[hit.triangle]) {
+                addRest(from);
+                to.add(s[3 * v], s[3 * v + 1], s[3 * v + 2]);
+                distance.add(Math.sqrt(hit.distanceSquared));
+            }
+        }
+        double[] t = template.positions();
+        double[] r = rest.positions();
+        n = Math.min(count, template.vertexCount());
+        for (int i = 0; whole && i < n; i++) {
+            int v = (int) ((long) i * template.vertexCount() / n);
+            if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {
+                from.add(r[3 * v], r[3 * v + 1], r[3 * v + 2]);
+                to.add(hit.x, hit.y, hit.z);
+                distance.add(Math.sqrt(hit.distanceSquared));
+            }
+        }
+        return robust(from.toArray(), to.toArray(), distance.toArray(), sigmaMm);
+    }
+
+    /** Adds the original place of the point of the template that was hit. */
+    private void addRest(DoubleList out) {
+        int[] corners = rest.triangles();
+        double[] r = rest.positions();
+        int a = 3 * corners[3 * hit.triangle];
+        int b = 3 * corners[3 * hit.triangle + 1];
+        int c = 3 * corners[3 * hit.triangle + 2];
+        for (int k = 0; k < 3; k++) {
+            out.add(hit.weightA * r[a + k] + hit.weightB * r[b + k] + hit.weightC * r[c + k]);
+        }
+    }
+
+    private static PointPairs robust(double[] from, double[] to, double[] distance, double sigmaMm) {
+        double[] sorted = distance.clone();
+        Arrays.sort(sorted);
+        double usual = sorted.length == 0 ? 0 : OUTLIER * sorted[sorted.length / 2] + 1;
+        PointPairs pairs = new PointPairs();
+        for (int i = 0; i < distance.length; i++) {
+            pairs.add(
+                    Arrays.copyOfRange(from, 3 * i, 3 * i + 3),
+                    Arrays.copyOfRange(to, 3 * i, 3 * i + 3),
+                    sigmaMm * Math.max(1, distance[i] / usual));
+        }
+        return pairs;
     }
 
     void transformTemplate(PointTransform map) {

@@ -9,11 +9,13 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibEnds;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.patient.ExpectedStructures;
@@ -30,11 +32,15 @@ class BodyCompletionTest {
     private static PatientBody scanOf(Thorax patient, String cutAt) {
         List<PatientStructure> organs = new ArrayList<>();
         for (Structure lung : patient.structuresOf(StructureKind.LUNG)) {
-            MeshedSegment meshed =
-                    new MeshedSegment(lung.mesh(), 0, 0, DistanceSummary.NONE, MeshQuality.of(lung.mesh()), 0.2, 1, 0);
-            organs.add(PatientStructure.ofScan(lung, new PatientStructure.Scan(List.of(1), 1000, 1000, cutAt, meshed)));
+            organs.add(scanned(lung, cutAt));
         }
         return new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of());
+    }
+
+    private static PatientStructure scanned(Structure s, String cutAt) {
+        MeshedSegment meshed =
+                new MeshedSegment(s.mesh(), 0, 0, DistanceSummary.NONE, MeshQuality.of(s.mesh()), 0.2, 1, 0);
+        return PatientStructure.ofScan(s, new PatientStructure.Scan(List.of(1), 1000, 1000, cutAt, meshed));
     }
 
     @Test
@@ -67,11 +73,38 @@ class BodyCompletionTest {
     }
 
     @Test
-    void withoutAWholeLungNothingIsInvented() {
-        PatientBody slab = scanOf(thorax("adult-female"), "S");
-        PatientBody body = BodyCompletion.complete(slab, thorax("adult-male"));
-        assertThat(body.structures()).isEqualTo(slab.structures());
-        assertThat(body.missing()).contains("diaphragm");
-        assertThat(body.notes()).singleElement().asString().contains("no whole lung");
+    void anAbdominalScanIsCompletedUpwardFromItsBones() {
+        Thorax patient = thorax("adult-female");
+        double top = patient.find("vertebra_T08").orElseThrow().mesh().bounds()[5];
+        List<PatientStructure> seen = new ArrayList<>();
+        for (Structure s : patient.structures()) {
+            boolean bone = s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+            if (bone && s.mesh().bounds()[5] <= top) {
+                seen.add(scanned(s, ""));
+            }
+        }
+        PatientBody scan = new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        assertThat(body.canBreathe()).isTrue();
+        // Ribs 7 and 8 are next to bones of the scan; T1 is 180 mm above the highest of them.
+        assertThat(headError(body, patient, "rib_07_R")).isLessThan(4);
+        assertThat(headError(body, patient, "rib_01_L")).isLessThan(20);
+    }
+
+    private static double headError(PatientBody body, Thorax truth, String name) {
+        Structure rib = body.structure(name).orElseThrow().structure();
+        double[] head = RibEnds.find(rib.mesh(), rib.side()).head();
+        return Vectors.distance(
+                head,
+                RibEnds.find(truth.find(name).orElseThrow().mesh(), rib.side()).head());
+    }
+
+    @Test
+    void aBodyWithoutBoneLungAndLiverIsNotCompleted() {
+        Structure skin = thorax("adult-female").structuresOf(StructureKind.SKIN).get(0);
+        PatientBody bare = new PatientBody("patient", List.of(scanned(skin, "")), List.of("diaphragm"), List.of());
+        PatientBody body = BodyCompletion.complete(bare, thorax("adult-male"));
+        assertThat(body.structures()).isEqualTo(bare.structures());
+        assertThat(body.notes()).singleElement().asString().contains("no bone, lung or liver");
     }
 }

@@ -39,6 +39,18 @@ public final class RibEnds {
      * @throws IllegalArgumentException if the mesh has no extent or the side is the midline
      */
     public static RibEnds find(TriangleMesh rib, Side side) {
+        return stations(rib, side).ends();
+    }
+
+    /**
+     * Distance of each vertex from the head along the rib, mm: the mean of what the geodesic distances from both ends
+     * give.
+     *
+     * @param lengthMm length from end to end, mm
+     */
+    record Stations(RibEnds ends, double[] along, double lengthMm) {}
+
+    static Stations stations(TriangleMesh rib, Side side) {
         if (side == Side.MIDLINE) {
             throw new IllegalArgumentException("rib: side MIDLINE, expected RIGHT or LEFT");
         }
@@ -56,7 +68,15 @@ public final class RibEnds {
         double length = fromOne[farthest(fromOne)];
         // Posterior is +y; medial is opposite to the sign of the side.
         boolean oneIsHead = one[1] - side.sign() * one[0] > other[1] - side.sign() * other[0];
-        return oneIsHead ? new RibEnds(one, other, length) : new RibEnds(other, one, length);
+        RibEnds ends = oneIsHead ? new RibEnds(one, other, length) : new RibEnds(other, one, length);
+        double[] fromHead = oneIsHead ? fromOne : fromOther;
+        double[] fromAnterior = oneIsHead ? fromOther : fromOne;
+        double[] along = new double[rib.vertexCount()];
+        for (int v = 0; v < along.length; v++) {
+            int cell = cells.cellOf[v];
+            along[v] = (fromHead[cell] + length - fromAnterior[cell]) / 2;
+        }
+        return new Stations(ends, along, length);
     }
 
     /** Centre of the head, LPS, mm. */

@@ -1,0 +1,119 @@
+package org.phrenic.patient.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * Fits the bones of a template to those of a scan: vertebrae one by one, ribs along their courses, sternum and
+ * cartilages by nearest points, and where those are missing the costal surfaces of the lungs. A smooth field
+ * ({@link SmoothField}) carries what is known to levels and sides of which the scan shows nothing.
+ */
+final class BoneFit {
+    private static final SmoothField.Scale[] SCALES = {
+        new SmoothField.Scale(500, 15), new SmoothField.Scale(220, 10), new SmoothField.Scale(90, 5)
+    };
+    /** Correlation of both sides; people are not quite symmetric. */
+    private static final double MIRROR = 0.9;
+
+    private static final int SLIDING_ROUNDS = 4;
+    private static final int COURSE_ROUNDS = 2;
+    private static final int VERTEBRA_POINTS = 12;
+    private static final double VERTEBRA_SIGMA_MM = 1;
+    private static final int STERNUM_POINTS = 50;
+    private static final double STERNUM_SIGMA_MM = 2;
+    private static final int CARTILAGE_POINTS = 6;
+    private static final double CARTILAGE_SIGMA_MM = 4;
+    private static final int LUNG_POINTS = 80;
+    private static final double LUNG_SIGMA_MM = 6;
+    private static final double LIVER_SIGMA_MM = 15;
+
+    private final TemplateMap start;
+    private final double plane;
+    private final List<SharedStructure> vertebrae = new ArrayList<>();
+    private final List<RibFit> ribs = new ArrayList<>();
+    private final List<SurfacePair> surfaces = new ArrayList<>();
+
+    BoneFit(TemplateMap start, double plane, List<SharedStructure> shared, List<SurfacePair> organs) {
+        this.start = start;
+        this.plane = plane;
+        for (SharedStructure s : shared) {
+            if (s.kind() == StructureKind.VERTEBRA && s.isComplete()) {
+                vertebrae.add(s);
+            } else if (s.kind() == StructureKind.RIB) {
+                ribs.add(new RibFit(s));
+            } else if (s.kind() == StructureKind.STERNUM || s.kind() == StructureKind.COSTAL_CARTILAGE) {
+                surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
+            }
+        }
+        surfaces.addAll(organs);
+    }
+
+    /** Ribs that scan and template share, after the fit. */
+    List<RibFit> ribs() {
+        return ribs;
+    }
+
+    TemplateMap fit() {
+        PointPairs spine = spine(start);
+        TemplateMap map = spine.count() == 0 ? start : start.through(spine, SCALES, MIRROR, plane);
+        for (int round = 0; round < SLIDING_ROUNDS + COURSE_ROUNDS; round++) {
+            PointPairs pairs = new PointPairs();
+            pairs.addAll(spine);
+            for (RibFit rib : ribs) {
+                rib.place(map);
+                if (round >= SLIDING_ROUNDS) {
+                    rib.measureShortness();
+                }
+                pairs.addAll(rib.pairs());
+            }
+            TemplateMap placed = map;
+            surfaces.forEach(pair -> {
+                pair.place(placed);
+                pairs.addAll(pair.nearest(points(pair), sigma(pair)));
+            });
+            map = start.through(pairs, SCALES, MIRROR, plane);
+        }
+        for (RibFit rib : ribs) {
+            rib.place(map);
+        }
+        return map;
+    }
+
+    private static int points(SurfacePair pair) {
+        return switch (pair.kind()) {
+            case STERNUM -> STERNUM_POINTS;
+            case COSTAL_CARTILAGE -> CARTILAGE_POINTS;
+            default -> LUNG_POINTS;
+        };
+    }
+
+    private static double sigma(SurfacePair pair) {
+        return switch (pair.kind()) {
+            case STERNUM -> STERNUM_SIGMA_MM;
+            case COSTAL_CARTILAGE -> CARTILAGE_SIGMA_MM;
+            case LUNG -> LUNG_SIGMA_MM;
+            default -> LIVER_SIGMA_MM;
+        };
+    }
+
+    /** Points of the vertebrae, each placed by a similarity. */
+    private PointPairs spine(TemplateMap map) {
+        PointPairs pairs = new PointPairs();
+        for (SharedStructure s : vertebrae) {
+            TriangleMesh placed = map.apply(s.template());
+            double[] fitted = VertebraFit.fit(placed, s.scan());
+            double[] rest = s.template().positions();
+            int n = s.template().vertexCount();
+            for (int i = 0; i < VERTEBRA_POINTS; i++) {
+                int v = (int) ((long) i * n / VERTEBRA_POINTS);
+                pairs.add(
+                        new double[] {rest[3 * v], rest[3 * v + 1], rest[3 * v + 2]},
+                        new double[] {fitted[3 * v], fitted[3 * v + 1], fitted[3 * v + 2]},
+                        VERTEBRA_SIGMA_MM);
+            }
+        }
+        return pairs;
+    }
+}

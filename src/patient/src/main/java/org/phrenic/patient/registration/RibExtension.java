@@ -1,0 +1,141 @@
+package org.phrenic.patient.registration;
+
+import org.phrenic.anatomy.cage.RibCourse;
+import org.phrenic.mesh.MeshQuality;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.Remesher;
+
+/**
+ * Gives a rib that ends short of the spine its neck and head. The posterior part of its surface is stretched along a
+ * course that runs on to the head: the neck of the placed template, shifted smoothly so that it begins where the rib
+ * ends. Cross-sections keep their shape.
+ */
+final class RibExtension {
+    /** Length of the rib of the scan that is stretched, mm. */
+    private static final double STRETCHED_MM = 20;
+
+    private final TriangleMesh rib;
+    private final RibCourse scan;
+    private final double[] course;
+    private final double[] path;
+    /** Path of the scan's posterior end on the extended course, mm. */
+    private final double added;
+
+    private RibExtension(RibFit fit, TriangleMesh rib) {
+        this.rib = rib;
+        scan = fit.scanCourse();
+        double[] end = scan.at(0);
+        double[] line = fit.placedLine();
+        int joint = nearest(line, end);
+        int further = Math.min(line.length / 3 - 1, joint);
+        double[] shift = new double[3];
+        for (int k = 0; k < 3; k++) {
+            shift[k] = end[k] - line[3 * further + k];
+        }
+        int tail = (int) Math.ceil(scan.lengthMm() / 3);
+        course = new double[3 * (further + 1 + tail)];
+        for (int i = 0; i <= further; i++) {
+            double t = (double) i / Math.max(1, further);
+            double share = t * t * (3 - 2 * t);
+            for (int k = 0; k < 3; k++) {
+                course[3 * i + k] = line[3 * i + k] + share * shift[k];
+            }
+        }
+        for (int i = 1; i <= tail; i++) {
+            System.arraycopy(scan.at(scan.lengthMm() * i / tail), 0, course, 3 * (further + i), 3);
+        }
+        path = new double[course.length / 3];
+        for (int i = 1; i < path.length; i++) {
+            path[i] = path[i - 1] + Math.sqrt(Vectors.squaredDistance(course, i - 1, i));
+        }
+        added = path[further];
+    }
+
+    /** The surface of the rib with neck and head. */
+    static TriangleMesh extended(RibFit fit) {
+        TriangleMesh rib = fit.shared().scan();
+        TriangleMesh longer = new RibExtension(fit, rib).stretched();
+        return Remesher.toEdgeLength(longer, MeshQuality.of(rib).meanEdgeMm());
+    }
+
+    private static int nearest(double[] line, double[] p) {
+        int best = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < line.length / 3; i++) {
+            double d = Vectors.distance(new double[] {line[3 * i], line[3 * i + 1], line[3 * i + 2]}, p);
+            if (d < least) {
+                least = d;
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    private TriangleMesh stretched() {
+        double window = Math.min(STRETCHED_MM, scan.lengthMm() / 3);
+        double[] out = rib.positions().clone();
+        double[] stations = scan.stations();
+        for (int v = 0; v < stations.length; v++) {
+            if (stations[v] * scan.lengthMm() > window + STRETCHED_MM) {
+                continue;
+            }
+            double[] p = {rib.x(v), rib.y(v), rib.z(v)};
+            double at = project(p, window + STRETCHED_MM);
+            if (at >= window) {
+                continue;
+            }
+            double to = at <= 0 ? at : at * (window + added) / window;
+            double[] from = tangent(scan.at(at - 2), scan.at(at + 2));
+            double[] turned = turned(from, tangent(at(to - 2), at(to + 2)), Vectors.subtract(p, scan.at(at)));
+            double[] place = at(to);
+            for (int k = 0; k < 3; k++) {
+                out[3 * v + k] = place[k] + turned[k];
+            }
+        }
+        return rib.withPositions(out);
+    }
+
+    /** Path of the scan's course nearest to a point; negative before its posterior end. */
+    private double project(double[] p, double limit) {
+        double best = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (double s = -10; s <= limit; s += 0.5) {
+            double d = Vectors.distance(scan.at(s), p);
+            if (d < least) {
+                least = d;
+                best = s;
+            }
+        }
+        return best;
+    }
+
+    private static double[] tangent(double[] a, double[] b) {
+        return Vectors.normalize(Vectors.subtract(b, a));
+    }
+
+    /** Turns a vector by the smallest rotation that brings one direction to another. */
+    private static double[] turned(double[] from, double[] to, double[] v) {
+        double[] axis = Vectors.cross(from, to);
+        double cosine = Vectors.dot(from, to);
+        if (cosine < -0.99) {
+            return v;
+        }
+        double[] cross = Vectors.cross(axis, v);
+        double[] out = Vectors.addScaled(v, cross, 1);
+        return Vectors.addScaled(out, Vectors.cross(axis, cross), 1 / (1 + cosine));
+    }
+
+    private double[] at(double pathMm) {
+        int i = 0;
+        while (i < path.length - 2 && path[i + 1] < pathMm) {
+            i++;
+        }
+        double t = (pathMm - path[i]) / Math.max(1e-9, path[i + 1] - path[i]);
+        double[] p = new double[3];
+        for (int k = 0; k < 3; k++) {
+            p[k] = course[3 * i + k] + t * (course[3 * i + 3 + k] - course[3 * i + k]);
+        }
+        return p;
+    }
+}

@@ -1,0 +1,162 @@
+package org.phrenic.patient.registration;
+
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.cage.RibCourse;
+import org.phrenic.mesh.Vectors;
+
+/**
+ * Correspondence of a rib of the template to the rib of the scan of the same level and side, along their courses. A rib
+ * that the scan cuts, or that ends short of the spine, corresponds to a part of the template's.
+ */
+final class RibFit {
+    private static final double STEP_MM = 9;
+    /** Ends nearer than this to the end of the scan are cuts, mm. */
+    private static final double CUT_MM = 12;
+    /** Larger standard deviation of points found by their nearness, which may slide along the rib, mm. */
+    private static final double SLIDING_SIGMA_MM = 4;
+
+    private static final double END_SIGMA_MM = 3;
+    private static final double COURSE_SIGMA_MM = 1.5;
+    /** A head of the scan within this distance of the joint is taken for whole, mm. */
+    static final double WHOLE_MM = 8;
+
+    private final SharedStructure shared;
+    private final RibCourse rest;
+    private final RibCourse scan;
+    private final boolean posteriorCut;
+    private final boolean anteriorCut;
+    private final TrackedLine line;
+    /** Length of the course that the scan lacks at the spine, mm; NaN until it is known. */
+    private double missingMm = Double.NaN;
+
+    /** Points of the template's course, original and placed. */
+    private static final class TrackedLine {
+        final double[] rest;
+        double[] placed;
+
+        TrackedLine(double[] rest) {
+            this.rest = rest;
+            placed = rest;
+        }
+    }
+
+    RibFit(SharedStructure shared) {
+        this.shared = shared;
+        rest = RibCourse.of(shared.template(), shared.side());
+        scan = RibCourse.of(shared.scan(), shared.side());
+        double[] ends = scan.line();
+        posteriorCut = isCut(ends, 0);
+        anteriorCut = isCut(ends, ends.length - 3);
+        line = new TrackedLine(resampled(rest));
+    }
+
+    private static double[] resampled(RibCourse course) {
+        int n = (int) Math.ceil(course.lengthMm() / (STEP_MM / 3)) + 1;
+        double[] points = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            System.arraycopy(course.at(course.lengthMm() * i / (n - 1)), 0, points, 3 * i, 3);
+        }
+        return points;
+    }
+
+    private boolean isCut(double[] p, int at) {
+        double[] box = shared.scan().bounds();
+        for (int axis = 0; axis < 3; axis++) {
+            boolean high = shared.cutAt().indexOf("LPS".charAt(axis)) >= 0 && p[at + axis] > box[3 + axis] - CUT_MM;
+            boolean low = shared.cutAt().indexOf("RAI".charAt(axis)) >= 0 && p[at + axis] < box[axis] + CUT_MM;
+            if (high || low) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    Side side() {
+        return shared.side();
+    }
+
+    SharedStructure shared() {
+        return shared;
+    }
+
+    RibCourse scanCourse() {
+        return scan;
+    }
+
+    /** Whether the scan does not cut the posterior end. */
+    boolean hasPosteriorEnd() {
+        return !posteriorCut;
+    }
+
+    double missingMm() {
+        return missingMm;
+    }
+
+    void place(PointTransform map) {
+        line.placed = line.rest.clone();
+        map.apply(line.placed);
+    }
+
+    /** The template's course as placed, from the head; x, y, z in turn, mm. */
+    double[] placedLine() {
+        return line.placed.clone();
+    }
+
+    /**
+     * Measures how far the scan's rib ends short of the head of the placed template's, along the course. Needs a placed
+     * spine.
+     */
+    void measureShortness() {
+        if (!posteriorCut) {
+            double[] end = scan.at(0);
+            int nearest = nearest(end);
+            double along = 0;
+            for (int i = 0; i < nearest; i++) {
+                along += Math.sqrt(Vectors.squaredDistance(line.placed, i, i + 1));
+            }
+            double[] head = {line.placed[0], line.placed[1], line.placed[2]};
+            double off = Vectors.distance(head, end);
+            missingMm = off < WHOLE_MM ? 0 : Math.max(0, along);
+        }
+    }
+
+    private int nearest(double[] p) {
+        int best = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < line.placed.length; i += 3) {
+            double dx = line.placed[i] - p[0];
+            double dy = line.placed[i + 1] - p[1];
+            double dz = line.placed[i + 2] - p[2];
+            double squared = dx * dx + dy * dy + dz * dz;
+            if (squared < least) {
+                least = squared;
+                best = i / 3;
+            }
+        }
+        return best;
+    }
+
+    /** Pairs of points of both courses. */
+    PointPairs pairs() {
+        PointPairs pairs = new PointPairs();
+        int n = Math.max(2, (int) Math.round(scan.lengthMm() / STEP_MM));
+        boolean bothEnds = !anteriorCut && !Double.isNaN(missingMm);
+        double whole = scan.lengthMm() + missingMm;
+        for (int i = 0; i <= n; i++) {
+            double path = scan.lengthMm() * i / n;
+            double[] p = scan.at(path);
+            if (bothEnds) {
+                pairs.add(rest.at((missingMm + path) / whole * rest.lengthMm()), p, COURSE_SIGMA_MM);
+            } else if (i == n && !anteriorCut) {
+                pairs.add(rest.at(rest.lengthMm()), p, END_SIGMA_MM);
+            } else {
+                int at = 3 * nearest(p);
+                boolean beyond = at == 0 || at == line.rest.length - 3;
+                if (!beyond) {
+                    pairs.add(new double[] {line.rest[at], line.rest[at + 1], line.rest[at + 2]}, p, SLIDING_SIGMA_MM);
+                }
+            }
+        }
+        return pairs;
+    }
+}

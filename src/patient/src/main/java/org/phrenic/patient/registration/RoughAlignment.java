@@ -1,0 +1,181 @@
+package org.phrenic.patient.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.cage.RibCourse;
+import org.phrenic.engine.kinematics.RigidMotion;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+
+/**
+ * First alignment of a template to a scan: pose, size and proportions from landmarks of the structures that both have,
+ * refined by nearest points of lungs and liver. Rotation and proportions that the structures leave open stay those of
+ * an upright body in LPS.
+ */
+final class RoughAlignment {
+    /** Fractions of a rib's course from the back that serve as landmarks; the posterior end may be missing. */
+    private static final double[] RIB_FRACTIONS = {0.4, 0.6, 0.8, 1};
+
+    private static final double VERTEBRA_SIGMA_MM = 4;
+    private static final double BONE_SIGMA_MM = 8;
+    private static final double LUNG_SIGMA_MM = 10;
+    private static final double LIVER_SIGMA_MM = 25;
+    private static final double CUT_SIGMA_MM = 60;
+    /** Weight of no rotation and of an unchanged size, relative to the landmarks. */
+    private static final double POSE_HOLD = 0.01;
+
+    private static final double PROPORTIONS_HOLD = 0.05;
+    private static final double ARM_MM = 150;
+    private static final int REFINEMENTS = 12;
+    /** Nearest points of one organ in a refinement. */
+    private static final int POINTS = 120;
+
+    private final double plane;
+    private final PointPairs landmarks = new PointPairs();
+
+    RoughAlignment(double plane) {
+        this.plane = plane;
+    }
+
+    /** Adds the landmarks of a structure and its counterpart. */
+    void add(SharedStructure shared) {
+        boolean complete = shared.isComplete();
+        StructureKind kind = shared.kind();
+        if (!complete) {
+            landmarks.add(centroid(shared.template()), centroid(shared.scan()), CUT_SIGMA_MM);
+        } else if (kind == StructureKind.RIB) {
+            RibCourse from = RibCourse.of(shared.template(), shared.side());
+            RibCourse to = RibCourse.of(shared.scan(), shared.side());
+            for (double f : RIB_FRACTIONS) {
+                landmarks.add(from.at(f * from.lengthMm()), to.at(f * to.lengthMm()), BONE_SIGMA_MM);
+            }
+        } else if (kind == StructureKind.LUNG) {
+            List<double[]> from = lungPoints(shared.template());
+            List<double[]> to = lungPoints(shared.scan());
+            for (int i = 0; i < from.size(); i++) {
+                landmarks.add(from.get(i), to.get(i), LUNG_SIGMA_MM);
+            }
+        } else {
+            double sigma =
+                    switch (kind) {
+                        case VERTEBRA -> VERTEBRA_SIGMA_MM;
+                        case STERNUM, COSTAL_CARTILAGE -> BONE_SIGMA_MM;
+                        case LIVER -> LIVER_SIGMA_MM;
+                        default -> CUT_SIGMA_MM;
+                    };
+            landmarks.add(centroid(shared.template()), centroid(shared.scan()), sigma);
+        }
+    }
+
+    /** Centre of volume of a closed surface, of the area of an open one, mm. */
+    static double[] centroid(TriangleMesh mesh) {
+        double[] areas = MeshMeasure.vertexAreas(mesh);
+        double[] c = new double[3];
+        double total = 0;
+        for (int v = 0; v < areas.length; v++) {
+            total += areas[v];
+            for (int k = 0; k < 3; k++) {
+                c[k] += areas[v] * mesh.positions()[3 * v + k];
+            }
+        }
+        return new double[] {c[0] / total, c[1] / total, c[2] / total};
+    }
+
+    /** Middles of the six faces of the bounding box. */
+    private static List<double[]> lungPoints(TriangleMesh lung) {
+        double[] box = lung.bounds();
+        double[] centre = lung.centre();
+        List<double[]> points = new ArrayList<>();
+        for (int side = 0; side < 6; side++) {
+            double[] p = centre.clone();
+            p[side % 3] = box[side];
+            points.add(p);
+        }
+        return points;
+    }
+
+    /** Pose, size and proportions of the template. */
+    TemplateMap align(List<SurfacePair> organs) {
+        TemplateMap map = fit(landmarks);
+        for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
+            PointPairs pairs = new PointPairs();
+            pairs.addAll(landmarks);
+            for (SurfacePair pair : organs) {
+                pair.place(map);
+                pairs.addAll(
+                        pair.nearest(POINTS, pair.kind() == StructureKind.LUNG ? 2 * LUNG_SIGMA_MM : CUT_SIGMA_MM));
+            }
+            map = fit(pairs);
+        }
+        return map;
+    }
+
+    private TemplateMap fit(PointPairs pairs) {
+        double[] p = pairs.from();
+        double[] q = pairs.to();
+        double[] sigma = pairs.sigma();
+        double[] pc = new double[3];
+        double[] qc = new double[3];
+        double total = 0;
+        for (int i = 0; i < sigma.length; i++) {
+            double w = 1 / (sigma[i] * sigma[i]);
+            total += w;
+            for (int k = 0; k < 3; k++) {
+                pc[k] += w * p[3 * i + k];
+                qc[k] += w * q[3 * i + k];
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            pc[k] /= total;
+            qc[k] /= total;
+        }
+        // Scaled by the root of the weights, and with their opposites, the points have their mean at 0.
+        int n = sigma.length;
+        double[] from = new double[6 * n + 18];
+        double[] to = new double[6 * n + 18];
+        for (int i = 0; i < 3 * n; i++) {
+            double root = 1 / sigma[i / 3];
+            from[i] = root * (p[i] - pc[i % 3]);
+            to[i] = root * (q[i] - qc[i % 3]);
+            from[3 * n + i] = -from[i];
+            to[3 * n + i] = -to[i];
+        }
+        double hold = Math.sqrt(POSE_HOLD * total) * ARM_MM;
+        for (int k = 0; k < 3; k++) {
+            from[6 * n + 4 * k] = hold;
+            to[6 * n + 4 * k] = hold;
+            from[6 * n + 9 + 4 * k] = -hold;
+            to[6 * n + 9 + 4 * k] = -hold;
+        }
+        RigidMotion turn = RigidMotion.fit(from, to);
+        double[] turned = from.clone();
+        turn.apply(turned);
+        double along = 0;
+        double square = 0;
+        for (int i = 0; i < from.length; i++) {
+            along += turned[i] * to[i];
+            square += turned[i] * turned[i];
+        }
+        double scale = along / square;
+        // The middle of the plane of symmetry, (plane, y, z) of the template, goes to (0, y, z) upright.
+        double[] middle = {(plane - pc[0]) * scale, 0, 0};
+        turn.apply(middle);
+        double[] at = {qc[0] + middle[0], qc[1] + middle[1], qc[2] + middle[2]};
+        RigidMotion rotation = turn.after(RigidMotion.translation(0, 0, 0));
+        double[] start = {0, pc[1], pc[2]};
+        double[] rotated = rotation.apply(start[0], start[1], start[2]);
+        RigidMotion pose = RigidMotion.translation(at[0] - rotated[0], at[1] - rotated[1], at[2] - rotated[2])
+                .after(rotation);
+        PointPairs upright = new PointPairs();
+        double[] back = q.clone();
+        pose.inverse().apply(back);
+        for (int i = 0; i < n; i++) {
+            upright.add(
+                    new double[] {p[3 * i], p[3 * i + 1], p[3 * i + 2]},
+                    new double[] {back[3 * i], back[3 * i + 1], back[3 * i + 2]},
+                    sigma[i]);
+        }
+        return TemplateMap.of(pose, SymmetricAffine.fit(upright, plane, scale, PROPORTIONS_HOLD));
+    }
+}

@@ -1,0 +1,107 @@
+package org.phrenic.patient.registration;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * An affine transform that keeps the symmetry of the body: stretch across the plane {@code x = plane}, which becomes
+ * {@code x = 0}, and any affine map within it. {@code x' = a (x - plane)}, {@code (y', z') = B (y, z) + t}.
+ */
+final class SymmetricAffine implements PointTransform {
+    /** Length at which a change of scale is weighed against displacements, mm: half the size of a thorax. */
+    private static final double ARM_MM = 150;
+
+    private final double plane;
+    private final double across;
+    /** The rows y' and z', each with the factors of y, z and 1. */
+    private final double[] inPlane;
+
+    private SymmetricAffine(double plane, double across, double[] inPlane) {
+        this.plane = plane;
+        this.across = across;
+        this.inPlane = inPlane;
+    }
+
+    /** A uniform scaling about a point of the plane that maps (plane, y, z) to (0, toY, toZ). */
+    static SymmetricAffine scaling(double plane, double scale, double[] from, double[] to) {
+        return new SymmetricAffine(
+                plane, scale, new double[] {scale, 0, to[1] - scale * from[1], 0, scale, to[2] - scale * from[2]});
+    }
+
+    /**
+     * Fits by weighted least squares with weights {@code 1 / sigma^2}, held to a uniform scale.
+     *
+     * @param scale scale to which the factors are held
+     * @param hold weight of that relative to the pairs' weight; shear is held ten times as much
+     */
+    static SymmetricAffine fit(PointPairs pairs, double plane, double scale, double hold) {
+        double[] p = pairs.from();
+        double[] q = pairs.to();
+        double[] sigma = pairs.sigma();
+        double total = 0;
+        double[] c = new double[3];
+        for (int i = 0; i < sigma.length; i++) {
+            double w = 1 / (sigma[i] * sigma[i]);
+            total += w;
+            for (int k = 0; k < 3; k++) {
+                c[k] += w * p[3 * i + k];
+            }
+        }
+        for (int k = 0; k < 3; k++) {
+            c[k] /= total;
+        }
+        double prior = hold * total * ARM_MM * ARM_MM;
+        double square = prior;
+        double product = prior * scale;
+        DMatrixRMaj normal = new DMatrixRMaj(3, 3);
+        DMatrixRMaj right = new DMatrixRMaj(3, 2);
+        for (int i = 0; i < sigma.length; i++) {
+            double w = 1 / (sigma[i] * sigma[i]);
+            double x = p[3 * i] - plane;
+            square += w * x * x;
+            product += w * x * q[3 * i];
+            double[] row = {p[3 * i + 1] - c[1], p[3 * i + 2] - c[2], 1};
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    normal.add(a, b, w * row[a] * row[b]);
+                }
+                right.add(a, 0, w * row[a] * q[3 * i + 1]);
+                right.add(a, 1, w * row[a] * q[3 * i + 2]);
+            }
+        }
+        double[] inPlane = new double[6];
+        for (int component = 0; component < 2; component++) {
+            DMatrixRMaj m = normal.copy();
+            DMatrixRMaj r = new DMatrixRMaj(3, 1);
+            for (int a = 0; a < 3; a++) {
+                r.set(a, right.get(a, component));
+            }
+            for (int a = 0; a < 2; a++) {
+                m.add(a, a, a == component ? prior : 10 * prior);
+            }
+            r.add(component, 0, prior * scale);
+            DMatrixRMaj found = new DMatrixRMaj(3, 1);
+            CommonOps_DDRM.solve(m, r, found);
+            inPlane[3 * component] = found.get(0);
+            inPlane[3 * component + 1] = found.get(1);
+            inPlane[3 * component + 2] = found.get(2) - found.get(0) * c[1] - found.get(1) * c[2];
+        }
+        return new SymmetricAffine(plane, product / square, inPlane);
+    }
+
+    @Override
+    public void apply(double[] points) {
+        for (int i = 0; i < points.length; i += 3) {
+            double y = points[i + 1];
+            double z = points[i + 2];
+            points[i] = across * (points[i] - plane);
+            points[i + 1] = inPlane[0] * y + inPlane[1] * z + inPlane[2];
+            points[i + 2] = inPlane[3] * y + inPlane[4] * z + inPlane[5];
+        }
+    }
+
+    /** Geometric mean of the stretches across the plane, backward and upward. */
+    double meanScale() {
+        return Math.cbrt(Math.abs(across * (inPlane[0] * inPlane[4] - inPlane[1] * inPlane[3])));
+    }
+}
