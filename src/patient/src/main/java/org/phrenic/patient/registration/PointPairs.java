@@ -56,4 +56,26 @@ final class PointPairs {
     double[] sigma() {
         return sigma.toArray();
     }
+
+    /** Weights {@code 1 / sigma^2} of the pairs. */
+    double[] weights() {
+        double[] weights = sigma.toArray();
+        for (int i = 0; i < weights.length; i++) {
+            weights[i] = 1 / (weights[i] * weights[i]);
+        }
+        return weights;
+    }
+
+    /** Weighted mean of points given as x, y, z in turn. */
+    static double[] centroid(double[] points, double[] weights) {
+        double[] c = new double[3];
+        double total = 0;
+        for (int i = 0; i < weights.length; i++) {
+            total += weights[i];
+            for (int k = 0; k < 3; k++) {
+                c[k] += weights[i] * points[3 * i + k];
+            }
+        }
+        return new double[] {c[0] / total, c[1] / total, c[2] / total};
+    }
 }

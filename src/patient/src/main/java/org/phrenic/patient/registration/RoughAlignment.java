@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibCourse;
@@ -25,7 +26,6 @@ final class RoughAlignment {
     /** Weight of no rotation and of an unchanged size, relative to the landmarks. */
     private static final double POSE_HOLD = 0.01;
 
-    private static final double PROPORTIONS_HOLD = 0.05;
     private static final double ARM_MM = 150;
     private static final int REFINEMENTS = 12;
     /** Nearest points of one organ in a refinement. */
@@ -112,43 +112,45 @@ final class RoughAlignment {
     }
 
     private TemplateMap fit(PointPairs pairs) {
-        double[] p = pairs.from();
-        double[] q = pairs.to();
-        double[] sigma = pairs.sigma();
-        double[] pc = new double[3];
-        double[] qc = new double[3];
-        double total = 0;
-        for (int i = 0; i < sigma.length; i++) {
-            double w = 1 / (sigma[i] * sigma[i]);
-            total += w;
-            for (int k = 0; k < 3; k++) {
-                pc[k] += w * p[3 * i + k];
-                qc[k] += w * q[3 * i + k];
-            }
+        double[] weights = pairs.weights();
+        double[] from = pairs.from();
+        double[] to = pairs.to();
+        double[] p = PointPairs.centroid(from, weights);
+        double[] q = PointPairs.centroid(to, weights);
+        double[][] centred = {weighted(from, p, weights), weighted(to, q, weights)};
+        RigidMotion turn = RigidMotion.fit(centred[0], centred[1]);
+        double scale = scale(turn, centred[0], centred[1]);
+        // The point (plane, y, z) of the template at the height of the centroid goes to (0, y, z) upright.
+        double[] middle = turn.apply(scale * (plane - p[0]), 0, 0);
+        double[] turned = turn.apply(0, p[1], p[2]);
+        RigidMotion pose = RigidMotion.translation(
+                        q[0] + middle[0] - turned[0], q[1] + middle[1] - turned[1], q[2] + middle[2] - turned[2])
+                .after(turn);
+        double[] upright = to.clone();
+        pose.inverse().apply(upright);
+        return TemplateMap.of(pose, SymmetricAffine.fit(from, upright, weights, plane, scale));
+    }
+
+    /**
+     * Points relative to their centroid, scaled by the roots of their weights, and their opposites, so that the mean is
+     * 0; with points on the axes that hold the rotation.
+     */
+    private static double[] weighted(double[] points, double[] centroid, double[] weights) {
+        int n = points.length;
+        double[] out = new double[2 * n + 18];
+        for (int i = 0; i < n; i++) {
+            out[i] = Math.sqrt(weights[i / 3]) * (points[i] - centroid[i % 3]);
+            out[n + i] = -out[i];
         }
+        double hold = Math.sqrt(POSE_HOLD * Arrays.stream(weights).sum()) * ARM_MM;
         for (int k = 0; k < 3; k++) {
-            pc[k] /= total;
-            qc[k] /= total;
+            out[2 * n + 4 * k] = hold;
+            out[2 * n + 9 + 4 * k] = -hold;
         }
-        // Scaled by the root of the weights, and with their opposites, the points have their mean at 0.
-        int n = sigma.length;
-        double[] from = new double[6 * n + 18];
-        double[] to = new double[6 * n + 18];
-        for (int i = 0; i < 3 * n; i++) {
-            double root = 1 / sigma[i / 3];
-            from[i] = root * (p[i] - pc[i % 3]);
-            to[i] = root * (q[i] - qc[i % 3]);
-            from[3 * n + i] = -from[i];
-            to[3 * n + i] = -to[i];
-        }
-        double hold = Math.sqrt(POSE_HOLD * total) * ARM_MM;
-        for (int k = 0; k < 3; k++) {
-            from[6 * n + 4 * k] = hold;
-            to[6 * n + 4 * k] = hold;
-            from[6 * n + 9 + 4 * k] = -hold;
-            to[6 * n + 9 + 4 * k] = -hold;
-        }
-        RigidMotion turn = RigidMotion.fit(from, to);
+        return out;
+    }
+
+    private static double scale(RigidMotion turn, double[] from, double[] to) {
         double[] turned = from.clone();
         turn.apply(turned);
         double along = 0;
@@ -157,25 +159,6 @@ final class RoughAlignment {
             along += turned[i] * to[i];
             square += turned[i] * turned[i];
         }
-        double scale = along / square;
-        // The middle of the plane of symmetry, (plane, y, z) of the template, goes to (0, y, z) upright.
-        double[] middle = {(plane - pc[0]) * scale, 0, 0};
-        turn.apply(middle);
-        double[] at = {qc[0] + middle[0], qc[1] + middle[1], qc[2] + middle[2]};
-        RigidMotion rotation = turn.after(RigidMotion.translation(0, 0, 0));
-        double[] start = {0, pc[1], pc[2]};
-        double[] rotated = rotation.apply(start[0], start[1], start[2]);
-        RigidMotion pose = RigidMotion.translation(at[0] - rotated[0], at[1] - rotated[1], at[2] - rotated[2])
-                .after(rotation);
-        PointPairs upright = new PointPairs();
-        double[] back = q.clone();
-        pose.inverse().apply(back);
-        for (int i = 0; i < n; i++) {
-            upright.add(
-                    new double[] {p[3 * i], p[3 * i + 1], p[3 * i + 2]},
-                    new double[] {back[3 * i], back[3 * i + 1], back[3 * i + 2]},
-                    sigma[i]);
-        }
-        return TemplateMap.of(pose, SymmetricAffine.fit(upright, plane, scale, PROPORTIONS_HOLD));
+        return along / square;
     }
 }

@@ -1,5 +1,6 @@
 package org.phrenic.patient.registration;
 
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -10,6 +11,11 @@ import org.ejml.dense.row.CommonOps_DDRM;
 final class SymmetricAffine implements PointTransform {
     /** Length at which a change of scale is weighed against displacements, mm: half the size of a thorax. */
     private static final double ARM_MM = 150;
+
+    /** Weight of the uniform scale relative to the points. */
+    private static final double HOLD = 0.05;
+    /** Weight of no shear relative to that of the uniform scale. */
+    private static final double SHEAR_HOLD = 10;
 
     private final double plane;
     private final double across;
@@ -22,41 +28,22 @@ final class SymmetricAffine implements PointTransform {
         this.inPlane = inPlane;
     }
 
-    /** A uniform scaling about a point of the plane that maps (plane, y, z) to (0, toY, toZ). */
-    static SymmetricAffine scaling(double plane, double scale, double[] from, double[] to) {
-        return new SymmetricAffine(
-                plane, scale, new double[] {scale, 0, to[1] - scale * from[1], 0, scale, to[2] - scale * from[2]});
-    }
-
     /**
-     * Fits by weighted least squares with weights {@code 1 / sigma^2}, held to a uniform scale.
+     * Fits by weighted least squares, held to a uniform scale.
      *
+     * @param p points as x, y, z in turn, mm
+     * @param q corresponding points
      * @param scale scale to which the factors are held
-     * @param hold weight of that relative to the pairs' weight; shear is held ten times as much
      */
-    static SymmetricAffine fit(PointPairs pairs, double plane, double scale, double hold) {
-        double[] p = pairs.from();
-        double[] q = pairs.to();
-        double[] sigma = pairs.sigma();
-        double total = 0;
-        double[] c = new double[3];
-        for (int i = 0; i < sigma.length; i++) {
-            double w = 1 / (sigma[i] * sigma[i]);
-            total += w;
-            for (int k = 0; k < 3; k++) {
-                c[k] += w * p[3 * i + k];
-            }
-        }
-        for (int k = 0; k < 3; k++) {
-            c[k] /= total;
-        }
-        double prior = hold * total * ARM_MM * ARM_MM;
+    static SymmetricAffine fit(double[] p, double[] q, double[] weights, double plane, double scale) {
+        double[] c = PointPairs.centroid(p, weights);
+        double prior = HOLD * Arrays.stream(weights).sum() * ARM_MM * ARM_MM;
         double square = prior;
         double product = prior * scale;
         DMatrixRMaj normal = new DMatrixRMaj(3, 3);
         DMatrixRMaj right = new DMatrixRMaj(3, 2);
-        for (int i = 0; i < sigma.length; i++) {
-            double w = 1 / (sigma[i] * sigma[i]);
+        for (int i = 0; i < weights.length; i++) {
+            double w = weights[i];
             double x = p[3 * i] - plane;
             square += w * x * x;
             product += w * x * q[3 * i];
@@ -72,12 +59,9 @@ final class SymmetricAffine implements PointTransform {
         double[] inPlane = new double[6];
         for (int component = 0; component < 2; component++) {
             DMatrixRMaj m = normal.copy();
-            DMatrixRMaj r = new DMatrixRMaj(3, 1);
-            for (int a = 0; a < 3; a++) {
-                r.set(a, right.get(a, component));
-            }
+            DMatrixRMaj r = CommonOps_DDRM.extractColumn(right, component, null);
             for (int a = 0; a < 2; a++) {
-                m.add(a, a, a == component ? prior : 10 * prior);
+                m.add(a, a, a == component ? prior : SHEAR_HOLD * prior);
             }
             r.add(component, 0, prior * scale);
             DMatrixRMaj found = new DMatrixRMaj(3, 1);
@@ -98,10 +82,5 @@ final class SymmetricAffine implements PointTransform {
             points[i + 1] = inPlane[0] * y + inPlane[1] * z + inPlane[2];
             points[i + 2] = inPlane[3] * y + inPlane[4] * z + inPlane[5];
         }
-    }
-
-    /** Geometric mean of the stretches across the plane, backward and upward. */
-    double meanScale() {
-        return Math.cbrt(Math.abs(across * (inPlane[0] * inPlane[4] - inPlane[1] * inPlane[3])));
     }
 }
