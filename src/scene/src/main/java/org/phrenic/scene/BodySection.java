@@ -9,7 +9,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.PlaneCut;
 import org.phrenic.scene.annotate.PatientOrientation;
-import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -38,13 +37,8 @@ public record BodySection(
         double targetPlaneDistanceMm,
         String right,
         String up) {
-    /**
-     * The section of a structure.
-     *
-     * @param name display name
-     * @param rgb colour as {@code 0xRRGGBB}
-     */
-    public record Part(StructureKind kind, String name, Path2D outline, int rgb) {}
+    /** The section of a structure, and its colour as {@code 0xRRGGBB}. */
+    public record Part(StructureKind kind, Path2D outline, int rgb) {}
 
     /** Painting order of the kinds of structures. */
     private static final List<StructureKind> PAINTING_ORDER = List.of(
@@ -121,7 +115,7 @@ public record BodySection(
                     List<double[]> curves = plane.intersect(at, s.rest().triangles());
                     if (!curves.isEmpty()) {
                         int rgb = SurfaceMaterial.of(kind).appearance().packedRgb();
-                        parts.add(new Part(kind, StructureLabels.of(s), outline(curves), rgb));
+                        parts.add(new Part(kind, outline(curves), rgb));
                     }
                 }
             }

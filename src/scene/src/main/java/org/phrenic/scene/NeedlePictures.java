@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiFunction;
 import org.joml.Vector3d;
 import org.phrenic.access.attempt.NeedleSnapshot;
@@ -25,6 +26,7 @@ import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureSelection;
+import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.Markers;
 import org.phrenic.scene.surface.SceneBounds;
@@ -88,27 +90,17 @@ public final class NeedlePictures implements AutoCloseable {
             case RIB, COSTAL_CARTILAGE, STERNUM -> usual.withOpacity(0.55f);
             case VERTEBRA, DISC, ORGAN, VESSEL, MUSCLE, BONE, LESION, OTHER -> usual;
         });
-        SceneStyle section = style(
-                        all,
-                        (s, usual) -> s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER
-                                ? usual.withOpacity(1)
-                                : usual)
+        Set<StructureKind> opaque = Set.of(StructureKind.LUNG, StructureKind.LIVER);
+        SceneStyle section = style(all, (s, usual) -> opaque.contains(s.kind()) ? usual.withOpacity(1) : usual)
                 .withClip(Optional.of(planeAlong(view)));
         String phase = view.label().name().toLowerCase(Locale.ROOT);
-        Series series = new Series(
-                folder,
-                new Renderer(all, List.of()),
-                view.frame(),
-                Annotations.timestamp(view.frame().timeS(), phase));
+        String time = Annotations.timestamp(view.frame().timeS(), phase);
+        Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time);
+        String cut = title + ", cut open along the needle";
         List<String> names = List.of(
                 write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
                 write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
-                write(
-                        series,
-                        view.name() + "_section",
-                        AnatomicalView.INFERIOR,
-                        section,
-                        title + ", cut open along the needle"));
+                write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut));
         gl.release(series.renderer);
         return names;
     }
@@ -141,13 +133,13 @@ public final class NeedlePictures implements AutoCloseable {
      */
     public List<String> writeAccessMap(Path folder, AccessMap map, String title) {
         Surface skin = StructureSelection.first(body, StructureKind.SKIN);
-        SceneStyle atlas = SceneStyle.atlas(body);
-        SceneStyle style = atlas.withAppearances(Map.of(
-                        skin.name(), atlas.appearance(skin.name()).orElseThrow().withOpacity(1)))
+        Appearance opaque = SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1);
+        SceneStyle style = SceneStyle.atlas(body)
+                .withAppearances(Map.of(skin.name(), opaque))
                 .withSamples(SAMPLES)
                 .withField(ColourField.ACCESS, skin.name(), ColourScale.sequential(100, ColourField.ACCESS.unit()));
-        Series series = new Series(
-                folder, new Renderer(body, List.of()), map.cycle().get(0).frame(), "");
+        Frame first = map.cycle().get(0).frame();
+        Series series = new Series(folder, new Renderer(body, List.of()), first, "");
         series.renderer.setField(skin.name(), map.freePercent());
         List<String> names = new ArrayList<>();
         for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {

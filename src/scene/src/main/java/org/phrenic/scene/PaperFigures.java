@@ -17,10 +17,12 @@ import org.phrenic.scene.export.FigureImage;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
+import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureSelection;
+import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
@@ -65,9 +67,8 @@ public final class PaperFigures {
                 Frame rest = player.advanceTo(0).copy();
                 Frame inhaled = rest.copy();
                 Frame now = player.advanceTo(0);
-                for (int i = 1;
-                        now.values()[BREATH] == rest.values()[BREATH] && now.timeS() < player.durationS();
-                        i++) {
+                double breath = rest.values()[BREATH];
+                for (int i = 1; now.values()[BREATH] == breath && now.timeS() < player.durationS(); i++) {
                     now = player.advanceTo(i * SAMPLE_INTERVAL_S);
                     if (domeHeightSum(now) < domeHeightSum(inhaled)) {
                         inhaled.copyFrom(now);
@@ -107,10 +108,12 @@ public final class PaperFigures {
                     figures.attachments(breath, AnatomicalView.POSTERIOR));
             List<FigureImage> third = new ArrayList<>();
             third.add(figures.motion(breath, "fig3-motion", "Tissues.", false));
-            third.add(figures.motion(
-                    breath, "fig3-displacement", "Displacement of each point from the wireframe.", true));
-            published.ifPresent(scenario -> third.add(figures.motion(
-                    Breath.of(scenario, progress), "fig3-paper-material", "With the paper's material.", false)));
+            String coloured = "Displacement of each point from the wireframe.";
+            third.add(figures.motion(breath, "fig3-displacement", coloured, true));
+            published
+                    .map(scenario -> Breath.of(scenario, progress))
+                    .map(b -> figures.motion(b, "fig3-paper-material", "With the paper's material.", false))
+                    .ifPresent(third::add);
             return Map.of(1, first, 3, third);
         }
     }
@@ -120,14 +123,13 @@ public final class PaperFigures {
         StructureSelection selection = new StructureSelection(surfaces);
         SceneStyle atlas = SceneStyle.atlas(surfaces).withSamples(SAMPLES);
         SceneStyle style = selection.withVisibility(selection.withVisibility(atlas, "skin", false), "liver", false);
-        List<Surface> visible =
-                surfaces.stream().filter(s -> style.shows(s.name())).toList();
+        Renderer renderer = new Renderer(surfaces, List.of());
         return new FigureImage(
                 "fig1-anatomy",
                 "Rib cage, sternum, costal cartilages, spine, translucent lungs and the two domes of the diaphragm from"
                         + " the front",
                 "Thorax, from the front.",
-                picture(new Renderer(surfaces, List.of()), breath.rest, AnatomicalView.ANTERIOR, style, visible));
+                picture(renderer, breath.rest, AnatomicalView.ANTERIOR, style, style.visible(surfaces)));
     }
 
     private FigureImage attachments(Breath breath, AnatomicalView view) {
@@ -148,18 +150,14 @@ public final class PaperFigures {
                 .filter(node -> node < diaphragm.rest().vertexCount())
                 .toArray();
         Overlay attachments = new Overlay(Overlay.Kind.ATTACHMENTS, nodes, new float[0]);
+        Renderer renderer = new Renderer(breath.surfaces, List.of(attachments));
         boolean front = view == AnatomicalView.ANTERIOR;
         return new FigureImage(
                 "fig1-attachments-" + view.label(),
                 "The diaphragm below translucent bones with orange points along its border, seen from the "
                         + (front ? "front" : "back"),
                 front ? "Attachment points, from the front." : "The same from behind.",
-                picture(
-                        new Renderer(breath.surfaces, List.of(attachments)),
-                        breath.rest,
-                        view,
-                        style,
-                        List.of(diaphragm)));
+                picture(renderer, breath.rest, view, style, List.of(diaphragm)));
     }
 
     private FigureImage motion(Breath breath, String name, String caption, boolean coloured) {
@@ -178,15 +176,13 @@ public final class PaperFigures {
                 diaphragm.tendon());
         List<Surface> surfaces = new ArrayList<>(breath.surfaces);
         surfaces.set(index, inhaled);
+        Appearance usual = SurfaceMaterial.of(inhaled.kind()).appearance();
         SceneStyle style = SceneStyle.atlas(surfaces)
                 .withSamples(SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withRestWireframe(true)
-                .withAppearances(
-                        surfaces,
-                        (s, usual) -> s.equals(inhaled)
-                                ? usual.withOpacity(coloured ? 1 : DIAPHRAGM_OPACITY)
-                                : usual.withVisible(false));
+                .withAppearances(surfaces, (s, look) -> look.withVisible(false))
+                .withAppearance(inhaled.name(), usual.withOpacity(coloured ? 1 : DIAPHRAGM_OPACITY));
         if (coloured) {
             double[] end = new double[start.length];
             breath.exhaled.writePositions(diaphragm, index, end);
@@ -194,18 +190,13 @@ public final class PaperFigures {
             ColourScale scale = ColourScale.sequential(range, ColourField.DISPLACEMENT.unit());
             style = style.withField(ColourField.DISPLACEMENT, diaphragm.name(), scale);
         }
+        Renderer renderer = new Renderer(surfaces, List.of());
         return new FigureImage(
                 name,
-                "Wireframe of the diaphragm at the end of inhale over its surface at the end of exhale, whose "
-                        + "domes stand"
-                        + " higher" + (coloured ? ", coloured by displacement" : ", muscle red and tendon pale"),
+                "Wireframe of the diaphragm at the end of inhale over its surface at the end of exhale, whose domes"
+                        + " stand higher" + (coloured ? ", coloured by displacement" : ", muscle red and tendon pale"),
                 caption,
-                picture(
-                        new Renderer(surfaces, List.of()),
-                        breath.exhaled,
-                        AnatomicalView.ANTERIOR,
-                        style,
-                        List.of(inhaled, diaphragm)));
+                picture(renderer, breath.exhaled, AnatomicalView.ANTERIOR, style, List.of(inhaled, diaphragm)));
     }
 
     private static double maxDistance(double[] from, double[] to) {

@@ -2,11 +2,11 @@ package org.phrenic.scene;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.annotate.Annotations;
@@ -87,29 +87,26 @@ public final class ScenarioRenderer implements AutoCloseable {
             PictureSettings settings,
             SceneStyle style,
             Optional<IntFunction<Path>> single) {
-        Iterator<BufferedImage> frames = IntStream.range(0, timesS.length)
-                .mapToObj(i -> {
-                    BufferedImage picture = render(player.advanceTo(timesS[i]), settings, style);
-                    single.ifPresent(name -> PngFile.write(name.apply(i), picture));
-                    return picture;
-                })
-                .iterator();
-        kind.write(file, framesPerS, frames);
+        Stream<BufferedImage> frames = IntStream.range(0, timesS.length).mapToObj(i -> {
+            BufferedImage picture = render(player.advanceTo(timesS[i]), settings, style);
+            single.ifPresent(name -> PngFile.write(name.apply(i), picture));
+            return picture;
+        });
+        kind.write(file, framesPerS, frames.iterator());
     }
 
     private BufferedImage render(Frame frame, PictureSettings settings, SceneStyle style) {
-        List<Surface> visible =
-                surfaces().stream().filter(s -> style.shows(s.name())).toList();
-        Camera camera = settings.camera(SceneBounds.of(visible));
+        Camera camera = settings.camera(SceneBounds.of(style.visible(surfaces())));
         if (style.field() == ColourField.DISTANCE) {
-            distances.ifPresent(
-                    field -> field.upload(renderer, frame, style.colouring().structure()));
+            String structure = style.colouring().structure();
+            distances.ifPresent(field -> field.upload(renderer, frame, structure));
         }
         BufferedImage picture = gl.render(renderer, frame, camera, style, settings.width(), settings.height());
         if (settings.annotated()) {
+            String time = Annotations.timestamp(frame.timeS(), player.phase());
             Annotations.of(style)
                     .withTitle(settings.title())
-                    .withTimestamp(Annotations.timestamp(frame.timeS(), player.phase()))
+                    .withTimestamp(time)
                     .draw(picture, camera);
         }
         return picture;

@@ -5,7 +5,6 @@ import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -58,11 +57,6 @@ public final class ScenePlayer implements AutoCloseable {
     /** Breathing phase at the current step, such as "inspiration". */
     public String phase() {
         return simulation.breathLabel().name().toLowerCase(Locale.ROOT);
-    }
-
-    /** Bounding box of all surfaces at rest: {@code {minX, minY, minZ, maxX, maxY, maxZ}} in mm. */
-    public double[] bounds() {
-        return SceneBounds.of(surfaces());
     }
 
     /**

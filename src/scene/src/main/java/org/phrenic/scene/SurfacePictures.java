@@ -62,7 +62,7 @@ public final class SurfacePictures implements AutoCloseable {
                 .withSamples(SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withAppearances(
-                        surfaces, (s, usual) -> layers.get(surfaces.indexOf(s)).appearance());
+                        surfaces, (s, any) -> layers.get(surfaces.indexOf(s)).appearance());
         return picture(new Renderer(surfaces, List.of()), style, settings, SceneBounds.of(surfaces));
     }
 

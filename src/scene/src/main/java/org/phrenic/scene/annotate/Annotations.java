@@ -24,8 +24,6 @@ import org.phrenic.scene.style.SceneStyle;
  */
 public record Annotations(
         boolean lightBackground, String title, String timestamp, String quantityName, Optional<ColourScale> scale) {
-    private static final String DISCLAIMER = Disclaimer.TEXT;
-
     private static final double LETTER_SIZE = 17;
     private static final double TEXT_SIZE = 12;
     private static final double SMALL_TEXT_SIZE = 10;
@@ -63,11 +61,6 @@ public record Annotations(
         return String.format(Locale.ROOT, "%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
     }
 
-    /** Unit of text and line sizes in a picture file, pixels; proportional to the shorter side. */
-    private static double unitFor(int width, int height) {
-        return Math.max(MIN_UNIT, Math.min(width, height) / REFERENCE_SIDE);
-    }
-
     /** Tests once whether this Java runtime has fonts, which text needs. */
     private static final class Fonts {
         private static final boolean AVAILABLE = available();
@@ -93,25 +86,23 @@ public record Annotations(
     public void draw(BufferedImage picture, Camera camera) {
         if (hasFonts()) {
             Graphics2D g = picture.createGraphics();
-            draw(g, camera, picture.getWidth(), picture.getHeight(), unitFor(picture.getWidth(), picture.getHeight()));
+            int width = picture.getWidth();
+            int height = picture.getHeight();
+            double unit = Math.max(MIN_UNIT, Math.min(width, height) / REFERENCE_SIDE);
+            drawHeading(g, camera, width, height, unit);
+            drawStatic(g, camera, width, height, unit);
             g.dispose();
         }
     }
 
     /**
-     * Draws over a picture.
+     * Draws title and time, which change with every frame.
      *
      * @param graphics graphics with the origin at the top left corner of the picture
      * @param width width of the picture, in pixels of {@code graphics}
      * @param height height of the picture, in pixels of {@code graphics}
      * @param unit scale factor of text and lines, 1 for a window
      */
-    public void draw(Graphics2D graphics, Camera camera, int width, int height, double unit) {
-        drawHeading(graphics, camera, width, height, unit);
-        drawStatic(graphics, camera, width, height, unit);
-    }
-
-    /** Draws title and time, which change with every frame. */
     public void drawHeading(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         if (!title.isEmpty() || !timestamp.isEmpty()) {
             HaloGraphics ink = halo(graphics, width, height, unit);
@@ -120,15 +111,16 @@ public record Annotations(
         }
     }
 
-    /** Draws all annotations except title and time. They do not depend on the frame. */
+    /** Draws all annotations except title and time, like {@link #drawHeading}. They do not depend on the frame. */
     public void drawStatic(Graphics2D graphics, Camera camera, int width, int height, double unit) {
         HaloGraphics ink = halo(graphics, width, height, unit);
         double margin = ink.toPixels(MARGIN);
         double small = ink.measure("H", SMALL_TEXT_SIZE, false).getHeight();
         double floor = height - margin - small - ink.toPixels(7);
         drawOrientationLetters(ink, camera, width, height, floor);
-        double size = ink.fittingSize(DISCLAIMER, SMALL_TEXT_SIZE, width - 2 * margin);
-        ink.drawText(ink.ellipsized(DISCLAIMER, size, width - 2 * margin), margin, height - margin, 0, size, false);
+        double size = ink.fittingSize(Disclaimer.TEXT, SMALL_TEXT_SIZE, width - 2 * margin);
+        ink.drawText(
+                ink.ellipsized(Disclaimer.TEXT, size, width - 2 * margin), margin, height - margin, 0, size, false);
         double figure = Math.min(ink.toPixels(FIGURE_HEIGHT), 0.3 * Math.min(width, height));
         OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, height - margin - figure * 0.52, figure);
         if (camera.orthographic()) {
@@ -143,14 +135,14 @@ public record Annotations(
     }
 
     private HaloGraphics halo(Graphics2D graphics, int width, int height, double unit) {
-        return HaloGraphics.over(
-                graphics, lightBackground, Math.min(unit, Math.max(MIN_UNIT, Math.min(width, height) / 200.0)));
+        double most = Math.max(MIN_UNIT, Math.min(width, height) / 200.0);
+        return HaloGraphics.over(graphics, lightBackground, Math.min(unit, most));
     }
 
     /** Width of the letters at the right edge, pixels. */
     private static double rightLetterWidth(HaloGraphics ink, Camera camera) {
-        return ink.measure(PatientOrientation.letters(camera.right()), LETTER_SIZE, true)
-                .getWidth();
+        String letters = PatientOrientation.letters(camera.right());
+        return ink.measure(letters, LETTER_SIZE, true).getWidth();
     }
 
     /** Draws a letter in the middle of each edge. */

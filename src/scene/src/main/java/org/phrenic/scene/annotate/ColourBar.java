@@ -1,11 +1,15 @@
 package org.phrenic.scene.annotate;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
 import org.phrenic.scene.style.ColourScale;
 
 /** A vertical colour bar with name, unit, and ticks at both ends and at round values. */
@@ -30,11 +34,9 @@ final class ColourBar {
         List<Double> values = tickValues(scale);
         String pattern = numberPattern(values);
         double textHeight = ink.measure("0", TEXT_SIZE, false).getHeight();
-        double numbers = values.stream()
-                .mapToDouble(
-                        v -> ink.measure(text(pattern, v), TEXT_SIZE, false).getWidth())
-                .max()
-                .orElseThrow();
+        ToDoubleFunction<Double> width =
+                v -> ink.measure(text(pattern, v), TEXT_SIZE, false).getWidth();
+        double numbers = values.stream().mapToDouble(width).max().orElseThrow();
         double left = right - numbers - ink.toPixels(GAP) - ink.toPixels(WIDTH);
         double barTop = top + textHeight + ink.toPixels(2 * GAP);
         String title = scale.unit().isEmpty() ? name : name + ", " + scale.unit();
@@ -42,30 +44,25 @@ final class ColourBar {
         ink.drawText(ink.ellipsized(title, size, right - ink.toPixels(GAP)), right, top + textHeight, 1, size, false);
         Rectangle2D bar = new Rectangle2D.Double(left, barTop, ink.toPixels(WIDTH), bottom - barTop);
         ink.fillShape(bar, ink.toPixels(3));
+        Graphics2D g = ink.graphics();
         int rows = (int) Math.ceil(bar.getHeight());
         for (int i = 0; i < rows; i++) {
-            ink.graphics().setColor(new Color(scale.map().rgb(1 - (i + 0.5) / rows)));
-            ink.graphics()
-                    .fill(new Rectangle2D.Double(left, barTop + i, bar.getWidth(), Math.min(1, bottom - barTop - i)));
+            g.setColor(new Color(scale.map().rgb(1 - (i + 0.5) / rows)));
+            g.fill(new Rectangle2D.Double(left, barTop + i, bar.getWidth(), Math.min(1, bottom - barTop - i)));
         }
         double free = Double.POSITIVE_INFINITY;
         for (int i = 0; i < values.size(); i++) {
             double y = bottom - scale.fraction(values.get(i)) * bar.getHeight();
             boolean end = i == 0 || i == values.size() - 1;
-            double lowEnd = bottom - y;
-            double highEnd = y - barTop;
-            if (!end && Math.min(lowEnd, highEnd) < MIN_TICK_SPACING * textHeight) {
-                continue;
-            }
-            if (!end && Math.abs(y - free) < MIN_TICK_SPACING * textHeight) {
+            double room = Math.min(Math.abs(y - free), Math.min(bottom - y, y - barTop));
+            if (!end && room < MIN_TICK_SPACING * textHeight) {
                 continue;
             }
             free = end ? free : y;
             ink.drawText(text(pattern, values.get(i)), right, y + textHeight / 2, 1, TEXT_SIZE, false);
-            ink.graphics().setColor(ink.foreground());
-            ink.graphics().setStroke(new java.awt.BasicStroke((float) Math.max(1, ink.toPixels(1))));
-            ink.graphics()
-                    .draw(new Line2D.Double(left + bar.getWidth(), y, left + bar.getWidth() + ink.toPixels(3), y));
+            g.setColor(ink.foreground());
+            g.setStroke(new BasicStroke((float) Math.max(1, ink.toPixels(1))));
+            g.draw(new Line2D.Double(left + bar.getWidth(), y, left + bar.getWidth() + ink.toPixels(3), y));
         }
     }
 
@@ -87,12 +84,8 @@ final class ColourBar {
     /** Tick distance: 1, 2 or 5 times a power of ten, with at most five steps in the range. */
     private static double tickStep(double range) {
         double power = Math.pow(10, Math.floor(Math.log10(range / MAX_TICKS)));
-        for (double times : new double[] {1, 2, 5}) {
-            if (range / (times * power) <= MAX_TICKS) {
-                return times * power;
-            }
-        }
-        return 10 * power;
+        DoubleStream steps = DoubleStream.of(power, 2 * power, 5 * power);
+        return steps.filter(step -> range / step <= MAX_TICKS).findFirst().orElse(10 * power);
     }
 
     /** Number format with enough decimals to distinguish all values. */
@@ -103,8 +96,8 @@ final class ColourBar {
         }
         for (int decimals = 0; decimals < 6; decimals++) {
             double scale = Math.pow(10, decimals);
-            if (values.stream()
-                    .allMatch(v -> Math.abs(v * scale - Math.rint(v * scale)) < 1e-3 * scale * largest / 100)) {
+            double slack = 1e-3 * scale * largest / 100;
+            if (values.stream().allMatch(v -> Math.abs(v * scale - Math.rint(v * scale)) < slack)) {
                 return "%." + decimals + "f";
             }
         }

@@ -36,18 +36,16 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
     }
 
     private GlyphVector glyphVector(String text, double size, boolean bold) {
-        Font font = new Font(Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1)
-                .deriveFont((float) Math.max(MIN_TEXT_PX, toPixels(size)));
-        return font.createGlyphVector(graphics.getFontRenderContext(), text);
+        Font font = new Font(Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1);
+        float pixels = (float) Math.max(MIN_TEXT_PX, toPixels(size));
+        return font.deriveFont(pixels).createGlyphVector(graphics.getFontRenderContext(), text);
     }
 
     /** Width of a text and height of capital letters, pixels. */
     Rectangle2D measure(String text, double size, boolean bold) {
+        double width = glyphVector(text, size, bold).getLogicalBounds().getWidth();
         return new Rectangle2D.Double(
-                0,
-                0,
-                glyphVector(text, size, bold).getLogicalBounds().getWidth(),
-                glyphVector("H", size, bold).getVisualBounds().getHeight());
+                0, 0, width, glyphVector("H", size, bold).getVisualBounds().getHeight());
     }
 
     /** The largest font size, at most {@code size}, at which a text is at most {@code width} pixels wide. */

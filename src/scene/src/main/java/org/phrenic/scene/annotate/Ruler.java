@@ -1,6 +1,8 @@
 package org.phrenic.scene.annotate;
 
 import java.awt.geom.Path2D;
+import java.util.Locale;
+import java.util.stream.DoubleStream;
 
 /** A scale bar with a round length in millimetres, for parallel projection. */
 final class Ruler {
@@ -11,13 +13,8 @@ final class Ruler {
 
     /** The longest round length that fits into {@code pixels}, mm; 0 if none fits. */
     static double roundLength(double mmPerPixel, double pixels) {
-        double found = 0;
-        for (double length : ROUND_LENGTHS_MM) {
-            if (length <= pixels * mmPerPixel) {
-                found = length;
-            }
-        }
-        return found;
+        double room = pixels * mmPerPixel;
+        return DoubleStream.of(ROUND_LENGTHS_MM).filter(mm -> mm <= room).max().orElse(0);
     }
 
     /**
@@ -42,12 +39,7 @@ final class Ruler {
         path.moveTo(left + width / 2, bottom - tick * 0.6);
         path.lineTo(left + width / 2, bottom);
         ink.drawLine(path, Math.max(1, ink.toPixels(1.4)));
-        ink.drawText(
-                String.format(java.util.Locale.ROOT, "%.0f mm", length),
-                left + width / 2,
-                bottom - ink.toPixels(9),
-                0.5,
-                TEXT_SIZE,
-                false);
+        String text = String.format(Locale.ROOT, "%.0f mm", length);
+        ink.drawText(text, left + width / 2, bottom - ink.toPixels(9), 0.5, TEXT_SIZE, false);
     }
 }

@@ -6,9 +6,6 @@ import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.scene.style.Appearance;
-import org.phrenic.scene.style.ClipPlane;
-import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -36,15 +33,14 @@ public final class Picker {
     private static final class Search {
         private final Vector3d origin;
         private final Vector3d direction;
-        private double distance;
+        private double distance = Double.POSITIVE_INFINITY;
         private int surface = -1;
         private int triangle;
         private double[] weights;
 
-        Search(double[] ray, double maxDistance) {
+        Search(double[] ray) {
             origin = new Vector3d(ray[0], ray[1], ray[2]);
             direction = new Vector3d(ray[3], ray[4], ray[5]);
-            distance = maxDistance;
         }
 
         void hit(int surfaceHit, int triangleHit, double at, double... barycentric) {
@@ -63,42 +59,8 @@ public final class Picker {
      * @param opacity opacity of a surface; 0 if hidden
      */
     public Optional<PickResult> pick(Frame frame, double[] ray, ToDoubleFunction<Surface> opacity) {
-        return pick(frame, ray, Double.POSITIVE_INFINITY, opacity);
-    }
-
-    private Optional<PickResult> pick(
-            Frame frame, double[] ray, double maxDistance, ToDoubleFunction<Surface> opacity) {
-        return nearest(frame, new Search(ray, maxDistance), opacity, MIN_SOLID_OPACITY)
-                .or(() -> nearest(frame, new Search(ray, maxDistance), opacity, Double.MIN_VALUE));
-    }
-
-    /** Finds the first hit of a ray on the visible surfaces of a style, on the kept side of its clip plane. */
-    public Optional<PickResult> pick(Frame frame, double[] ray, SceneStyle style) {
-        double[] kept = ray.clone();
-        double maxDistance = style.clip().map(plane -> clip(plane, kept)).orElse(Double.POSITIVE_INFINITY);
-        return pick(frame, kept, maxDistance, s -> style.appearance(s.name())
-                .filter(Appearance::visible)
-                .map(Appearance::opacity)
-                .orElse(0f));
-    }
-
-    /**
-     * Clips a ray to the kept half-space. Moves the origin to the point of entry and returns the distance of the exit.
-     */
-    private static double clip(ClipPlane plane, double[] ray) {
-        Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());
-        double outside = normal.dot(ray[0], ray[1], ray[2]) - plane.offsetMm();
-        double crossing = -outside / normal.dot(ray[3], ray[4], ray[5]);
-        if (outside <= 0) {
-            return crossing > 0 ? crossing : Double.POSITIVE_INFINITY;
-        }
-        if (!(crossing > 0)) {
-            return 0;
-        }
-        for (int i = 0; i < 3; i++) {
-            ray[i] += crossing * ray[3 + i];
-        }
-        return Double.POSITIVE_INFINITY;
+        return nearest(frame, new Search(ray), opacity, MIN_SOLID_OPACITY)
+                .or(() -> nearest(frame, new Search(ray), opacity, Double.MIN_VALUE));
     }
 
     private Optional<PickResult> nearest(

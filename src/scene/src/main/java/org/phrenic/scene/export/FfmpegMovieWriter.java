@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 
@@ -47,8 +48,7 @@ public final class FfmpegMovieWriter implements MovieWriter {
         }
         return Arrays.stream(searchPath.split(File.pathSeparator))
                 .filter(folder -> !folder.isBlank())
-                .flatMap(
-                        folder -> List.of("ffmpeg", "ffmpeg.exe").stream().map(name -> new File(folder, name).toPath()))
+                .flatMap(folder -> Stream.of(Path.of(folder, "ffmpeg"), Path.of(folder, "ffmpeg.exe")))
                 .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
                 .findFirst();
     }
@@ -110,26 +110,13 @@ public final class FfmpegMovieWriter implements MovieWriter {
                 new BufferedImage(roundUpToEven(width), roundUpToEven(height), BufferedImage.TYPE_3BYTE_BGR);
         Graphics2D g = even.createGraphics();
         byte[] bgr = ((DataBufferByte) even.getRaster().getDataBuffer()).getData();
-        BufferedImage picture = first;
-        boolean piped = false;
         try (OutputStream pipe = new BufferedOutputStream(process.getOutputStream(), 1 << 16)) {
-            while (picture != null) {
+            for (BufferedImage picture = first; picture != null; picture = frames.hasNext() ? frames.next() : null) {
                 // The shifted first drawing leaves a copy of the last row and column for odd sizes.
                 g.drawImage(picture, even.getWidth() - width, even.getHeight() - height, null);
                 g.drawImage(picture, 0, 0, null);
-                piped = writeTo(pipe, bgr);
-                picture = piped && frames.hasNext() ? frames.next() : null;
+                pipe.write(bgr);
             }
-        } catch (IOException broken) {
-            return false;
-        }
-        return piped;
-    }
-
-    /** Returns false if the pipe is broken. */
-    private static boolean writeTo(OutputStream pipe, byte[] bytes) {
-        try {
-            pipe.write(bytes);
             return true;
         } catch (IOException broken) {
             return false;
@@ -141,12 +128,10 @@ public final class FfmpegMovieWriter implements MovieWriter {
     }
 
     private static String lastLine(Path log) throws IOException {
-        List<String> lines = new String(Files.readAllBytes(log), StandardCharsets.UTF_8)
-                .lines()
-                .map(String::strip)
-                .filter(line -> !line.isEmpty())
-                .toList();
-        return lines.isEmpty() ? "it said nothing" : lines.get(lines.size() - 1);
+        String text = new String(Files.readAllBytes(log), StandardCharsets.UTF_8).strip();
+        return text.isEmpty()
+                ? "it said nothing"
+                : text.substring(text.lastIndexOf('\n') + 1).strip();
     }
 
     private static void deleteFolder(Path work) {

@@ -2,12 +2,9 @@ package org.phrenic.scene.gl;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.SocketAddress;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.SocketChannel;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Locale;
 
 /**
@@ -37,28 +34,16 @@ final class DisplayServer {
         }
         int colon = display.lastIndexOf(':');
         String host = display.substring(0, colon);
-        try {
+        boolean here = host.isEmpty() || host.equals("unix");
+        try (SocketChannel channel = here ? SocketChannel.open(StandardProtocolFamily.UNIX) : SocketChannel.open()) {
             int number = Integer.parseInt(display.substring(colon + 1).replaceAll("\\..*", ""));
-            boolean here = host.isEmpty() || host.equals("unix");
-            Path socket = Path.of("/tmp/.X11-unix/X" + number);
             if (here) {
-                return Files.exists(socket) && connects(UnixDomainSocketAddress.of(socket));
+                return channel.connect(UnixDomainSocketAddress.of("/tmp/.X11-unix/X" + number));
             }
-            return connects(new InetSocketAddress(host, FIRST_PORT + number));
+            channel.socket().connect(new InetSocketAddress(host, FIRST_PORT + number), TIMEOUT_MS);
+            return true;
         } catch (IOException | RuntimeException e) {
             return false;
-        }
-    }
-
-    private static boolean connects(SocketAddress address) throws IOException {
-        if (address instanceof UnixDomainSocketAddress) {
-            try (SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX)) {
-                return channel.connect(address);
-            }
-        }
-        try (SocketChannel channel = SocketChannel.open()) {
-            channel.socket().connect(address, TIMEOUT_MS);
-            return true;
         }
     }
 }

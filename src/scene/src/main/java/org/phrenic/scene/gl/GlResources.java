@@ -73,12 +73,14 @@ final class GlResources {
         triangles += ofTriangles;
     }
 
-    /** Uploads the whole content of a buffer of four-byte elements. */
-    void upload(GL3 gl, int target, int name, Buffer content, int usage) {
+    /** Creates a buffer of four-byte elements, leaves it bound, and returns its OpenGL name. */
+    int createBuffer(GL3 gl, int target, Buffer content, int usage) {
+        int name = create(gl, Kind.BUFFER);
         long size = 4L * content.remaining();
         gl.glBindBuffer(target, name);
         gl.glBufferData(target, size, content, usage);
         bytesUploaded += size;
+        return name;
     }
 
     /** Uploads content into newly allocated storage (buffer orphaning). A pending draw call keeps the old storage. */

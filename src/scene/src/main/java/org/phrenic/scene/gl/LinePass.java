@@ -60,12 +60,8 @@ final class LinePass {
         Appearance look = style.appearance(buffers.surface().name()).orElseThrow();
         useLines(gl, transform, style, transform.toEyeSpace(buffers.pose()));
         lines.set(gl, "faded", 1);
-        setLine(
-                gl,
-                transform,
-                rgba(look.rgb(), Math.max(MIN_EDGE_OPACITY, look.opacity())),
-                EDGE_WIDTH,
-                EDGE_OFFSET_MM);
+        float opacity = Math.max(MIN_EDGE_OPACITY, look.opacity());
+        setLine(gl, transform, rgba(look.rgb(), opacity), EDGE_WIDTH, EDGE_OFFSET_MM);
         buffers.drawEdges(gl, false);
     }
 

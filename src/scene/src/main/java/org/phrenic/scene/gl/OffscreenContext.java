@@ -80,8 +80,7 @@ public final class OffscreenContext implements AutoCloseable {
 
     private static String reason(Throwable cause) {
         String text = String.valueOf(cause.getMessage()).strip();
-        int end = text.indexOf('\n');
-        return "OpenGL 3.3 could not be started (" + (end < 0 ? text : text.substring(0, end)) + ")";
+        return "OpenGL 3.3 could not be started (" + text.split("\n", 2)[0] + ")";
     }
 
     private static OffscreenContext start() throws NoGraphicsException {

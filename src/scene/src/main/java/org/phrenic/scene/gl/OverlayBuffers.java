@@ -3,6 +3,7 @@ package org.phrenic.scene.gl;
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
 import java.nio.Buffer;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.stream.IntStream;
 import org.phrenic.simulation.observe.Overlay;
@@ -39,14 +40,12 @@ final class OverlayBuffers {
         nodeArray = positionArray(gl, nodeBuffer);
         lineBuffer = buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, lines.rewind());
         pointBuffer = buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, points.rewind());
-        fixedArray =
-                positionArray(gl, buffer(gl, GL3.GL_ARRAY_BUFFER, Buffers.newDirectFloatBuffer(overlay.segments())));
+        FloatBuffer segments = Buffers.newDirectFloatBuffer(overlay.segments());
+        fixedArray = positionArray(gl, buffer(gl, GL3.GL_ARRAY_BUFFER, segments));
     }
 
     private int buffer(GL3 gl, int target, Buffer content) {
-        int name = resources.create(gl, GlResources.Kind.BUFFER);
-        resources.upload(gl, target, name, content, GL3.GL_STATIC_DRAW);
-        return name;
+        return resources.createBuffer(gl, target, content, GL3.GL_STATIC_DRAW);
     }
 
     private int positionArray(GL3 gl, int positions) {

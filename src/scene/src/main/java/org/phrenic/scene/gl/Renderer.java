@@ -128,11 +128,9 @@ public final class Renderer {
 
     /** Visible surfaces whose appearance satisfies a condition. */
     private List<SurfaceBuffers> visible(SceneStyle style, Predicate<Appearance> condition) {
+        Predicate<Appearance> shown = condition.and(Appearance::visible);
         return scene.surfaces().stream()
-                .filter(s -> style.appearance(s.surface().name())
-                        .filter(Appearance::visible)
-                        .filter(condition)
-                        .isPresent())
+                .filter(s -> style.appearance(s.surface().name()).filter(shown).isPresent())
                 .toList();
     }
 
@@ -145,10 +143,8 @@ public final class Renderer {
         setClipping(gl, false);
         gl.glClear(GL3.GL_DEPTH_BUFFER_BIT | GL3.GL_STENCIL_BUFFER_BIT);
         gl.glDepthFunc(GL3.GL_LESS);
-        targets.background(
-                gl,
-                List.of(style.background(), transform.tile()),
-                () -> screen.drawBackground(gl, style.background(), transform));
+        List<?> key = List.of(style.background(), transform.tile());
+        targets.background(gl, key, () -> screen.drawBackground(gl, style.background(), transform));
         listener.done(gl, "background");
         boolean cut = style.clip().isPresent();
         setClipping(gl, cut);
@@ -220,8 +216,8 @@ public final class Renderer {
 
     /** Reads the picture as opaque RGB, top row first. */
     public BufferedImage readPixels(GL3 gl) {
-        Framebuffer finished = targets.resolved();
-        BufferedImage image = new BufferedImage(finished.width(), finished.height(), BufferedImage.TYPE_INT_RGB);
+        Framebuffer shown = targets.resolved();
+        BufferedImage image = new BufferedImage(shown.width(), shown.height(), BufferedImage.TYPE_INT_RGB);
         readPixels(gl, image);
         return image;
     }
@@ -318,9 +314,5 @@ public final class Renderer {
 
     public List<Surface> surfaces() {
         return surfaces;
-    }
-
-    public List<Overlay> overlays() {
-        return overlays;
     }
 }

@@ -2,7 +2,6 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
-import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.stream.IntStream;
@@ -64,19 +63,17 @@ final class SurfaceBuffers {
         normals.compute(positions, packedNormals);
         EdgeTable table = new EdgeTable(mesh);
         edges = table.edges();
-        long open = IntStream.range(0, table.edgeCount())
-                .filter(e -> table.faceCount(e) == 1)
-                .count();
-        closed = open <= MAX_OPEN_EDGE_SHARE * table.edgeCount();
+        IntStream open = IntStream.range(0, table.edgeCount()).filter(e -> table.faceCount(e) == 1);
+        closed = open.count() <= MAX_OPEN_EDGE_SHARE * table.edgeCount();
         int usage = surface.motion() == Surface.Motion.DEFORMING ? GL3.GL_STREAM_DRAW : GL3.GL_STATIC_DRAW;
         vertexArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
         gl.glBindVertexArray(vertexArray);
-        positionBuffer = buffer(gl, GL3.GL_ARRAY_BUFFER, positions, usage);
+        positionBuffer = resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, positions, usage);
         attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
-        normalBuffer = buffer(gl, GL3.GL_ARRAY_BUFFER, packedNormals, usage);
+        normalBuffer = resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, packedNormals, usage);
         attribute(gl, NORMAL, 4, GL3.GL_INT_2_10_10_10_REV, true);
         IntBuffer attributes = new VertexAttributes(surface, table).packed(occlusion.visibility(mesh, normals));
-        buffer(gl, GL3.GL_ARRAY_BUFFER, attributes, GL3.GL_STATIC_DRAW);
+        resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, attributes, GL3.GL_STATIC_DRAW);
         attribute(gl, ATTRIBUTES, 4, GL3.GL_UNSIGNED_BYTE, true);
         triangleBuffer = elements(gl, triangles);
         triangleCount = triangles.length / 3;
@@ -91,14 +88,9 @@ final class SurfaceBuffers {
         return at;
     }
 
-    private int buffer(GL3 gl, int target, Buffer content, int usage) {
-        int name = resources.create(gl, GlResources.Kind.BUFFER);
-        resources.upload(gl, target, name, content, usage);
-        return name;
-    }
-
     private int elements(GL3 gl, int[] vertices) {
-        return buffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, Buffers.newDirectIntBuffer(vertices), GL3.GL_STATIC_DRAW);
+        IntBuffer content = Buffers.newDirectIntBuffer(vertices);
+        return resources.createBuffer(gl, GL3.GL_ELEMENT_ARRAY_BUFFER, content, GL3.GL_STATIC_DRAW);
     }
 
     private static void attribute(GL3 gl, int location, int size, int type, boolean normalized) {
@@ -121,17 +113,13 @@ final class SurfaceBuffers {
 
     /** Uploads the positions, or sets the pose, of the surface in a frame. */
     void upload(GL3 gl, Frame frame) {
-        switch (surface.motion()) {
-            case DEFORMING -> {
-                positions.put(0, frame.positions(index));
-                normals.compute(positions, packedNormals);
-                resources.stream(gl, positionBuffer, positions);
-                resources.stream(gl, normalBuffer, packedNormals);
-            }
-            case RIGID -> setPose(frame.pose(index));
-            case STILL -> {
-                // A static surface does not move.
-            }
+        if (surface.motion() == Surface.Motion.RIGID) {
+            setPose(frame.pose(index));
+        } else if (surface.motion() == Surface.Motion.DEFORMING) {
+            positions.put(0, frame.positions(index));
+            normals.compute(positions, packedNormals);
+            resources.stream(gl, positionBuffer, positions);
+            resources.stream(gl, normalBuffer, packedNormals);
         }
     }
 
@@ -203,7 +191,7 @@ final class SurfaceBuffers {
         if (restArray == 0) {
             restArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
             gl.glBindVertexArray(restArray);
-            buffer(gl, GL3.GL_ARRAY_BUFFER, restPositions(), GL3.GL_STATIC_DRAW);
+            resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, restPositions(), GL3.GL_STATIC_DRAW);
             attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
         }
         return restArray;

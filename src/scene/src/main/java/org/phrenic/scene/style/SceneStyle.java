@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.BiFunction;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
@@ -42,9 +43,7 @@ public record SceneStyle(
     /** @param restWireframe whether the rest shape is drawn as a wireframe over the current shape */
     public record Lines(Set<Overlay.Kind> overlays, boolean restWireframe) {
         public Lines {
-            Set<Overlay.Kind> kinds = EnumSet.noneOf(Overlay.Kind.class);
-            kinds.addAll(overlays);
-            overlays = Collections.unmodifiableSet(kinds);
+            overlays = Collections.unmodifiableSet(new TreeSet<>(overlays));
         }
     }
 
@@ -81,6 +80,11 @@ public record SceneStyle(
         return appearance(structure).filter(Appearance::visible).isPresent();
     }
 
+    /** The visible ones of some surfaces. */
+    public List<Surface> visible(List<Surface> surfaces) {
+        return surfaces.stream().filter(s -> shows(s.name())).toList();
+    }
+
     /** Whether a structure shows a quantity in colours. */
     public boolean showsField(String structure) {
         return field() != ColourField.NONE && structure.equals(colouring.structure);
@@ -115,17 +119,10 @@ public record SceneStyle(
         return new SceneStyle(appearances, behind, colouring, lines, clip, quality, highlighted);
     }
 
-    private SceneStyle with(Colouring changed) {
-        return new SceneStyle(appearances, background, changed, lines, clip, quality, highlighted);
-    }
-
     /** Shows a quantity on a structure. */
     public SceneStyle withField(ColourField quantity, String structure, ColourScale colours) {
-        return with(new Colouring(quantity, structure, colours));
-    }
-
-    public SceneStyle withScale(ColourScale colours) {
-        return with(new Colouring(colouring.field, colouring.structure, colours));
+        Colouring changed = new Colouring(quantity, structure, colours);
+        return new SceneStyle(appearances, background, changed, lines, clip, quality, highlighted);
     }
 
     private SceneStyle with(Lines changed) {

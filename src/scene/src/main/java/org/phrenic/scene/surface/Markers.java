@@ -1,6 +1,7 @@
 package org.phrenic.scene.surface;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
@@ -89,14 +90,8 @@ public final class Markers {
             p[i + 1] = at.y;
             p[i + 2] = at.z;
         }
-        return new Surface(
-                name,
-                StructureKind.OTHER,
-                0,
-                Side.MIDLINE,
-                unit.withPositions(p),
-                Surface.Motion.STILL,
-                new boolean[0]);
+        TriangleMesh placed = unit.withPositions(p);
+        return new Surface(name, StructureKind.OTHER, 0, Side.MIDLINE, placed, Surface.Motion.STILL, new boolean[0]);
     }
 
     private static TriangleMesh ball() {
@@ -122,25 +117,17 @@ public final class Markers {
         }
         p[3 * bottom + 2] = start;
         p[3 * bottom + 5] = end;
-        int[] t = new int[6 * bottom];
-        int n = 0;
+        IntStream.Builder triangles = IntStream.builder();
+        int top = (rings - 1) * SEGMENTS;
         for (int k = 0; k < SEGMENTS; k++) {
             int next = (k + 1) % SEGMENTS;
-            int top = (rings - 1) * SEGMENTS;
-            n = putTriangle(t, n, bottom, next, k);
-            n = putTriangle(t, n, bottom + 1, top + k, top + next);
+            triangles.add(bottom).add(next).add(k);
+            triangles.add(bottom + 1).add(top + k).add(top + next);
             for (int r = 0; r < top; r += SEGMENTS) {
-                n = putTriangle(t, n, r + k, r + next, r + SEGMENTS + next);
-                n = putTriangle(t, n, r + k, r + SEGMENTS + next, r + SEGMENTS + k);
+                triangles.add(r + k).add(r + next).add(r + SEGMENTS + next);
+                triangles.add(r + k).add(r + SEGMENTS + next).add(r + SEGMENTS + k);
             }
         }
-        return new TriangleMesh(p, t);
-    }
-
-    private static int putTriangle(int[] t, int at, int a, int b, int c) {
-        t[at] = a;
-        t[at + 1] = b;
-        t[at + 2] = c;
-        return at + 3;
+        return new TriangleMesh(p, triangles.build().toArray());
     }
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
+import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -120,7 +121,7 @@ class PickerTest {
 
     @Test
     void fromTheFrontTheLeftOfThePictureIsThePatientsRight() {
-        double[] bounds = player.bounds();
+        double[] bounds = SceneBounds.of(player.surfaces());
         Camera camera = Camera.of(AnatomicalView.ANTERIOR, bounds, (double) WIDTH / HEIGHT);
         PickResult left = sweep(camera, 0, WIDTH / 2 - 20);
         PickResult right = sweep(camera, WIDTH - 1, WIDTH / 2 + 20);
@@ -144,7 +145,7 @@ class PickerTest {
 
     @Test
     void whatIsNearlyTransparentIsLookedThroughUnlessThereIsNothingBehind() {
-        Camera camera = Camera.of(AnatomicalView.ANTERIOR, player.bounds(), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] middle = camera.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> glassSkin = s -> s.kind() == StructureKind.SKIN ? 0.3 : 1;
         assertThat(picker.pick(frame, middle, glassSkin).orElseThrow().surface().kind())
@@ -161,7 +162,7 @@ class PickerTest {
 
     @Test
     void aPickProjectsBackToItsPixel() {
-        Camera camera = Camera.of(AnatomicalView.LEFT, player.bounds(), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.LEFT, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] xy = new double[2];
         PickResult pick =
                 picker.pick(frame, camera.ray(300, 200, WIDTH, HEIGHT), s -> 1).orElseThrow();
