@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.phrenic.cli.chart.ErrorChart;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
@@ -14,7 +16,6 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
-import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.model.material.Numerics;
@@ -135,11 +136,9 @@ final class BenchErrorCommand extends ReportingCommand {
         if (table != null) {
             (earlier == null ? measured : earlier.with(measured)).write(table);
         }
-        List<String> cheapest = Double.isNaN(most)
-                ? List.of()
-                : scenarios.stream()
-                        .map(s -> measured.cheapest(s, most).sentence())
-                        .toList();
+        Stream<Scenario> asked = Double.isNaN(most) ? Stream.empty() : scenarios.stream();
+        List<String> cheapest =
+                asked.map(s -> measured.cheapest(s, most).sentence()).toList();
         print(report.values(), () -> text(studies, report, cheapest));
         if (isJson()) {
             cheapest.forEach(err()::println);
@@ -161,14 +160,10 @@ final class BenchErrorCommand extends ReportingCommand {
         List<Scenario> scenarios = new ArrayList<>();
         for (String material : OptionValues.split(materials)) {
             for (String resolution : quick ? List.of("low") : OptionValues.split(resolutions)) {
-                List<Assignment> list = new ArrayList<>(List.of(
-                        Assignment.read("--material " + material, "material", material),
-                        Assignment.read("--resolution " + resolution, "resolution", resolution),
-                        Assignment.read(
-                                "--threads",
-                                "threads",
-                                Integer.toString(
-                                        OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS)))));
+                List<Assignment> list = new ArrayList<>();
+                OptionValues.assign(list, "--material", "material", material);
+                OptionValues.assign(list, "--resolution", "resolution", resolution);
+                list.add(Assignment.of("--threads", Numerics.THREADS, OptionValues.threads(threads, 1)));
                 if (quick) {
                     list.add(Assignment.read("--quick", "lungs", "embedded"));
                     list.add(Assignment.read("--quick", "sternum", "kinematic"));
@@ -184,24 +179,16 @@ final class BenchErrorCommand extends ReportingCommand {
     private SolverGrid grid(Scenario scenario) {
         SolverGrid usual = quick ? SolverGrid.quick(scenario.material()) : SolverGrid.of(scenario.material());
         return new SolverGrid(
-                integrators == null
-                        ? usual.integrators()
-                        : OptionValues.split(integrators).stream()
-                                .map(IntegratorKind::of)
-                                .toList(),
-                timeSteps == null ? usual.timeStepsS() : numbers("--time-step", timeSteps, 0.1),
-                sweeps == null
-                        ? usual.sweeps()
-                        : OptionValues.split(sweeps).stream()
-                                .map(n -> OptionValues.integer("--sweeps", n, 1, 100))
-                                .toList(),
-                refreshes == null ? usual.refreshesS() : numbers("--refresh", refreshes, 1));
+                OptionValues.integrators(integrators, usual.integrators()),
+                values(timeSteps, usual.timeStepsS(), n -> OptionValues.number("--time-step", n, 1e-5, 0.1)),
+                values(sweeps, usual.sweeps(), n -> OptionValues.integer("--sweeps", n, 1, 100)),
+                values(refreshes, usual.refreshesS(), n -> OptionValues.number("--refresh", n, 1e-5, 1)));
     }
 
-    private static List<Double> numbers(String option, String text, double most) {
-        return OptionValues.split(text).stream()
-                .map(n -> OptionValues.number(option, n, 1e-5, most))
-                .toList();
+    private static <T> List<T> values(String text, List<T> usual, Function<String, T> parser) {
+        return text == null
+                ? usual
+                : OptionValues.split(text).stream().map(parser).toList();
     }
 
     private void write(ErrorTable measured, ErrorReport report) {
@@ -221,14 +208,12 @@ final class BenchErrorCommand extends ReportingCommand {
         for (ErrorStudy study : studies) {
             text.append(ErrorReport.heading(study)).append("\n\n");
             text.append(TextTable.of(ErrorReport.COLUMNS, ErrorReport.cells(study)));
-            study.equilibrium()
-                    .forEach(q -> text.append(ErrorReport.lagSentence(study, q)).append('\n'));
-            study.skipped()
-                    .forEach(line -> text.append("not run: ").append(line).append('\n'));
+            study.equilibrium().forEach(q -> text.append(ErrorReport.lagSentence(study, q) + "\n"));
+            study.skipped().forEach(line -> text.append("not run: " + line + "\n"));
             text.append('\n');
         }
-        report.meshSentences().forEach(line -> text.append(line).append('\n'));
-        cheapest.forEach(line -> text.append(line).append('\n'));
-        return text.append(Disclaimer.TEXT).append('\n').toString();
+        report.meshSentences().forEach(line -> text.append(line + "\n"));
+        cheapest.forEach(line -> text.append(line + "\n"));
+        return text + Disclaimer.TEXT + "\n";
     }
 }

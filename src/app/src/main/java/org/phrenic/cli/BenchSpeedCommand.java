@@ -1,14 +1,12 @@
 package org.phrenic.cli;
 
-import java.nio.file.Path;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.AtomicFile;
 import org.phrenic.study.speed.SpeedReport;
 import org.phrenic.study.speed.SpeedStudy;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -33,33 +31,23 @@ final class BenchSpeedCommand extends ReportingCommand {
             description = "Low resolution, one thread, two sizes: some seconds; the figures are worth little.")
     private boolean quick;
 
-    @Option(
-            names = "--out",
-            paramLabel = "DIR",
-            description = "Folder for the reports; without it, nothing is written.")
-    private Path out;
+    @Mixin
+    private ReportFolder out;
 
     @Override
     public Integer call() {
-        if (out != null) {
-            OutputFolder.requireWritable(out);
-        }
-        SpeedStudy study =
-                SpeedStudy.of(quick ? SpeedStudy.Settings.QUICK : SpeedStudy.Settings.FULL, progress("done"));
-        SpeedReport report = new SpeedReport(study);
-        if (out != null) {
-            AtomicFile.write(out.resolve("speed.md"), report.markdown());
-            AtomicFile.write(out.resolve("speed.csv"), report.csv());
-            JsonWriter.write(out.resolve("speed.json"), report.values());
-        }
-        print(
-                report.values(),
-                () -> withDisclaimer(String.join(
-                        "\n",
-                        TextTable.ofNumbers(report.table()),
-                        TextTable.ofNumbers(report.ribMotionOverhead()),
-                        TextTable.ofNumbers(report.scaling()),
-                        report.exponent())));
+        out.check();
+        SpeedStudy.Settings settings = quick ? SpeedStudy.Settings.QUICK : SpeedStudy.Settings.FULL;
+        SpeedReport report = new SpeedReport(SpeedStudy.of(settings, progress("done")));
+        out.write("speed.md", report.markdown());
+        out.write("speed.csv", report.csv());
+        out.write("speed.json", report.values());
+        print(report.values(), () -> {
+            String speed = TextTable.ofNumbers(report.table());
+            String overhead = TextTable.ofNumbers(report.ribMotionOverhead());
+            String scaling = TextTable.ofNumbers(report.scaling());
+            return withDisclaimer(String.join("\n", speed, overhead, scaling, report.exponent()));
+        });
         return ExitCode.SUCCESS;
     }
 }

@@ -1,19 +1,15 @@
 package org.phrenic.cli;
 
-import java.nio.file.Path;
 import java.util.List;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.integrator.IntegratorKind;
-import org.phrenic.file.AtomicFile;
-import org.phrenic.file.BadInputException;
-import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.StabilityReport;
 import org.phrenic.study.stability.StabilityStudy;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code phrenic bench stability}: runs demanding cases with every integrator. */
@@ -53,51 +49,29 @@ final class BenchStabilityCommand extends ReportingCommand {
     @Option(names = "--threads", paramLabel = "N", description = "Cases at a time; the numbers do not depend on it.")
     private String threads;
 
-    @Option(
-            names = "--out",
-            paramLabel = "DIR",
-            description = "Folder for the reports; without it, nothing is written.")
-    private Path out;
+    @Mixin
+    private ReportFolder out;
 
     @Override
     public Integer call() {
-        if (out != null) {
-            OutputFolder.requireWritable(out);
-        }
+        out.check();
         StabilityStudy study = StabilityStudy.of(settings(), progress("cells done"));
         StabilityReport report = new StabilityReport(study);
-        if (out != null) {
-            AtomicFile.write(out.resolve("stability.md"), report.markdown());
-            AtomicFile.write(out.resolve("stability.csv"), report.csv());
-            JsonWriter.write(out.resolve("stability.json"), report.values());
-        }
-        print(report.values(), () -> table(report.table()) + "\n" + report.summary() + "\n");
+        out.write("stability.md", report.markdown());
+        out.write("stability.csv", report.csv());
+        out.write("stability.json", report.values());
+        boolean[] leftAligned = new boolean[report.table().get(0).size()];
+        TextTable table = new TextTable(leftAligned).rows(report.table());
+        print(report.values(), () -> table.text() + "\n" + report.summary() + "\n");
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private StabilityStudy.Settings settings() {
         StabilityStudy.Settings usual = quick ? StabilityStudy.Settings.QUICK : StabilityStudy.Settings.LONG;
-        List<String> cases = only == null ? List.of() : OptionValues.split(only);
-        for (String key : cases) {
-            if (!StabilityStudy.caseKeys().contains(key)) {
-                throw new BadInputException(
-                        "--only: found '" + key + "', expected " + String.join(", ", StabilityStudy.caseKeys()));
-            }
-        }
-        List<IntegratorKind> kinds = integrators == null
-                ? usual.integrators()
-                : OptionValues.split(integrators).stream()
-                        .map(IntegratorKind::of)
-                        .toList();
-        StabilityStudy.Settings settings = usual.only(cases, kinds)
-                .withThreads(
-                        threads == null
-                                ? Scenario.defaults().threads()
-                                : OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS));
+        List<String> cases = OptionValues.names("--only", only, StabilityStudy.caseKeys());
+        List<IntegratorKind> kinds = OptionValues.integrators(integrators, usual.integrators());
+        int atATime = OptionValues.threads(threads, Scenario.defaults().threads());
+        StabilityStudy.Settings settings = usual.only(cases, kinds).withThreads(atATime);
         return spend == null ? settings : settings.withEvaluations(OptionValues.number("--spend", spend, 1, MAX_SPEND));
-    }
-
-    private static String table(List<List<String>> rows) {
-        return new TextTable(new boolean[rows.get(0).size()]).rows(rows).text();
     }
 }

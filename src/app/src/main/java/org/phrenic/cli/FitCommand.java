@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.OutputFolder;
@@ -22,7 +23,6 @@ import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.SyntheticStudy;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
-import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -139,23 +139,15 @@ final class FitCommand extends ReportingCommand {
         List<FitTarget> read = targets();
         List<FitParameter> parameters = parameters(base);
         Thorax body = SimulationRun.loadThorax(base);
-        FitSetup setup = new FitSetup(
-                base,
-                body,
-                read,
-                parameters,
-                new FitSetup.Options(
-                        heldOut.contains(HALF),
-                        "none: the targets are taken to be in the axes of the body",
-                        new FitSearch.Settings(
-                                seed(),
-                                population == null ? 0 : OptionValues.integer("--population", population, 4, 1000),
-                                evaluations(),
-                                minutes == null
-                                        ? Double.POSITIVE_INFINITY
-                                        : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5)),
-                        threads(),
-                        !noSensitivity));
+        int size = population == null ? 0 : OptionValues.integer("--population", population, 4, 1000);
+        double limitS = minutes == null
+                ? Double.POSITIVE_INFINITY
+                : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5);
+        FitSearch.Settings search = new FitSearch.Settings(seed(), size, evaluations(), limitS);
+        String alignment = "none: the targets are taken to be in the axes of the body";
+        FitSetup.Options options =
+                new FitSetup.Options(heldOut.contains(HALF), alignment, search, threads(), !noSensitivity);
+        FitSetup setup = new FitSetup(base, body, read, parameters, options);
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
         printer.end();
@@ -163,13 +155,11 @@ final class FitCommand extends ReportingCommand {
         List<ReportDocument.Picture> pictures = noPictures ? List.of() : FitPictures.draw(result, out, err());
         report.write(out);
         writePages(out, "report", report.document(pictures));
-        print(
-                report.values(),
-                () -> withDisclaimer(String.join(
-                        "\n",
-                        TextTable.of(FitReport.DISTANCES, report.distances()),
-                        TextTable.of(FitReport.PARAMETERS, report.parameters()),
-                        report.summary())));
+        print(report.values(), () -> {
+            String distances = TextTable.of(FitReport.DISTANCES, report.distances());
+            String tuned = TextTable.of(FitReport.PARAMETERS, report.parameters());
+            return withDisclaimer(String.join("\n", distances, tuned, report.summary()));
+        });
         return ExitCode.SUCCESS;
     }
 
@@ -178,14 +168,11 @@ final class FitCommand extends ReportingCommand {
             throw new BadInputException("--synthetic " + synthetic
                     + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
         }
-        SyntheticStudy study = SyntheticStudy.run(
-                OptionValues.integer(
-                        "--synthetic", synthetic, 1, SyntheticPatient.five().size()),
-                Scenario.defaults().with("resolution=" + resolution).resolution(),
-                threads(),
-                new FitSearch.Settings(seed(), evaluations()),
-                out,
-                printer);
+        int count = OptionValues.integer(
+                "--synthetic", synthetic, 1, SyntheticPatient.five().size());
+        Resolution meshes = Scenario.defaults().with("resolution=" + resolution).resolution();
+        FitSearch.Settings search = new FitSearch.Settings(seed(), evaluations());
+        SyntheticStudy study = SyntheticStudy.run(count, meshes, threads(), search, out, printer);
         printer.end();
         JsonWriter.write(out.resolve("synthetic.json"), study.values());
         writePages(out, "synthetic", study.document());
@@ -194,7 +181,7 @@ final class FitCommand extends ReportingCommand {
     }
 
     private int threads() {
-        return OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS);
+        return OptionValues.threads(threads, 1);
     }
 
     private int evaluations() {
@@ -206,29 +193,22 @@ final class FitCommand extends ReportingCommand {
     }
 
     private Scenario scenario() {
-        List<Assignment> list = new ArrayList<>(List.of(
-                Assignment.read("--preset " + preset, "preset", preset),
-                Assignment.read(thorax, "anatomy", thorax),
-                Assignment.read("--resolution " + resolution, "resolution", resolution)));
+        List<Assignment> list = new ArrayList<>();
+        OptionValues.assign(list, "--preset", "preset", preset);
+        list.add(Assignment.read(thorax, "anatomy", thorax));
+        OptionValues.assign(list, "--resolution", "resolution", resolution);
         settings.forEach(text -> list.add(Assignment.parse(text)));
         return Scenario.defaults().with(list);
     }
 
     private List<FitTarget> targets() {
-        List<FitTarget> list = new ArrayList<>();
-        for (String text : targets) {
-            FitTarget target = FitTarget.read(text);
-            list.add(target);
-        }
-        list = FitTarget.withBases(list);
+        List<FitTarget> list =
+                FitTarget.withBases(targets.stream().map(FitTarget::read).toList());
         // The base of a held-out lung is also held out.
-        list.replaceAll(t -> heldOut.contains(t.part().label())
-                        || heldOut.contains(t.part().label().replace("_base", ""))
-                ? t.withWeight(0)
-                : t);
+        list.replaceAll(t -> isHeldOut(t.part().label()) ? t.withWeight(0) : t);
+        List<String> parts = list.stream().map(t -> t.part().label()).toList();
         for (String what : heldOut) {
-            if (!what.equals(HALF)
-                    && list.stream().noneMatch(t -> t.part().label().equals(what))) {
+            if (!what.equals(HALF) && !parts.contains(what)) {
                 throw new BadInputException("--hold-out " + what + ": found no such target, expected " + HALF
                         + " or the part of a --target");
             }
@@ -239,13 +219,16 @@ final class FitCommand extends ReportingCommand {
         return list;
     }
 
+    private boolean isHeldOut(String part) {
+        return heldOut.contains(part) || heldOut.contains(part.replace("_base", ""));
+    }
+
     private List<FitParameter> parameters(Scenario base) {
         if (tune.isEmpty()) {
             return FitParameter.defaults(base);
         }
         List<FitParameter> list = new ArrayList<>();
-        for (String text :
-                tune.stream().flatMap(t -> OptionValues.split(t).stream()).toList()) {
+        for (String text : OptionValues.split(String.join(",", tune))) {
             FitParameter parameter = FitParameter.parse(text, base);
             if (list.stream().anyMatch(p -> p.parameter() == parameter.parameter())) {
                 throw new BadInputException("--tune " + text + ": found it a second time, expected it once");

@@ -77,8 +77,7 @@ final class RunCommand extends ReportingCommand {
         if (!meshes.startsWith("every=")) {
             throw new BadInputException("--meshes: found '" + meshes + "', expected every=S such as every=0.1");
         }
-        return new Assignment[] {
-            Assignment.read("--meshes " + meshes, "meshes_every_s", meshes.substring("every=".length()))
-        };
+        String seconds = meshes.substring("every=".length());
+        return new Assignment[] {Assignment.read("--meshes " + meshes, "meshes_every_s", seconds)};
     }
 }

@@ -3,20 +3,16 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.engine.parallel.ProgressListener;
-import org.phrenic.file.AtomicFile;
-import org.phrenic.file.BadInputException;
-import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
@@ -28,6 +24,7 @@ import org.phrenic.study.validation.PhysiologyTable;
 import org.phrenic.study.validation.Validation;
 import org.phrenic.study.validation.ValidationReport;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code phrenic validate}: compares simulated breaths with a table of physiological ranges. */
@@ -82,81 +79,55 @@ final class ValidateCommand extends ReportingCommand {
             description = "Instead: how far the liver moves in quiet, deep and held breaths, beside what is known.")
     private boolean liver;
 
-    @Option(
-            names = "--out",
-            paramLabel = "DIR",
-            description = "Folder for the reports; without it, nothing is written.")
-    private Path out;
+    @Mixin
+    private ReportFolder out;
 
     @Option(names = "--threads", paramLabel = "N", description = "Runs at a time; the numbers do not depend on it.")
     private String threads;
 
     @Override
     public Integer call() {
-        if (out != null) {
-            OutputFolder.requireWritable(out);
-        }
+        out.check();
         PhysiologyTable table = tableFile == null ? PhysiologyTable.shipped() : PhysiologyTable.read(tableFile);
         Scenario scenario = scenario();
-        int atATime = threads == null
-                ? scenario.threads()
-                : OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS);
+        int atATime = OptionValues.threads(threads, scenario.threads());
         ProgressListener progress = progress();
         if (liver) {
             return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
         }
-        Validation validation = Validation.of(table, scenario, bodies(), only(), atATime, progress);
+        List<String> only = OptionValues.names("--preset", presets, BreathingPreset.names());
+        Validation validation = Validation.of(table, scenario, bodies(), only, atATime, progress);
         ValidationReport report = new ValidationReport(validation);
         SensitivityReport effects = sensitivity
                 ? new SensitivityReport(Sensitivity.of(scenario.with("resolution=low"), atATime, progress))
                 : null;
-        if (out != null) {
-            AtomicFile.write(out.resolve("validation.md"), report.markdown());
-            JsonWriter.write(out.resolve("validation.json"), report.values());
-            if (effects != null) {
-                AtomicFile.write(out.resolve("sensitivity.md"), effects.markdown());
-                JsonWriter.write(out.resolve("sensitivity.json"), effects.values());
-            }
+        out.write("validation.md", report.markdown());
+        out.write("validation.json", report.values());
+        if (effects != null) {
+            out.write("sensitivity.md", effects.markdown());
+            out.write("sensitivity.json", effects.values());
         }
         print(validation, report, effects);
         return validation.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private int liver(LiverMotion motion) {
-        if (out != null) {
-            JsonWriter.write(out.resolve("liver.json"), motion.values());
-        }
+        out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
         return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private Scenario scenario() {
         List<Assignment> list = new ArrayList<>();
-        if (resolution != null) {
-            list.add(Assignment.read("--resolution " + resolution, "resolution", resolution));
-        }
+        OptionValues.assign(list, "--resolution", "resolution", resolution);
         list.addAll(OptionValues.assignments(settings, RESERVED, "a validation"));
         return Scenario.defaults().with(list);
     }
 
     private List<String> bodies() {
-        Set<String> bodies = new LinkedHashSet<>(List.of(DEFAULT_BODY));
-        bodies.addAll(anatomies);
-        return List.copyOf(bodies);
-    }
-
-    private List<String> only() {
-        if (presets == null) {
-            return List.of();
-        }
-        List<String> only = OptionValues.split(presets);
-        for (String preset : only) {
-            if (!BreathingPreset.names().contains(preset)) {
-                throw new BadInputException(
-                        "--preset: found '" + preset + "', expected " + String.join(", ", BreathingPreset.names()));
-            }
-        }
-        return only;
+        return Stream.concat(Stream.of(DEFAULT_BODY), anatomies.stream())
+                .distinct()
+                .toList();
     }
 
     private void print(Validation validation, ValidationReport report, SensitivityReport effects) {

@@ -1,13 +1,13 @@
 package org.phrenic.cli.option;
 
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import org.phrenic.document.KeySuggestion;
+import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.style.ColourScale;
 
@@ -84,23 +84,55 @@ public final class OptionValues {
         return assignments;
     }
 
+    /** Adds the assignment that an option stands for; none if the option is not given. */
+    public static void assign(List<Assignment> list, String option, String key, String value) {
+        if (value != null) {
+            list.add(Assignment.read(option + " " + value, key, value));
+        }
+    }
+
+    /** Parses a number of threads; {@code usual} if the option is not given. */
+    public static int threads(String text, int usual) {
+        return text == null ? usual : integer("--threads", text, 1, Numerics.MAX_THREADS);
+    }
+
+    /** Parses a list of integrators; {@code usual} if the option is not given. */
+    public static List<IntegratorKind> integrators(String text, List<IntegratorKind> usual) {
+        return text == null
+                ? usual
+                : split(text).stream().map(IntegratorKind::of).toList();
+    }
+
+    /**
+     * Parses a list of names.
+     *
+     * @throws BadInputException if one of them is not among {@code known}
+     */
+    public static List<String> names(String option, String text, List<String> known) {
+        List<String> names = text == null ? List.of() : split(text);
+        names.stream().filter(name -> !known.contains(name)).findFirst().ifPresent(name -> {
+            throw new BadInputException(option + ": found '" + name + "', expected " + String.join(", ", known));
+        });
+        return names;
+    }
+
     /**
      * Selects an enum value by its name in lower case with hyphens.
      *
      * @throws BadInputException if no name matches; the message suggests the most similar name or lists all
      */
     public static <E extends Enum<E>> E choice(String option, String found, List<E> values) {
-        Map<String, E> byLabel = new LinkedHashMap<>();
-        values.forEach(
-                value -> byLabel.put(value.name().toLowerCase(Locale.ROOT).replace('_', '-'), value));
-        E value = byLabel.get(found.strip().toLowerCase(Locale.ROOT));
-        if (value == null) {
+        List<String> labels = values.stream()
+                .map(value -> value.name().toLowerCase(Locale.ROOT).replace('_', '-'))
+                .toList();
+        int index = labels.indexOf(found.strip().toLowerCase(Locale.ROOT));
+        if (index < 0) {
             throw new BadInputException(option + ": found '" + found + "', "
-                    + KeySuggestion.nearest(found, byLabel.keySet())
+                    + KeySuggestion.nearest(found, labels)
                             .map(near -> "did you mean '" + near + "'?")
-                            .orElse("expected one of " + String.join(", ", byLabel.keySet())));
+                            .orElse("expected one of " + String.join(", ", labels)));
         }
-        return value;
+        return values.get(index);
     }
 
     /** Splits a comma-separated list. Empty parts are kept and rejected later. */

@@ -1,9 +1,8 @@
 package org.phrenic.cli.option;
 
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
+import java.util.Locale;
+import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PictureSettings;
@@ -34,30 +33,23 @@ public final class PictureOptions {
 
     /** Picture settings, one per view. */
     public List<PictureSettings> settings(String title) {
-        String[] sides = size.toLowerCase(java.util.Locale.ROOT).split("x", -1);
+        String[] sides = size.toLowerCase(Locale.ROOT).split("x", -1);
         if (sides.length != 2) {
             throw new BadInputException("--size: found '" + size + "', expected WxH such as 1000x800");
         }
-        int width =
-                OptionValues.integer("--size " + size, sides[0], PictureSettings.MIN_SIZE, PictureSettings.MAX_SIZE);
-        int height =
-                OptionValues.integer("--size " + size, sides[1], PictureSettings.MIN_SIZE, PictureSettings.MAX_SIZE);
+        int width = side(sides[0]);
+        int height = side(sides[1]);
         double factor = OptionValues.number("--zoom", zoom, LEAST_ZOOM, MOST_ZOOM);
-        List<PictureSettings> shots = new ArrayList<>();
-        for (AnatomicalView view : views()) {
-            shots.add(new PictureSettings(view, width, height, orthographic, factor, !noAnnotations, title));
-        }
-        return shots;
+        List<AnatomicalView> all = List.of(AnatomicalView.values());
+        Stream<AnatomicalView> chosen = views.equals("all")
+                ? all.stream()
+                : OptionValues.split(views).stream().map(label -> OptionValues.choice("--view", label, all));
+        return chosen.distinct()
+                .map(v -> new PictureSettings(v, width, height, orthographic, factor, !noAnnotations, title))
+                .toList();
     }
 
-    private Set<AnatomicalView> views() {
-        if (views.equals("all")) {
-            return new LinkedHashSet<>(List.of(AnatomicalView.values()));
-        }
-        Set<AnatomicalView> found = new LinkedHashSet<>();
-        for (String label : OptionValues.split(views)) {
-            found.add(OptionValues.choice("--view", label, List.of(AnatomicalView.values())));
-        }
-        return found;
+    private int side(String pixels) {
+        return OptionValues.integer("--size " + size, pixels, PictureSettings.MIN_SIZE, PictureSettings.MAX_SIZE);
     }
 }

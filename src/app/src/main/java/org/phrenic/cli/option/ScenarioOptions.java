@@ -65,27 +65,19 @@ public final class ScenarioOptions {
     public Scenario resolved(Assignment... more) {
         Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);
         List<Assignment> list = new ArrayList<>();
-        add(list, "--anatomy", "anatomy", anatomy);
-        add(list, "--preset", "preset", preset);
-        add(list, "--material", "material", material);
-        add(list, "--resolution", "resolution", resolution);
-        add(list, "--duration", "duration_s", duration);
-        add(list, "--time-step", "time_step_s", timeStep);
-        add(list, "--integrator", "integrator", integrator);
-        add(list, "--steps", "steps", steps);
-        add(list, "--threads", "threads", threads);
+        OptionValues.assign(list, "--anatomy", "anatomy", anatomy);
+        OptionValues.assign(list, "--preset", "preset", preset);
+        OptionValues.assign(list, "--material", "material", material);
+        OptionValues.assign(list, "--resolution", "resolution", resolution);
+        OptionValues.assign(list, "--duration", "duration_s", duration);
+        OptionValues.assign(list, "--time-step", "time_step_s", timeStep);
+        OptionValues.assign(list, "--integrator", "integrator", integrator);
+        OptionValues.assign(list, "--steps", "steps", steps);
+        OptionValues.assign(list, "--threads", "threads", threads);
         list.addAll(Arrays.asList(more));
         settings.forEach(text -> list.add(Assignment.parse(text)));
-        Scenario resolved = base.with(list);
-        return changes.isEmpty()
-                ? resolved
-                : resolved.withChanges(
-                        changes.stream().map(ScheduledChange::parse).toList());
-    }
-
-    private static void add(List<Assignment> list, String option, String key, String value) {
-        if (value != null) {
-            list.add(Assignment.read(option + " " + value, key, value));
-        }
+        List<ScheduledChange> scheduled =
+                changes.stream().map(ScheduledChange::parse).toList();
+        return scheduled.isEmpty() ? base.with(list) : base.with(list).withChanges(scheduled);
     }
 }
