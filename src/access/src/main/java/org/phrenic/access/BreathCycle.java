@@ -8,7 +8,6 @@ import org.phrenic.simulation.observe.Frame;
 
 /** Records the body at evenly spaced moments of one breath. {@link CycleRecorder} does the same during a live run. */
 public final class BreathCycle {
-    /** Default number of moments. */
     public static final int PHASES = 20;
     /** Maximum recording time, s; also used for breathing patterns without a period. */
     private static final double MAX_DURATION_S = 40;

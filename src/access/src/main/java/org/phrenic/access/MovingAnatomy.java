@@ -95,17 +95,14 @@ public final class MovingAnatomy {
         return hazards;
     }
 
-    /** Costal grooves of the ribs. */
     public List<CostalGroove> grooves() {
         return grooves;
     }
 
-    /** The skin. */
     public MovingStructure skin() {
         return skin;
     }
 
-    /** The liver. */
     public MovingStructure liver() {
         return liver;
     }

@@ -76,7 +76,6 @@ public final class MovingStructure {
         return gap - BOX_TOLERANCE_MM;
     }
 
-    /** The surface. */
     public Surface surface() {
         return surface;
     }
@@ -102,7 +101,6 @@ public final class MovingStructure {
         };
     }
 
-    /** Bounding volume tree of the surface, in local axes. */
     public TriangleTree tree() {
         return tree;
     }

@@ -45,7 +45,6 @@ public enum NoGoZone {
         };
     }
 
-    /** Display name. */
     public String label() {
         return label;
     }

@@ -56,12 +56,10 @@ abstract class ReportingCommand implements Callable<Integer> {
         out().flush();
     }
 
-    /** Appends the disclaimer to a text. */
     static String withDisclaimer(String text) {
         return text + "\n" + Disclaimer.TEXT + "\n";
     }
 
-    /** Writes a report as Markdown and HTML. */
     static void writePages(Path folder, String name, ReportDocument report) {
         AtomicFile.write(folder.resolve(name + ".html"), HtmlPage.format(report));
         AtomicFile.write(folder.resolve(name + ".md"), MarkdownPage.format(report));

@@ -114,7 +114,6 @@ final class ReproduceCommand implements Callable<Integer> {
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;
     }
 
-    /** Patient scans; empty for a synthetic patient. */
     private Optional<List<PatientScans>> scans() {
         if (patients != null) {
             return Optional.of(PatientScans.findIn(patients));

@@ -29,7 +29,6 @@ public record AttemptEvent(
         OUT_OF_SKIN
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         OrderedValues map = new OrderedValues().with("event", kind.name().toLowerCase(Locale.ROOT));
         if (!structure.isEmpty()) {

@@ -62,12 +62,10 @@ public record AttemptRecord(
         return samples.stream().anyMatch(TargetingError::hit);
     }
 
-    /** Number of events of a kind. */
     public int count(AttemptEvent.Kind kind) {
         return (int) events.stream().filter(e -> e.kind() == kind).count();
     }
 
-    /** The first event of a kind. */
     public Optional<AttemptEvent> first(AttemptEvent.Kind kind) {
         return events.stream().filter(e -> e.kind() == kind).findFirst();
     }
@@ -91,7 +89,6 @@ public record AttemptRecord(
                 .with("capsule_pull_mm", capsulePullMm);
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         OrderedValues seconds = new OrderedValues();
         for (NoGoZone zone : NoGoZone.values()) {

@@ -256,7 +256,6 @@ public final class NeedleInsertion {
         return tissue.position(targetCentre);
     }
 
-    /** Current targeting error. */
     public TargetingError targetingError() {
         return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target);
     }
@@ -273,7 +272,6 @@ public final class NeedleInsertion {
         return log.timeS();
     }
 
-    /** The target. */
     public TargetLesion target() {
         return target;
     }

@@ -98,7 +98,6 @@ public final class NeedleShaft {
         return direction;
     }
 
-    /** Position of the tip, LPS, mm. */
     public double[] tip() {
         return at(depth);
     }

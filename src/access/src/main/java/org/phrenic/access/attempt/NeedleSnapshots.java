@@ -38,7 +38,6 @@ public final class NeedleSnapshots {
                 needle.target().radiusMm()));
     }
 
-    /** All snapshots in chronological order. */
     public List<NeedleSnapshot> all() {
         return List.copyOf(snapshots);
     }

@@ -25,7 +25,6 @@ public record TargetingError(double axialMm, double lateralMm, boolean hit) {
         return Math.sqrt(axialMm * axialMm + lateralMm * lateralMm);
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         return new OrderedValues()
                 .with("hit", hit)

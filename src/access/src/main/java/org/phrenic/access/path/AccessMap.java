@@ -49,7 +49,6 @@ public final class AccessMap {
 
     /** Numbers of skin points: all, in reach of the needle at the first moment, and by accessibility. */
     public record Counts(int points, int inReach, int free, int part, int never) {
-        /** Values for a report. */
         public OrderedValues toMap() {
             return new OrderedValues()
                     .with("skin_points", points)
@@ -167,7 +166,6 @@ public final class AccessMap {
         return cycle;
     }
 
-    /** The zones to avoid. */
     public Set<NoGoZone> avoided() {
         return avoided;
     }
@@ -177,7 +175,6 @@ public final class AccessMap {
         return targets[moment].clone();
     }
 
-    /** Motion of the target over the breath. */
     public TargetMotion motion() {
         return new TargetMotion(List.of(targets));
     }
@@ -206,7 +203,6 @@ public final class AccessMap {
         return count;
     }
 
-    /** Accessibility of the target from a vertex. */
     public Access access(int vertex) {
         int free = freeMoments(vertex);
         return free == 0 ? Access.NEVER : free == touched.length ? Access.FREE : Access.PART;
@@ -282,7 +278,6 @@ public final class AccessMap {
                 .min(Comparator.comparingDouble(this::lengthMm));
     }
 
-    /** Numbers of skin points by accessibility. */
     public Counts counts() {
         int[] count = new int[Access.values().length];
         int reached = 0;

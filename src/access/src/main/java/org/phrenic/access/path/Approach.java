@@ -18,7 +18,6 @@ public record Approach(String name, String label, double distanceMm, double dept
         approaches.forEach(a -> closest.merge(a.name, a, (x, y) -> y.distanceMm < x.distanceMm ? y : x));
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         return new OrderedValues()
                 .with("structure", name)

@@ -22,7 +22,6 @@ public record Crossing(String name, String label, StructureKind kind, double fro
         return toMm - fromMm;
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         return new OrderedValues()
                 .with("structure", name)

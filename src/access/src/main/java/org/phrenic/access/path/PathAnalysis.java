@@ -70,7 +70,6 @@ public record PathAnalysis(
         return noGo.contains(zone) && avoided.contains(zone);
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         OrderedValues map = new OrderedValues()
                 .with("time_s", timeS)

@@ -70,7 +70,6 @@ public record PathOverBreath(
         return (int) IntStream.range(0, analyses.size()).filter(this::isFree).count();
     }
 
-    /** Values for a report. */
     public Map<String, Object> toMap() {
         return new OrderedValues()
                 .with("moments", analyses.size())

@@ -32,7 +32,6 @@ public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> 
      * @param never points whose path is never free
      */
     public record SpaceCount(String space, int free, int part, int never) {
-        /** Values for a report. */
         public Map<String, Object> toMap() {
             return new OrderedValues()
                     .with("space", space)

@@ -51,7 +51,6 @@ public record Goals(boolean hit, Map<String, Double> limits) {
             return goal.equals(HIT) ? "target hit (1) or not (0)" : MEASURES.get(goal).label + ", at most";
         }
 
-        /** Values for a report. */
         Map<String, Object> toMap() {
             return new OrderedValues()
                     .with("goal", goal)
@@ -61,7 +60,6 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         }
     }
 
-    /** Returns an empty set of goals. */
     public static Goals none() {
         return new Goals(false, Map.of());
     }
@@ -102,7 +100,6 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return words;
     }
 
-    /** Evaluates each goal against a record. */
     public List<GoalResult> evaluate(AttemptRecord record) {
         List<GoalResult> all = new ArrayList<>();
         if (hit) {

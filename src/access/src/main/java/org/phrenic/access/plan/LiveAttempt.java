@@ -20,7 +20,6 @@ public record LiveAttempt(
         List<NeedleSnapshot> snapshots,
         double endS,
         String stateHash) {
-    /** Returns a plan that repeats the attempt. */
     public RehearsalPlan toPlan(RehearsalPlan original) {
         return original.withSteps(target, steps, endS);
     }

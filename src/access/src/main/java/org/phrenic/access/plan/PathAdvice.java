@@ -31,7 +31,6 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         BARRED
     }
 
-    /** Derives the advice for a path. */
     public static PathAdvice of(PathOverBreath path) {
         int moments = path.analyses().size();
         int free = path.freeMoments();

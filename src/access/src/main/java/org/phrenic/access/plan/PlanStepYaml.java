@@ -125,7 +125,6 @@ final class PlanStepYaml {
         return map.toMap().get(key) instanceof String;
     }
 
-    /** Reads three numbers. */
     static double[] point(YamlMap map, String key) {
         double[] p = map.numbers(key);
         if (p.length != 3) {

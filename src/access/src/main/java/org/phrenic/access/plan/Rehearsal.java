@@ -150,17 +150,14 @@ public record Rehearsal(
                         anatomy, access.map().cycle(), entry, access.target(), plan.needle(), plan.avoided()));
     }
 
-    /** The target. */
     public TargetLesion target() {
         return targetAccess.target();
     }
 
-    /** The access map. */
     public AccessMap map() {
         return targetAccess.map();
     }
 
-    /** Whether all goals of the plan are reached. */
     public boolean goalsReached() {
         return plan.goals().reached(record);
     }

@@ -275,7 +275,6 @@ public record RehearsalPlan(
                 .with("steps", steps.stream().map(PlanStepYaml::toPlain).toList());
     }
 
-    /** Resolves the target in a body. */
     public TargetLesion target(MovingAnatomy anatomy) {
         try {
             return targetSpec.restMm.isPresent()

@@ -104,7 +104,6 @@ public final class RehearsalReport {
         return words;
     }
 
-    /** The report as a document. */
     public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures) {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());

@@ -93,7 +93,6 @@ public final class ErrorChart {
         return plot;
     }
 
-    /** Draws the Pareto front as a line with labels. */
     private static void drawParetoFront(XYPlot plot, List<ErrorTable.Row> rows) {
         List<ErrorTable.Row> front = rows.stream()
                 .filter(r -> r.point().paretoOptimal())

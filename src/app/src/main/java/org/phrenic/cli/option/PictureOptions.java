@@ -31,7 +31,6 @@ public final class PictureOptions {
     @Option(names = "--no-annotations", description = "No letters, figure, scale, time or notice.")
     private boolean noAnnotations;
 
-    /** Picture settings, one per view. */
     public List<PictureSettings> settings(String title) {
         String[] sides = size.toLowerCase(Locale.ROOT).split("x", -1);
         if (sides.length != 2) {

@@ -21,14 +21,12 @@ public final class ReportFolder {
         }
     }
 
-    /** Writes a text. */
     public void write(String file, String text) {
         if (folder != null) {
             AtomicFile.write(folder.resolve(file), text);
         }
     }
 
-    /** Writes values as JSON. */
     public void write(String file, Map<String, ?> values) {
         if (folder != null) {
             JsonWriter.write(folder.resolve(file), values);

@@ -97,7 +97,6 @@ public final class StyleOptions {
         return Optional.ofNullable(reference).map(MeshFiles::read);
     }
 
-    /** Creates the style for the given surfaces. */
     public SceneStyle style(List<Surface> surfaces) {
         StructureSelection selection = new StructureSelection(surfaces);
         SceneStyle style = SceneStyle.atlas(surfaces)

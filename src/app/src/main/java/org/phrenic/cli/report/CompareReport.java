@@ -37,7 +37,6 @@ public final class CompareReport {
         this.comparison = comparison;
     }
 
-    /** Values of the JSON output by key. */
     public Map<String, Object> values(List<String> pictures) {
         Map<String, Object> values = new LinkedHashMap<>();
         values.put("a", a.toString());
@@ -78,7 +77,6 @@ public final class CompareReport {
         return values;
     }
 
-    /** The results as a text table. */
     public String table() {
         TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true);
         table.row("mm", "weight", "vertices", "mean", "sd", "rms", "median", "95 %", "maximum", "signed mean");

@@ -13,7 +13,6 @@ import java.util.Map;
 public record QuantityKey(String label, String unit) {
     private static final MathContext SHOWN = new MathContext(5);
 
-    /** Units by key suffix. */
     private static final Map<String, String> UNITS = Map.ofEntries(
             Map.entry("_mm", "mm"),
             Map.entry("_mm2", "mm^2"),

@@ -63,7 +63,6 @@ final class BreathCapture {
         return cycle;
     }
 
-    /** Whether a scenario breathes as the recorded breath. */
     boolean matches(Scenario scenario) {
         return breatheAlike(recorded, scenario);
     }

@@ -80,7 +80,6 @@ public final class NeedleController {
         return canMove();
     }
 
-    /** Moves the tip to the depth of the target. */
     public void moveToTarget() {
         rehearsal.state().ifPresent(now -> moveTo(now.aimedDepthMm()));
     }
@@ -89,7 +88,6 @@ public final class NeedleController {
         speedMmPerS = speed;
     }
 
-    /** Points the needle at the present place of the target. */
     public void aimAtTarget() {
         command(LiveRehearsal::aim);
     }
@@ -110,7 +108,6 @@ public final class NeedleController {
         hold(holds ? Optional.empty() : Optional.of(BreathEvent.Kind.END_EXPIRATION));
     }
 
-    /** Looks from the hub towards the tip. */
     public void lookAlong() {
         rehearsal
                 .state()

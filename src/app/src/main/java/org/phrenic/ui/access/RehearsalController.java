@@ -78,7 +78,6 @@ public final class RehearsalController extends RehearsalState implements Session
         attempt.detach();
     }
 
-    /** Ends the background threads. */
     public void shutdown() {
         detachRun();
         worker.close();
@@ -132,7 +131,6 @@ public final class RehearsalController extends RehearsalState implements Session
         }
     }
 
-    /** The report of an attempt is ready. */
     void onReport(Rehearsal report) {
         fire(listener -> listener.onAttemptEnded(report));
         fireState();
@@ -143,7 +141,6 @@ public final class RehearsalController extends RehearsalState implements Session
         preparation.startPractice();
     }
 
-    /** Opens an exercise: loads its scenario and its target. */
     public void open(RehearsalPlan other) {
         preparation.open(other);
     }
@@ -155,7 +152,6 @@ public final class RehearsalController extends RehearsalState implements Session
         }
     }
 
-    /** Plays the steps of the exercise. */
     public void playExample() {
         if (exercise.isPresent() && study.isPresent() && stage.canStartAttempt()) {
             entrySelection.clear();
@@ -168,7 +164,6 @@ public final class RehearsalController extends RehearsalState implements Session
         preparation.setTargetBehind(pick);
     }
 
-    /** Sets the diameter of a practice target. */
     public void setTargetMm(double diameterMm) {
         preparation.setTargetMm(diameterMm);
     }

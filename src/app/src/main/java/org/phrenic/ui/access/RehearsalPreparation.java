@@ -40,7 +40,6 @@ final class RehearsalPreparation {
         capture = new BreathCapture(session);
     }
 
-    /** A body is being loaded. */
     void awaitBody() {
         enter(RehearsalStage.LOADING);
         rehearsal.fireState();
@@ -51,7 +50,6 @@ final class RehearsalPreparation {
         rehearsal.stage = stage;
     }
 
-    /** A body is loaded. */
     void setBody(LiveScene scene) {
         enter(RehearsalStage.LOADING);
         rehearsal.body = Optional.empty();

@@ -17,7 +17,6 @@ public enum RehearsalStage {
     /** Liver access cannot be rehearsed on this body. */
     UNAVAILABLE;
 
-    /** Whether an attempt may begin. */
     public boolean canStartAttempt() {
         return this == READY || this == PLAYING;
     }

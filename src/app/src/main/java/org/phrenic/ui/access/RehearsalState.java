@@ -31,7 +31,6 @@ public abstract class RehearsalState {
         listeners.forEach(event);
     }
 
-    /** Tells all listeners that the state has changed. */
     final void fireState() {
         fire(RehearsalListener::onState);
     }
@@ -44,12 +43,10 @@ public abstract class RehearsalState {
         return stage != RehearsalStage.CLOSED;
     }
 
-    /** Why liver access cannot be rehearsed on this body. */
     public final String unavailableReason() {
         return unavailableReason;
     }
 
-    /** Fraction of the breath that is recorded. */
     public final double recordedFraction() {
         return recordedFraction;
     }

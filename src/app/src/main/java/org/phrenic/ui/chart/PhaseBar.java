@@ -37,7 +37,6 @@ public final class PhaseBar extends PaintedComponent {
         setToolTipText("Present phase of the breath");
     }
 
-    /** Takes the durations of the phases from a scenario. */
     public void setPattern(Scenario scenario) {
         inspiration = scenario.get(Breathing.INSPIRATORY_FRACTION);
         pause = scenario.breathing().parameters().pauseFraction();

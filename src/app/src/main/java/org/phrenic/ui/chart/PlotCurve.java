@@ -19,7 +19,6 @@ import org.phrenic.ui.widget.Theme;
  * @param meaning where it is measured
  */
 record PlotCurve(String column, int index, String label, String unit, Color colour, boolean dashed, String meaning) {
-    /** Points that can be plotted at once. */
     static final int MAX_POINTS = 4;
 
     private static final List<PlotCurve> OBSERVABLES = List.of(
@@ -73,7 +72,6 @@ record PlotCurve(String column, int index, String label, String unit, Color colo
                 "displacement of the picked point since it was picked, up positive");
     }
 
-    /** Decimals of its values. */
     int decimals() {
         return switch (unit) {
             case "ml" -> 0;

@@ -34,7 +34,6 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private static final long MIN_REDRAW_NS = 95_000_000L;
     private static final int PNG_SCALE = 2;
 
-    /** Time range that is drawn, s. */
     private record TimeSpan(String label, double seconds) {
         @Override
         public String toString() {

@@ -49,7 +49,6 @@ final class PointTracker {
         return Optional.of(curve);
     }
 
-    /** Curves of the tracked points. */
     List<PlotCurve> curves() {
         return Arrays.stream(tracks).filter(Objects::nonNull).map(Track::curve).toList();
     }

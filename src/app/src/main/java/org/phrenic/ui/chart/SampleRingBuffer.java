@@ -72,12 +72,10 @@ final class SampleRingBuffer {
         return IntStream.range(0, size).mapToDouble(i -> value(column, i)).toArray();
     }
 
-    /** Sets a value of a sample. */
     void set(int column, int sample, double value) {
         columns[column][index(sample)] = value;
     }
 
-    /** Sets all values of a column to NaN. */
     void clearColumn(int column) {
         Arrays.fill(columns[column], Double.NaN);
     }

@@ -38,7 +38,6 @@ import org.phrenic.ui.widget.ScrollablePanel;
 public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
 
-    /** A structure by its display name. */
     private record StructureItem(String structure, String name) {
         @Override
         public String toString() {

@@ -182,7 +182,6 @@ public final class ParameterDock extends SessionDock {
         return row.isOffDefault(scenario) || row.isFor(Numerics.TIME_STEP.key());
     }
 
-    /** All rows in their order. */
     List<SettingRow> rows() {
         return groups.values().stream().flatMap(g -> g.rows().stream()).toList();
     }

@@ -16,7 +16,6 @@ public final class EditHistory {
     /** Changes of the same keys within this time merge. */
     static final long COALESCE_NS = 700_000_000L;
 
-    /** Changes that can be undone. */
     static final int MAX_EDITS = 200;
 
     private final UndoManager edits = new UndoManager();

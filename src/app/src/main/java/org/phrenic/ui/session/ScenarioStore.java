@@ -46,7 +46,6 @@ public final class ScenarioStore {
         return data.resolve("settings");
     }
 
-    /** The store of this user. */
     public static ScenarioStore ofUser() {
         return new ScenarioStore(folderOf(
                 System.getProperty("os.name", ""), System::getenv, Path.of(System.getProperty("user.home", "."))));

@@ -68,7 +68,6 @@ public final class Session implements AutoCloseable {
     private boolean resumeAfterHistory;
     private double speed = 1;
 
-    /** Loads a scenario and runs it. */
     public Session(Scenario first) {
         requested = first;
         live = new LiveRun(first, new RunListener());
@@ -140,12 +139,10 @@ public final class Session implements AutoCloseable {
         edits.endMerging();
     }
 
-    /** Replaces the scenario. */
     public void open(String label, Scenario scenario) {
         open(EditName.of(label), scenario);
     }
 
-    /** Replaces the scenario. */
     public void open(EditName name, Scenario scenario) {
         Scenario before = scenario();
         loadScenario(scenario);

@@ -33,7 +33,6 @@ public final class WindowPreferences {
         this.put = put;
     }
 
-    /** The preferences of this user. */
     public static WindowPreferences ofUser() {
         return new WindowPreferences(Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
     }
@@ -52,7 +51,6 @@ public final class WindowPreferences {
         setFlag("dark", dark);
     }
 
-    /** The workspace shown last. */
     public Workspace workspace() {
         String name = get.apply("arrangement", "");
         return name.equals(Workspace.CLINICIAN.name()) ? Workspace.CLINICIAN : Workspace.RESEARCHER;

@@ -91,7 +91,6 @@ public final class AppearanceModel {
         fireChange();
     }
 
-    /** Groups of the scene. */
     public List<Group> groups() {
         return Arrays.stream(Group.values())
                 .filter(group -> surfaces.stream().anyMatch(group::contains))

@@ -137,7 +137,6 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
     /** Clicks and wheel turns that are not for the camera. */
     public interface MouseTool {
-        /** Whether the next click is for this tool. */
         boolean isPicking();
 
         /** Opacity of a surface for the pick; 0 lets the ray through. */
@@ -226,7 +225,6 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         return frameRate.perSecond(System.nanoTime());
     }
 
-    /** Frames shown so far. */
     public long frameCount() {
         return frameCount;
     }
@@ -262,7 +260,6 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         g.dispose();
     }
 
-    /** The structure picked last. */
     public Optional<PickResult> picked() {
         return picked;
     }

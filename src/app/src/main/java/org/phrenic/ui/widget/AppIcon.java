@@ -15,7 +15,6 @@ import java.util.stream.Stream;
 public final class AppIcon {
     private AppIcon() {}
 
-    /** The icon at several sizes. */
     public static List<Image> images() {
         return Stream.of(16, 32, 48, 128).map(AppIcon::image).toList();
     }

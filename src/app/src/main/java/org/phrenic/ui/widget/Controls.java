@@ -22,7 +22,6 @@ public final class Controls {
         return control;
     }
 
-    /** A button with a text. */
     public static JButton button(String text, String tip, Runnable action) {
         return withAction(describe(new JButton(text), text.replace("...", ""), tip), action);
     }
@@ -51,7 +50,6 @@ public final class Controls {
         return button;
     }
 
-    /** A heading over a part of a dock. */
     public static JLabel heading(String text) {
         JLabel label = new JLabel(text);
         label.putClientProperty("FlatLaf.styleClass", "h4");

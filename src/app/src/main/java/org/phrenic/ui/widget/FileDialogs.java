@@ -29,12 +29,10 @@ public final class FileDialogs {
         return confirmed(parent, title, file, file, "Replace " + file.getName() + ", which is there already?");
     }
 
-    /** A file to read. */
     public static Optional<Path> open(Component parent, String title, String... suffixes) {
         return chosen(parent, chooser(title, suffixes));
     }
 
-    /** A file or a folder to read. */
     public static Optional<Path> openFileOrFolder(Component parent, String title) {
         JFileChooser chooser = chooser(title);
         chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);

@@ -27,7 +27,6 @@ public final class RateLimiter {
         timer.setRepeats(false);
     }
 
-    /** Requests a run of the action. */
     public void request() {
         pending = true;
         long waitNs = lastRunNs + INTERVAL_MS * NS_PER_MS - clockNs.getAsLong();

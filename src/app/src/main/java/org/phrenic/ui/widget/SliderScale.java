@@ -15,7 +15,6 @@ import java.math.RoundingMode;
  *     a linear scale
  */
 public record SliderScale(double minimum, double maximum, double firstPositive) {
-    /** Last position of the slider. */
     public static final int POSITIONS = 400;
 
     private static final double MIN_LOG_RATIO = 31.6;

@@ -103,12 +103,10 @@ final class MainToolBar extends JToolBar {
         addSeparator(new Dimension(17, 22));
     }
 
-    /** Marks the button of the workspace that is shown. */
     void setWorkspace(Workspace shown) {
         workspaceButtons.forEach((workspace, button) -> button.setSelected(workspace == shown));
     }
 
-    /** Shows the state of the session. */
     void refresh(Session session) {
         boolean playing = session.live().isPlaying();
         play.setIcon(playing ? Icons.PAUSE : Icons.PLAY);

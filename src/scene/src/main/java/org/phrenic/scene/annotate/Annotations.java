@@ -46,7 +46,6 @@ public record Annotations(
                 style.field() == ColourField.NONE ? Optional.empty() : Optional.of(style.scale()));
     }
 
-    /** Copy with a title. */
     public Annotations withTitle(String text) {
         return new Annotations(lightBackground, text, timestamp, quantityName, scale);
     }
@@ -77,7 +76,6 @@ public record Annotations(
         }
     }
 
-    /** Whether this Java runtime has fonts. */
     public static boolean hasFonts() {
         return Fonts.AVAILABLE;
     }
@@ -139,13 +137,11 @@ public record Annotations(
         return HaloGraphics.over(graphics, lightBackground, Math.min(unit, most));
     }
 
-    /** Width of the letters at the right edge, pixels. */
     private static double rightLetterWidth(HaloGraphics ink, Camera camera) {
         String letters = PatientOrientation.letters(camera.right());
         return ink.measure(letters, LETTER_SIZE, true).getWidth();
     }
 
-    /** Draws a letter in the middle of each edge. */
     private static void drawOrientationLetters(HaloGraphics ink, Camera camera, int width, int height, double floor) {
         Vector3d right = camera.right();
         Vector3d up = camera.up();

@@ -80,7 +80,6 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
         fillShape(glyphs.getOutline((float) left, (float) baseline), toPixels(size) / 4.5);
     }
 
-    /** Fills a shape with a halo. */
     void fillShape(Shape shape, double haloWidth) {
         stroke(shape, halo, haloWidth, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         graphics.setColor(foreground);

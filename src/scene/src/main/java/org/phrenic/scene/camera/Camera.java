@@ -149,7 +149,6 @@ public record Camera(
         return new Camera(target, azimuthDeg, elevationDeg, heightMm, parallel, centre, radiusMm);
     }
 
-    /** Copy with another target, mm. */
     public Camera withTarget(double x, double y, double z) {
         return with(new Vector3d(x, y, z), azimuthDeg, elevationDeg);
     }
@@ -177,7 +176,6 @@ public record Camera(
         return new Matrix4d(new Matrix3d(right(), up(), towardsViewer()).transpose());
     }
 
-    /** Position of the eye, mm. */
     public Vector3d eye() {
         return towardsViewer().mul(distance()).add(target);
     }

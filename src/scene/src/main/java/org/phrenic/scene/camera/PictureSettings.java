@@ -22,12 +22,10 @@ public record PictureSettings(
     public static final int MIN_SIZE = 16;
     public static final int MAX_SIZE = 8192;
 
-    /** Settings of an annotated perspective picture of the whole body. */
     public static PictureSettings of(AnatomicalView view, int width, int height, String title) {
         return new PictureSettings(view, width, height, false, 1, true, title);
     }
 
-    /** The camera for these settings that shows a bounding box. */
     public Camera camera(double[] bounds) {
         Camera whole = Camera.of(view, bounds, (double) width / height).withProjection(orthographic);
         return whole.zoom(zoom, width / 2.0, height / 2.0, width, height);

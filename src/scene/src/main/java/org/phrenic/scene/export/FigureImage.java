@@ -15,7 +15,6 @@ public record FigureImage(String name, String altText, String caption, BufferedI
         return name + ".png";
     }
 
-    /** Writes the picture into a folder as PNG. */
     public void write(Path folder) {
         PngFile.write(folder.resolve(fileName()), image);
     }

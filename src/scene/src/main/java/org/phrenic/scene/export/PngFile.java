@@ -45,7 +45,6 @@ public final class PngFile {
         });
     }
 
-    /** The ImageIO writer of a format. */
     static ImageWriter writer(String format) throws IOException {
         Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName(format);
         if (!writers.hasNext()) {

@@ -47,7 +47,6 @@ final class GlResources {
         return name[0];
     }
 
-    /** Deletes all objects. */
     void deleteAll(GL3 gl) {
         live.forEach((kind, names) -> names.forEach(name -> kind.delete.apply(gl, 1, new int[] {name}, 0)));
         live.clear();

@@ -71,7 +71,6 @@ final class GpuScene {
         uploadedField = wanted;
     }
 
-    /** Sets the poses of static surfaces, by structure name. */
     void setPoses(Map<String, float[]> poses) {
         for (SurfaceBuffers s : surfaces) {
             float[] pose = poses.get(s.surface().name());

@@ -55,7 +55,6 @@ final class LinePass {
         return new float[] {rgb[0], rgb[1], rgb[2], opacity};
     }
 
-    /** Draws the edges of a surface in its own colour. */
     void drawEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         Appearance look = style.appearance(buffers.surface().name()).orElseThrow();
         useLines(gl, transform, style, transform.toEyeSpace(buffers.pose()));
@@ -65,7 +64,6 @@ final class LinePass {
         buffers.drawEdges(gl, false);
     }
 
-    /** Draws the edges of a surface at its rest positions. */
     void drawRestEdges(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style) {
         int rgb = style.background() == SceneBackground.LIGHT ? REST_RGB_ON_LIGHT : REST_RGB_ON_DARK;
         useLines(gl, transform, style, transform.view());
@@ -74,7 +72,6 @@ final class LinePass {
         buffers.drawEdges(gl, true);
     }
 
-    /** Draws the overlays that are switched on. */
     void drawOverlays(GL3 gl, List<OverlayBuffers> overlays, ViewTransform transform, SceneStyle style) {
         for (OverlayBuffers overlay : overlays) {
             if (!style.lines().overlays().contains(overlay.kind())) {

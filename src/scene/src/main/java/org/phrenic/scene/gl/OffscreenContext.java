@@ -102,7 +102,6 @@ public final class OffscreenContext implements AutoCloseable {
         return new OffscreenContext(drawable);
     }
 
-    /** Draws a picture of any size. */
     public BufferedImage render(
             Renderer renderer, Frame frame, Camera camera, SceneStyle style, int width, int height) {
         SceneStyle.Quality quality = style.quality();
@@ -125,7 +124,6 @@ public final class OffscreenContext implements AutoCloseable {
         return whole;
     }
 
-    /** Deletes the OpenGL objects of a renderer. */
     public void release(Renderer renderer) {
         run(renderer::dispose);
     }

@@ -35,12 +35,10 @@ final class RenderTargets {
         return width == w && height == h && scale == wantedScale && samples == wantedSamples;
     }
 
-    /** Framebuffer that surfaces are drawn into. */
     Framebuffer drawTarget() {
         return drawTarget;
     }
 
-    /** Framebuffer of the finished picture. */
     Framebuffer resolved() {
         return resolved;
     }

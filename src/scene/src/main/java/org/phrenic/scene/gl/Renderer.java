@@ -126,7 +126,6 @@ public final class Renderer {
         }
     }
 
-    /** Visible surfaces whose appearance satisfies a condition. */
     private List<SurfaceBuffers> visible(SceneStyle style, Predicate<Appearance> condition) {
         Predicate<Appearance> shown = condition.and(Appearance::visible);
         return scene.surfaces().stream()
@@ -214,7 +213,6 @@ public final class Renderer {
         listener.done(gl, "translucent");
     }
 
-    /** Reads the picture as opaque RGB, top row first. */
     public BufferedImage readPixels(GL3 gl) {
         Framebuffer shown = targets.resolved();
         BufferedImage image = new BufferedImage(shown.width(), shown.height(), BufferedImage.TYPE_INT_RGB);
@@ -298,7 +296,6 @@ public final class Renderer {
         }
     }
 
-    /** Number of live OpenGL objects. */
     public int liveObjects() {
         return resources.liveCount() + (targets == null ? 0 : targets.liveCount());
     }
@@ -307,7 +304,6 @@ public final class Renderer {
         listener = told;
     }
 
-    /** Statistics of the last picture. */
     public FrameStatistics statistics() {
         return statistics;
     }

@@ -163,7 +163,6 @@ final class SurfaceBuffers {
         return surface;
     }
 
-    /** Whether the surface is closed, apart from small holes. */
     boolean isClosed() {
         return closed;
     }

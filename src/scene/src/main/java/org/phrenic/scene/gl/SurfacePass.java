@@ -62,7 +62,6 @@ final class SurfacePass {
         this.resources = resources;
     }
 
-    /** Draws one surface. */
     void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces) {
         draw(gl, buffers, transform, style, faces, null);
     }

@@ -52,7 +52,6 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
         return Optional.empty();
     }
 
-    /** Copy with another range. */
     public ColourScale withRange(double from, double to) {
         return new ColourScale(map, from, to, unit);
     }

@@ -75,7 +75,6 @@ public record SceneStyle(
         return Optional.ofNullable(appearances.get(structure));
     }
 
-    /** Whether a structure is visible. */
     public boolean shows(String structure) {
         return appearance(structure).filter(Appearance::visible).isPresent();
     }

@@ -12,7 +12,6 @@ import org.phrenic.simulation.observe.Surface;
 public final class StructureLabels {
     private StructureLabels() {}
 
-    /** Display name of a surface. */
     public static String of(Surface surface) {
         return of(surface.name());
     }

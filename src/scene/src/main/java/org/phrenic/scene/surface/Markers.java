@@ -56,12 +56,10 @@ public final class Markers {
         return Arrays.copyOf(fromParked.transpose().get(new float[16]), 12);
     }
 
-    /** A fixed sphere. */
     public static Surface ball(String name, double[] centre, double radius) {
         return surface(name, BALL, ballTransform(centre, radius));
     }
 
-    /** A fixed cylinder between two points. */
     public static Surface rod(String name, double[] from, double[] to, double radius) {
         return surface(name, ROD, rodTransform(from, to, radius));
     }

@@ -63,7 +63,6 @@ public final class SectionView extends JPanel {
         repaint();
     }
 
-    /** The section shown; null for none. */
     public BodySection section() {
         return section;
     }
