@@ -11,7 +11,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.phrenic.cli.chart.ErrorChart;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
@@ -117,7 +117,7 @@ final class BenchErrorCommand extends ReportingCommand {
     @Override
     public Integer call() {
         if (out != null) {
-            OutputFolder.requireWritable(out);
+            ReportFolder.requireWritable(out);
         }
         double most = maxError == null ? Double.NaN : OptionValues.number("--max-error", maxError, 1e-9, 1e3);
         ErrorTable earlier = table != null && Files.exists(table) ? ErrorTable.read(table) : null;

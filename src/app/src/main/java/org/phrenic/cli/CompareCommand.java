@@ -6,8 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
 import org.phrenic.cli.option.PictureOptions;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.CompareReport;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
@@ -76,7 +76,7 @@ final class CompareCommand extends ReportingCommand {
         }
         for (Path file : new Path[] {csv, ply, picture}) {
             if (file != null) {
-                OutputFolder.requireWritable(file.toAbsolutePath().getParent());
+                ReportFolder.requireWritable(file.toAbsolutePath().getParent());
             }
         }
         TriangleMesh from = MeshFiles.read(a);

@@ -6,7 +6,7 @@ import java.util.List;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.FitPictures;
 import org.phrenic.cli.report.TextTable;
@@ -126,7 +126,7 @@ final class FitCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        OutputFolder.requireWritable(out);
+        ReportFolder.requireWritable(out);
         ConsoleProgress printer = progress();
         if (synthetic != null) {
             return synthetic(printer);

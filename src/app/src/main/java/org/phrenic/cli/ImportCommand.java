@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
@@ -114,7 +114,7 @@ final class ImportCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        OutputFolder.requireWritable(out);
+        ReportFolder.requireWritable(out);
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
         ImportResult result = ImportPipeline.run(

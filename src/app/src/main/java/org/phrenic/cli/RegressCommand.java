@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
@@ -54,7 +54,7 @@ final class RegressCommand extends ReportingCommand {
                 throw new BadInputException(
                         "--write-references: found --references too, expected one of them: nothing is compared");
             }
-            new Regression(OutputFolder.requireWritable(write)).write(scenes, progress);
+            new Regression(ReportFolder.requireWritable(write)).write(scenes, progress);
             return ExitCode.SUCCESS;
         }
         List<RegressionComparison> comparisons = new Regression(references).check(scenes, progress);

@@ -10,7 +10,7 @@ import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.QuantityKey;
 import org.phrenic.cli.report.TextTable;
@@ -52,7 +52,7 @@ final class RehearseCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        OutputFolder.requireWritable(out);
+        ReportFolder.requireWritable(out);
         PrintWriter err = err();
         ConsoleProgress progress = progress();
         Rehearsal rehearsal = Rehearsal.play(RehearsalPlan.read(planFile), progress);

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import org.phrenic.cli.option.OutputFolder;
 import org.phrenic.cli.option.PictureOptions;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.option.StyleOptions;
 import org.phrenic.cli.option.TimeOptions;
@@ -106,11 +106,11 @@ final class RenderCommand extends ReportingCommand {
             throw new BadInputException("--out: found none, expected a folder for the pictures");
         }
         if (out != null) {
-            OutputFolder.requireWritable(out);
+            ReportFolder.requireWritable(out);
         }
         if (timeOptions.movie() != null) {
             Path folder = timeOptions.movie().toAbsolutePath().getParent();
-            OutputFolder.requireWritable(folder);
+            ReportFolder.requireWritable(folder);
         }
     }
 

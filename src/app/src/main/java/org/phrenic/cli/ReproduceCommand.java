@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.PatientPictures;
 import org.phrenic.document.report.Disclaimer;
@@ -87,7 +87,7 @@ final class ReproduceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        OutputFolder.requireWritable(out);
+        ReportFolder.requireWritable(out);
         PrintWriter err = spec.commandLine().getErr();
         ProgressListener progress = new ConsoleProgress(err, "measured");
         Optional<List<PatientScans>> scans = scans();

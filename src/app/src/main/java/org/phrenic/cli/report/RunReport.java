@@ -4,7 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -34,7 +34,7 @@ public final class RunReport {
     public static Map<String, Object> run(
             Scenario scenario, Map<String, String> remarks, Path out, PrintWriter stderr) {
         if (out != null) {
-            OutputFolder.requireWritable(out);
+            ReportFolder.requireWritable(out);
         }
         ConsoleProgress progress = new ConsoleProgress(stderr);
         remarks.values().forEach(progress::note);

@@ -1,11 +1,16 @@
 package org.phrenic.ui.access;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PickResult;
@@ -19,7 +24,22 @@ import org.phrenic.ui.view.SceneViewport;
  * Rehearses liver access on the body in the window: records the first breath of the run, computes the access map in the
  * background, and then puts a needle into the run. Used on the event dispatch thread, which never waits.
  */
-public final class RehearsalController extends RehearsalState implements Session.Listener {
+public final class RehearsalController implements Session.Listener {
+    /** Events of a rehearsal. */
+    public interface Listener {
+        /** Stage, target, entry or advice has changed. */
+        default void onState() {}
+
+        /** An attempt begins. */
+        default void onAttemptStarted() {}
+
+        /** An attempt has ended and its report is there. */
+        default void onAttemptEnded(Rehearsal rehearsal) {}
+
+        /** Other sections. */
+        default void onSections(BodySection along, BodySection across) {}
+    }
+
     /** Liver access is from the right. */
     private static final double INITIAL_AZIMUTH_DEG = -52;
 
@@ -35,6 +55,15 @@ public final class RehearsalController extends RehearsalState implements Session
     private final PickMode pickMode;
     private final NeedleController needle;
     private boolean cameraPlaced;
+
+    private final List<Listener> listeners = new ArrayList<>();
+    RehearsalStage stage = RehearsalStage.CLOSED;
+    String unavailableReason = "";
+    double recordedFraction;
+    Optional<RehearsalBody> body = Optional.empty();
+    Optional<RehearsalPlan> exercise = Optional.empty();
+    Optional<RehearsalPlan> plan = Optional.empty();
+    Optional<TargetAccess> study = Optional.empty();
 
     public RehearsalController(Session session, AppearanceModel appearance, SceneViewport view) {
         this.session = session;
@@ -119,7 +148,7 @@ public final class RehearsalController extends RehearsalState implements Session
         stage = played ? RehearsalStage.PLAYING : RehearsalStage.READY;
         RehearsalPlan steps = (played ? exercise : plan).orElseThrow();
         attempt.start(body.orElseThrow(), study.orElseThrow(), steps, played, entrySelection.entry());
-        fire(RehearsalListener::onAttemptStarted);
+        fire(Listener::onAttemptStarted);
         fireState();
     }
 
@@ -189,5 +218,52 @@ public final class RehearsalController extends RehearsalState implements Session
     /** State of the needle in the run; empty before the first frame. On any thread. */
     public Optional<NeedleState> state() {
         return attempt.state();
+    }
+
+    public void addListener(Listener listener) {
+        listeners.add(listener);
+    }
+
+    public void removeListener(Listener listener) {
+        listeners.remove(listener);
+    }
+
+    void fire(Consumer<Listener> event) {
+        listeners.forEach(event);
+    }
+
+    void fireState() {
+        fire(Listener::onState);
+    }
+
+    public RehearsalStage stage() {
+        return stage;
+    }
+
+    public boolean isActive() {
+        return stage != RehearsalStage.CLOSED;
+    }
+
+    public String unavailableReason() {
+        return unavailableReason;
+    }
+
+    public double recordedFraction() {
+        return recordedFraction;
+    }
+
+    /** The exercise; empty for practice. */
+    public Optional<RehearsalPlan> exercise() {
+        return exercise;
+    }
+
+    /** What is rehearsed, exercise or practice. */
+    public Optional<RehearsalPlan> plan() {
+        return plan;
+    }
+
+    /** The target and its access map; empty until it is computed. */
+    public Optional<TargetAccess> study() {
+        return study;
     }
 }

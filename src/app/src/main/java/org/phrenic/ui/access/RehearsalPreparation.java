@@ -3,14 +3,18 @@ package org.phrenic.ui.access;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
+import javax.swing.SwingUtilities;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
+import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
@@ -28,7 +32,8 @@ final class RehearsalPreparation {
     private final AppearanceModel appearance;
     private final BackgroundWorker worker;
     private final RehearsalController rehearsal;
-    private final BreathCapture capture;
+    private Scenario recorded = Scenario.defaults();
+    private List<BreathMoment> cycle = List.of();
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
     RehearsalPreparation(
@@ -37,7 +42,6 @@ final class RehearsalPreparation {
         this.appearance = appearance;
         this.worker = worker;
         this.rehearsal = rehearsal;
-        capture = new BreathCapture(session);
     }
 
     void awaitBody() {
@@ -53,7 +57,7 @@ final class RehearsalPreparation {
     void setBody(LiveScene scene) {
         enter(RehearsalStage.LOADING);
         rehearsal.body = Optional.empty();
-        capture.clear();
+        cycle = List.of();
         clearTarget();
         appearance.overrideStyle(style -> style, Optional.empty());
         rehearsal.fireState();
@@ -73,8 +77,8 @@ final class RehearsalPreparation {
 
     /** Records the breath again if the breathing is not the recorded one. */
     void recordBreathIfChanged() {
-        boolean recorded = rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
-        if (recorded && !capture.matches(session.scenario())) {
+        boolean used = rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
+        if (used && !breatheAlike(recorded, session.scenario())) {
             recordBreath();
         }
     }
@@ -83,18 +87,40 @@ final class RehearsalPreparation {
         enter(RehearsalStage.RECORDING_BREATH);
         rehearsal.recordedFraction = 0;
         // With other breathing than the exercise's the target stays, for practice.
-        rehearsal.exercise = rehearsal.exercise.filter(
-                exercise -> BreathCapture.breatheAlike(exercise.scenario(), session.scenario()));
-        capture.start(
-                rehearsal.body.orElseThrow().frame(),
-                rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES),
-                worker.notDiscardedSince(),
-                fraction -> {
+        rehearsal.exercise =
+                rehearsal.exercise.filter(exercise -> breatheAlike(exercise.scenario(), session.scenario()));
+        int moments = rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES);
+        Frame frame = rehearsal.body.orElseThrow().frame();
+        BooleanSupplier wanted = worker.notDiscardedSince();
+        recorded = session.scenario();
+        CycleRecorder recorder = new CycleRecorder(
+                session.live(),
+                frame,
+                moments,
+                fraction -> onEventThread(wanted, () -> {
                     rehearsal.recordedFraction = fraction;
                     rehearsal.fireState();
-                },
-                this::computeMap);
+                }),
+                whole -> onEventThread(wanted, () -> {
+                    cycle = whole;
+                    computeMap();
+                }));
+        session.live().setSpeed(Double.POSITIVE_INFINITY);
+        session.restart(recorder, recorder);
         rehearsal.fireState();
+    }
+
+    private static void onEventThread(BooleanSupplier wanted, Runnable what) {
+        SwingUtilities.invokeLater(() -> {
+            if (wanted.getAsBoolean()) {
+                what.run();
+            }
+        });
+    }
+
+    /** Whether two scenarios are the same but for a breath hold. */
+    private static boolean breatheAlike(Scenario one, Scenario other) {
+        return one.with("hold=false").equals(other.with("hold=false"));
     }
 
     /** Computes the map of the exercise's target, of the present one, or of one at random. */
@@ -114,7 +140,7 @@ final class RehearsalPreparation {
         rehearsal.fireState();
         RehearsalBody body = rehearsal.body.orElseThrow();
         Scenario scenario = session.scenario().with("hold=false");
-        List<BreathMoment> breath = capture.cycle();
+        List<BreathMoment> breath = cycle;
         Optional<RehearsalPlan> exercise = rehearsal.exercise;
         worker.run(
                 () -> body.studyTarget(target.call(), breath, exercise, scenario),
@@ -148,7 +174,7 @@ final class RehearsalPreparation {
         if (rehearsal.exercise.isPresent()) {
             rehearsal.exercise = Optional.empty();
             clearTarget();
-            if (rehearsal.stage != RehearsalStage.LOADING && !capture.cycle().isEmpty()) {
+            if (rehearsal.stage != RehearsalStage.LOADING && !cycle.isEmpty()) {
                 computeMap();
             }
         }
@@ -158,7 +184,7 @@ final class RehearsalPreparation {
         rehearsal.exercise = Optional.of(exercise);
         clearTarget();
         boolean loaded = rehearsal.body.isPresent() && rehearsal.stage != RehearsalStage.LOADING;
-        if (loaded && BreathCapture.breatheAlike(session.scenario(), exercise.scenario())) {
+        if (loaded && breatheAlike(session.scenario(), exercise.scenario())) {
             recordBreath();
         } else {
             awaitBody();

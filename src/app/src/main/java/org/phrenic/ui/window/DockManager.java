@@ -12,7 +12,6 @@ import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
 import org.phrenic.ui.access.panel.AttemptsDock;
 import org.phrenic.ui.access.panel.RehearsalDock;
 import org.phrenic.ui.access.panel.SectionDock;
@@ -131,7 +130,7 @@ public final class DockManager {
         rehearsal = new RehearsalDock(session, rehearsalController, breath::selectPreset);
         attempts = new AttemptsDock(session, rehearsalController, view, null);
         sections = new SectionDock(rehearsalController);
-        rehearsalController.addListener(new RehearsalListener() {
+        rehearsalController.addListener(new RehearsalController.Listener() {
             @Override
             public void onAttemptEnded(Rehearsal report) {
                 right.setSelectedIndex(right.indexOfComponent(attempts));

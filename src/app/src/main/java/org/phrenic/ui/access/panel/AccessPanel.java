@@ -8,13 +8,12 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
 /** A panel of the rehearsal dock: rows of controls that show the state of the rehearsal. */
-abstract class AccessPanel extends JPanel implements Session.Listener, RehearsalListener {
+abstract class AccessPanel extends JPanel implements Session.Listener, RehearsalController.Listener {
     final transient RehearsalController rehearsal;
 
     AccessPanel(RehearsalController rehearsal) {

@@ -1,13 +1,28 @@
 package org.phrenic.ui.access.panel;
 
+import java.awt.Color;
 import java.awt.Graphics;
+import java.util.EnumMap;
+import java.util.Map;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.plan.PathAdvice;
+import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.ui.widget.Theme;
 
 /** A headline in green, amber or red, and the reasons for it. */
 public final class AdvicePanel extends JPanel {
     private static final int BAR_WIDTH = 5;
+    /** Green, amber and red; they differ in lightness too. */
+    private static final Map<PathAdvice.Level, Color> BACKGROUNDS = new EnumMap<>(Map.of(
+            PathAdvice.Level.FREE, Theme.colour(0xe2f3f0, 0x17383a),
+            PathAdvice.Level.CAREFUL, Theme.colour(0xfff2d6, 0x463510),
+            PathAdvice.Level.BARRED, Theme.colour(0xfbe3df, 0x52241e)));
+
+    private static final Map<PathAdvice.Level, Color> TEXTS = new EnumMap<>(Map.of(
+            PathAdvice.Level.FREE, Theme.colour(0x0a4a43, 0xc9f0ea),
+            PathAdvice.Level.CAREFUL, Theme.colour(0x5c3c00, 0xffe1a3),
+            PathAdvice.Level.BARRED, Theme.colour(0x7a1a0e, 0xffd0c8)));
 
     private final WrappingLabel headline = WrappingLabel.emphasised("Verdict on the path");
     private final WrappingLabel body = WrappingLabel.normal("Reasons and margin");
@@ -38,16 +53,16 @@ public final class AdvicePanel extends JPanel {
     }
 
     private void applyColours() {
-        setBackground(AdviceColours.background(level));
-        headline.setForeground(AdviceColours.text(level));
-        body.setForeground(AdviceColours.text(level));
+        setBackground(BACKGROUNDS.get(level));
+        headline.setForeground(TEXTS.get(level));
+        body.setForeground(TEXTS.get(level));
         repaint();
     }
 
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
-        g.setColor(AdviceColours.path(level));
+        g.setColor(new Color(NeedleMarkers.rgb(level)));
         g.fillRect(0, 0, BAR_WIDTH, getHeight());
     }
 }

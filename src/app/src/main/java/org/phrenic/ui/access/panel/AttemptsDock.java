@@ -21,7 +21,6 @@ import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
@@ -30,7 +29,7 @@ import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
 
 /** The report card of an attempt, and a table of the attempts of the session. */
-public final class AttemptsDock extends JPanel implements RehearsalListener {
+public final class AttemptsDock extends JPanel implements RehearsalController.Listener {
     private record Column(String name, String tip, int width, Function<Rehearsal, String> text) {}
 
     private static final List<Column> COLUMNS = List.of(

@@ -6,10 +6,9 @@ import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.scene.BodySection;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.access.RehearsalListener;
 
 /** The section along the needle above the section across it at the tip. */
-public final class SectionDock extends JPanel implements RehearsalListener {
+public final class SectionDock extends JPanel implements RehearsalController.Listener {
     private static final double ALONG_HALF_MM = 105;
     private static final double ACROSS_HALF_MM = 36;
     private static final String NO_ENTRY_HINT = "Choose an entry (E)\nor take the best path (B)";

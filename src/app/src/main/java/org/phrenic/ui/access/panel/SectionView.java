@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.BodySection;
+import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
@@ -144,7 +145,7 @@ public final class SectionView extends JPanel {
         toPixels.transform(s.entry(), 0, p, 0, 1);
         toPixels.transform(s.tip(), 0, p, 2, 1);
         toPixels.transform(s.end(), 0, p, 4, 1);
-        g.setColor(AdviceColours.path(level));
+        g.setColor(new Color(NeedleMarkers.rgb(level)));
         g.setStroke(new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {6, 4}, 0));
         g.draw(new Line2D.Double(p[0], p[1], p[4], p[5]));
         if (placed) {
@@ -171,7 +172,7 @@ public final class SectionView extends JPanel {
         g.setColor(BACKGROUND);
         g.draw(cross);
         g.setStroke(new BasicStroke(2f));
-        g.setColor(placed ? NEEDLE : AdviceColours.path(level));
+        g.setColor(placed ? NEEDLE : new Color(NeedleMarkers.rgb(level)));
         g.draw(cross);
     }
 
