@@ -1,9 +1,8 @@
 package org.phrenic.cli;
 
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
@@ -105,22 +104,22 @@ final class BenchCommand extends ReportingCommand {
     }
 
     private void print(BareResult result) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("steps_per_s", result.stepsPerSecond());
-        values.put("min", result.min());
-        values.put("max", result.max());
-        values.put("nodes", result.nodes());
-        values.put("edges", result.edges());
-        values.put("links", result.links());
-        values.put("threads", result.threads());
-        values.put("integrator", result.integrator());
-        values.put("kernel", result.kernel());
-        values.put("mean_dz_200", result.meanDz200());
-        values.put("roots_per_s", result.roofline().rootsPerSecond());
-        values.put("bytes_per_s", result.roofline().bytesPerSecond());
-        values.put("floor_steps_per_s", result.roofline().stepsPerSecond());
-        values.put("fraction_of_floor", result.fractionOfRoofline());
-        values.put("state_sha256", result.stateSha256());
+        OrderedValues values = new OrderedValues()
+                .with("steps_per_s", result.stepsPerSecond())
+                .with("min", result.min())
+                .with("max", result.max())
+                .with("nodes", result.nodes())
+                .with("edges", result.edges())
+                .with("links", result.links())
+                .with("threads", result.threads())
+                .with("integrator", result.integrator())
+                .with("kernel", result.kernel())
+                .with("mean_dz_200", result.meanDz200())
+                .with("roots_per_s", result.roofline().rootsPerSecond())
+                .with("bytes_per_s", result.roofline().bytesPerSecond())
+                .with("floor_steps_per_s", result.roofline().stepsPerSecond())
+                .with("fraction_of_floor", result.fractionOfRoofline())
+                .with("state_sha256", result.stateSha256());
         TextTable table = new TextTable(false, false);
         values.forEach((key, value) -> table.row(key, String.valueOf(value)));
         print(values, table::text);

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.PictureOptions;
 import org.phrenic.cli.option.ReportFolder;
@@ -87,9 +89,7 @@ final class CompareCommand extends ReportingCommand {
             CsvWriter.write(csv, columns(from, to, comparison), CsvWriter.ALL_DIGITS);
         }
         if (ply != null) {
-            Map<String, double[]> scalars = new LinkedHashMap<>();
-            scalars.put("distance_mm", comparison.aToB().distances());
-            PlyWriter.write(ply, from, scalars);
+            PlyWriter.write(ply, from, Map.of("distance_mm", comparison.aToB().distances()));
         }
         List<String> pictures = picture == null ? List.of() : pictures(from, comparison, shots, scale);
         CompareReport report = new CompareReport(a, b, comparison);
@@ -102,17 +102,13 @@ final class CompareCommand extends ReportingCommand {
     }
 
     private Map<String, double[]> columns(TriangleMesh from, TriangleMesh to, SurfaceComparison comparison) {
-        int n = from.vertexCount();
-        double[][] place = new double[3][n];
-        for (int v = 0; v < n; v++) {
-            place[0][v] = from.x(v);
-            place[1][v] = from.y(v);
-            place[2][v] = from.z(v);
-        }
+        IntFunction<double[]> axis = k -> IntStream.range(0, from.vertexCount())
+                .mapToDouble(v -> from.positions()[3 * v + k])
+                .toArray();
         Map<String, double[]> columns = new LinkedHashMap<>();
-        columns.put("x_mm", place[0]);
-        columns.put("y_mm", place[1]);
-        columns.put("z_mm", place[2]);
+        columns.put("x_mm", axis.apply(0));
+        columns.put("y_mm", axis.apply(1));
+        columns.put("z_mm", axis.apply(2));
         columns.put("area_mm2", comparison.aToB().weights());
         columns.put("distance_mm", comparison.aToB().distances());
         if (comparison.corresponding().isPresent()) {
@@ -136,10 +132,10 @@ final class CompareCommand extends ReportingCommand {
         List<String> made = new ArrayList<>();
         try (SurfacePictures drawn = new SurfacePictures()) {
             for (PictureSettings shot : shots) {
+                String stem = name(picture).replaceFirst("(?i)(\\.png)?$", "");
                 Path file = shots.size() == 1
                         ? picture
-                        : picture.resolveSibling(name(picture).replaceFirst("(?i)(\\.png)?$", "") + "_"
-                                + shot.view().label() + ".png");
+                        : picture.resolveSibling(stem + "_" + shot.view().label() + ".png");
                 double[] distances = comparison.aToB().distances();
                 PngFile.write(file, drawn.distances(from, distances, shot, scale, from.bounds()));
                 made.add(file.toString());

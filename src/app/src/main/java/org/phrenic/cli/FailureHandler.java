@@ -21,13 +21,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Reports an exception as one sentence on stderr and maps it to an exit code. */
-final class FailureHandler implements IParameterExceptionHandler, IExecutionExceptionHandler {
-    private final BooleanSupplier debug;
-
-    FailureHandler(BooleanSupplier debug) {
-        this.debug = debug;
-    }
-
+record FailureHandler(BooleanSupplier debug) implements IParameterExceptionHandler, IExecutionExceptionHandler {
     @Override
     public int handleParseException(ParameterException failure, String[] args) {
         CommandLine line = failure.getCommandLine();
@@ -49,13 +43,9 @@ final class FailureHandler implements IParameterExceptionHandler, IExecutionExce
             print(line.getErr(), failure.getMessage(), failure);
             return ExitCode.NO_GRAPHICS;
         }
-        print(
-                line.getErr(),
-                failure instanceof DivergenceException
-                        ? failure.getMessage()
-                        : "an unexpected failure, " + failure.getClass().getSimpleName()
-                                + (told ? " (" + failure.getMessage() + ")" : "") + "; --debug shows where",
-                failure);
+        String unexpected = "an unexpected failure, " + failure.getClass().getSimpleName()
+                + (told ? " (" + failure.getMessage() + ")" : "") + "; --debug shows where";
+        print(line.getErr(), failure instanceof DivergenceException ? failure.getMessage() : unexpected, failure);
         return ExitCode.FAILURE;
     }
 

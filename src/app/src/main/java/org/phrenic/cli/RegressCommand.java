@@ -1,14 +1,13 @@
 package org.phrenic.cli;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.regression.Regression;
@@ -89,29 +88,23 @@ final class RegressCommand extends ReportingCommand {
     }
 
     private static Map<String, Object> values(List<RegressionComparison> comparisons, boolean hold) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("passes", hold);
-        List<Object> scenes = new ArrayList<>();
-        for (RegressionComparison c : comparisons) {
-            Map<String, Object> each = new LinkedHashMap<>();
-            each.put("scene", c.scene());
-            each.put("holds", c.passes());
-            put(each, "worst_mm", c.worstMm());
-            each.put("worst_node", c.worstNode());
-            put(each, "worst_node_time_s", c.worstNodeTimeS());
-            each.put("worst_observable", c.worstObservable());
-            put(each, "worst_share", c.worstRelativeError());
-            put(each, "worst_observable_time_s", c.worstObservableTimeS());
-            each.put("sentence", c.sentence());
-            scenes.add(each);
-        }
-        map.put("scenes", scenes);
-        return map;
+        List<OrderedValues> scenes =
+                comparisons.stream().map(RegressCommand::values).toList();
+        return new OrderedValues().with("passes", hold).with("scenes", scenes);
     }
 
-    private static void put(Map<String, Object> map, String key, double value) {
-        if (Double.isFinite(value)) {
-            map.put(key, value);
-        }
+    private static OrderedValues values(RegressionComparison c) {
+        OrderedValues values = new OrderedValues()
+                .with("scene", c.scene())
+                .with("holds", c.passes())
+                .with("worst_mm", c.worstMm())
+                .with("worst_node", c.worstNode())
+                .with("worst_node_time_s", c.worstNodeTimeS())
+                .with("worst_observable", c.worstObservable())
+                .with("worst_share", c.worstRelativeError())
+                .with("worst_observable_time_s", c.worstObservableTimeS())
+                .with("sentence", c.sentence());
+        values.values().removeIf(value -> value instanceof Double number && !Double.isFinite(number));
+        return values;
     }
 }

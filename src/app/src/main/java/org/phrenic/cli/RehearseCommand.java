@@ -94,11 +94,10 @@ final class RehearseCommand extends ReportingCommand {
         List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
         if (!goals.isEmpty()) {
             TextTable asked = new TextTable(false, true, true, false).row("goal", "asked", "reached", "");
-            goals.forEach(g -> asked.row(
-                    g.goal(),
-                    QuantityKey.format(g.limit()),
-                    QuantityKey.format(g.value()),
-                    g.reached() ? "yes" : "NO"));
+            for (Goals.GoalResult g : goals) {
+                String value = QuantityKey.format(g.value());
+                asked.row(g.goal(), QuantityKey.format(g.limit()), value, g.reached() ? "yes" : "NO");
+            }
             text.append('\n').append(asked.text());
         }
         text.append('\n').append(rehearsal.goalsReached() ? "done" : "not done");

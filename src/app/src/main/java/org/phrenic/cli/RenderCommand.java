@@ -2,11 +2,10 @@ package org.phrenic.cli;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.phrenic.cli.option.PictureOptions;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.ScenarioOptions;
@@ -15,6 +14,7 @@ import org.phrenic.cli.option.TimeOptions;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.QuantityKey;
 import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -24,6 +24,7 @@ import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.export.FfmpegMovieWriter;
 import org.phrenic.scene.export.GifMovieWriter;
+import org.phrenic.scene.export.MovieWriter;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 import picocli.CommandLine.Command;
@@ -66,7 +67,7 @@ final class RenderCommand extends ReportingCommand {
     @Mixin
     private StyleOptions styleOptions;
 
-    private final List<Map<String, Object>> written = new ArrayList<>();
+    private final List<OrderedValues> written = new ArrayList<>();
 
     @Override
     public Integer call() throws NoGraphicsException {
@@ -109,8 +110,7 @@ final class RenderCommand extends ReportingCommand {
             ReportFolder.requireWritable(out);
         }
         if (timeOptions.movie() != null) {
-            Path folder = timeOptions.movie().toAbsolutePath().getParent();
-            ReportFolder.requireWritable(folder);
+            ReportFolder.requireWritable(timeOptions.movie().toAbsolutePath().getParent());
         }
     }
 
@@ -133,14 +133,10 @@ final class RenderCommand extends ReportingCommand {
     }
 
     private Path picture(PictureSettings shot, int index, double[] times) {
-        return out.resolve(shot.view().label() + suffix(index, times) + ".png");
-    }
-
-    private String suffix(int index, double[] times) {
-        if (timeOptions.isSequence()) {
-            return String.format(Locale.ROOT, "_%04d", index + 1);
-        }
-        return times.length == 1 ? "" : String.format(Locale.ROOT, "_%.3fs", times[index]);
+        String suffix = timeOptions.isSequence()
+                ? String.format(Locale.ROOT, "_%04d", index + 1)
+                : times.length == 1 ? "" : String.format(Locale.ROOT, "_%.3fs", times[index]);
+        return out.resolve(shot.view().label() + suffix + ".png");
     }
 
     private void movie(
@@ -154,37 +150,30 @@ final class RenderCommand extends ReportingCommand {
                     + file + " instead.");
             framesPerS = Math.min(framesPerS, GifMovieWriter.MAX_FRAMES_PER_S);
         }
-        studio.writeMovie(
-                file,
-                ffmpeg.<org.phrenic.scene.export.MovieWriter>map(FfmpegMovieWriter::new)
-                        .orElseGet(GifMovieWriter::new),
-                framesPerS,
-                times,
-                shot,
-                style,
-                Optional.ofNullable(out).map(folder -> i -> picture(shot, i, times)));
+        MovieWriter writer = ffmpeg.isPresent() ? new FfmpegMovieWriter(ffmpeg.get()) : new GifMovieWriter();
+        Optional<IntFunction<Path>> single = Optional.ofNullable(out).map(folder -> i -> picture(shot, i, times));
+        studio.writeMovie(file, writer, framesPerS, times, shot, style, single);
         list(file, shot, times[0], times.length);
     }
 
     private void list(Path file, PictureSettings shot, double timeS, int frames) {
-        Map<String, Object> row = new LinkedHashMap<>();
-        row.put("file", file.toString());
-        row.put("view", shot.view().label());
-        row.put("time_s", timeS);
-        row.put("width", shot.width());
-        row.put("height", shot.height());
-        row.put("frames", frames);
-        written.add(row);
+        written.add(new OrderedValues()
+                .with("file", file.toString())
+                .with("view", shot.view().label())
+                .with("time_s", timeS)
+                .with("width", shot.width())
+                .with("height", shot.height())
+                .with("frames", frames));
     }
 
     private void report(ScenarioRenderer studio) {
-        Map<String, Object> report = new LinkedHashMap<>();
-        report.put("pictures", written);
-        report.put("graphics", studio.graphicsInfo().renderer());
-        report.put("opengl", studio.graphicsInfo().version());
-        report.put("notice", Disclaimer.TEXT);
+        OrderedValues report = new OrderedValues()
+                .with("pictures", written)
+                .with("graphics", studio.graphicsInfo().renderer())
+                .with("opengl", studio.graphicsInfo().version())
+                .with("notice", Disclaimer.TEXT);
         TextTable table = new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
-        for (Map<String, Object> row : written) {
+        for (OrderedValues row : written) {
             table.row(
                     row.get("file").toString(),
                     row.get("view").toString(),

@@ -99,12 +99,9 @@ final class ReproduceCommand implements Callable<Integer> {
         Map<String, List<Picture>> segmented = new TreeMap<>();
         Map<String, List<Picture>> distances = new TreeMap<>();
         draw(people, segmented, distances);
-        ReportDocument report = new ReproductionReport(
-                        found,
-                        people,
-                        new ReportPictures(pictures, segmented, distances, noPictures),
-                        new VersionProvider().getVersion()[0])
-                .document();
+        ReportPictures drawn = new ReportPictures(pictures, segmented, distances, noPictures);
+        String version = new VersionProvider().getVersion()[0];
+        ReportDocument report = new ReproductionReport(found, people, drawn, version).document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report));
         PrintWriter stdout = spec.commandLine().getOut();
@@ -133,19 +130,15 @@ final class ReproduceCommand implements Callable<Integer> {
             Optional<String> stated =
                     patients == null ? Optional.of(PatientStudy.DEFAULT_AXES) : Optional.ofNullable(axes);
             int left = scans.get().size() - PatientStudy.MAX_PATIENTS;
-            return new PatientResults(
-                    study.of(scans.get(), stated),
-                    left > 0 && !quick ? left + " more of the scans were left out for want of time." : "",
-                    quick);
+            String rest = left > 0 && !quick ? left + " more of the scans were left out for want of time." : "";
+            return new PatientResults(study.of(scans.get(), stated), rest, quick);
         }
         String why = quick
                 ? "A quick reproduction looks at no scan, and tunes nothing."
                 : "No scans were found in " + PatientStudy.DEFAULT_FOLDER
                         + "; --patients FOLDER names a folder with NAME_expiration.* and NAME_inspiration.*.";
-        return new PatientResults(
-                List.of(study.synthetic()),
-                why + " A synthetic patient stands in: figures show what they would, and say nothing of people.",
-                quick);
+        String note = why + " A synthetic patient stands in: figures show what they would, and say nothing of people.";
+        return new PatientResults(List.of(study.synthetic()), note, quick);
     }
 
     private void draw(
@@ -178,11 +171,9 @@ final class ReproduceCommand implements Callable<Integer> {
                 ? PaperScenarios.defaultModel("quiet", Resolution.LOW).with("rate_per_min=60")
                 : PaperScenarios.defaultModel("deep", Resolution.LOW);
         try {
-            figures.putAll(PaperFigures.draw(
-                    breath,
-                    quick ? Optional.empty() : Optional.of(PaperScenarios.publishedModel("deep", Resolution.LOW)),
-                    quick ? QUICK_PICTURE : PICTURE,
-                    progress));
+            Optional<Scenario> published =
+                    quick ? Optional.empty() : Optional.of(PaperScenarios.publishedModel("deep", Resolution.LOW));
+            figures.putAll(PaperFigures.draw(breath, published, quick ? QUICK_PICTURE : PICTURE, progress));
             figures.put(2, List.of(WindowSnapshot.of(breath, quick ? QUICK_WINDOW_S : WINDOW_S)));
         } catch (NoGraphicsException none) {
             noPictures = none.getMessage() + ".";

@@ -7,13 +7,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.query.DistanceHistogram;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 
 /** The results of {@code phrenic compare}. */
-public final class CompareReport {
+public record CompareReport(Path a, Path b, SurfaceComparison comparison) {
     private static final int BINS = 20;
     /** Distance statistics by key, in the order of the table. */
     private static final Map<String, ToDoubleFunction<DistanceSummary>> FIGURES = new LinkedHashMap<>();
@@ -27,52 +28,38 @@ public final class CompareReport {
         FIGURES.put("maximum_mm", DistanceSummary::maximum);
     }
 
-    private final Path a;
-    private final Path b;
-    private final SurfaceComparison comparison;
-
-    public CompareReport(Path a, Path b, SurfaceComparison comparison) {
-        this.a = a;
-        this.b = b;
-        this.comparison = comparison;
-    }
-
     public Map<String, Object> values(List<String> pictures) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("a", a.toString());
-        values.put("b", b.toString());
-        values.put("a_to_b", oneWay(comparison.aToB()));
-        values.put("b_to_a", oneWay(comparison.bToA()));
-        Map<String, Object> both = new LinkedHashMap<>();
-        both.put("per_vertex", figures(comparison.perVertex()));
-        both.put("by_area", figures(comparison.byArea()));
-        values.put("symmetric", both);
-        values.put("hausdorff_mm", comparison.hausdorff());
+        OrderedValues values = new OrderedValues()
+                .with("a", a.toString())
+                .with("b", b.toString())
+                .with("a_to_b", oneWay(comparison.aToB()))
+                .with("b_to_a", oneWay(comparison.bToA()))
+                .with("symmetric", figures(new OrderedValues(), comparison.perVertex(), comparison.byArea()))
+                .with("hausdorff_mm", comparison.hausdorff());
         comparison.corresponding().ifPresent(d -> values.put("corresponding_vertices", figures(d)));
         if (!pictures.isEmpty()) {
             values.put("pictures", pictures);
         }
-        values.put("notice", Disclaimer.TEXT);
-        return values;
+        return values.with("notice", Disclaimer.TEXT);
     }
 
-    private static Map<String, Object> oneWay(SurfaceComparison.DirectedDistances way) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("signed", way.signed());
+    private static OrderedValues oneWay(SurfaceComparison.DirectedDistances way) {
+        OrderedValues values = new OrderedValues().with("signed", way.signed());
         if (way.signed()) {
             values.put("signed_mean_mm", way.signedMean());
         }
-        values.put("per_vertex", figures(way.perVertex()));
-        values.put("by_area", figures(way.byArea()));
         DistanceHistogram histogram = way.histogram(BINS);
-        values.put("histogram_edges_mm", histogram.edgesMm());
-        values.put("histogram_area_shares", histogram.shares());
-        return values;
+        return figures(values, way.perVertex(), way.byArea())
+                .with("histogram_edges_mm", histogram.edgesMm())
+                .with("histogram_area_shares", histogram.shares());
     }
 
-    private static Map<String, Object> figures(DistanceSummary d) {
-        Map<String, Object> values = new LinkedHashMap<>();
-        values.put("vertices", d.points());
+    private static OrderedValues figures(OrderedValues values, DistanceSummary perVertex, DistanceSummary byArea) {
+        return values.with("per_vertex", figures(perVertex)).with("by_area", figures(byArea));
+    }
+
+    private static OrderedValues figures(DistanceSummary d) {
+        OrderedValues values = new OrderedValues().with("vertices", d.points());
         FIGURES.forEach((key, figure) -> values.put(key, figure.applyAsDouble(d)));
         return values;
     }

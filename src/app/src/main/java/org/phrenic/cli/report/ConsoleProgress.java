@@ -60,13 +60,8 @@ public final class ConsoleProgress implements SimulationRun.Progress, ProgressLi
 
     @Override
     public void evaluated(int count, int most, double bestMm, double initialMm) {
-        draw(
-                false,
-                "%d of at most %d breaths, mean distance %.3f mm, %.3f of the initial",
-                count,
-                most,
-                bestMm,
-                bestMm / initialMm);
+        String format = "%d of at most %d breaths, mean distance %.3f mm, %.3f of the initial";
+        draw(false, format, count, most, bestMm, bestMm / initialMm);
     }
 
     private synchronized void draw(boolean complete, String format, Object... figures) {

@@ -10,11 +10,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.breathing.BreathingParameters;
+import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
@@ -95,9 +97,8 @@ public final class FileInfo {
         info.put("edge_length_minimum", edges.minimum());
         info.put("edge_length_mean", edges.mean());
         info.put("edge_length_maximum", edges.maximum());
-        info.put(
-                "smallest_angle_deg",
-                Arrays.stream(MeshMeasure.smallestAngles(mesh)).min().orElse(0));
+        double angle = Arrays.stream(MeshMeasure.smallestAngles(mesh)).min().orElse(0);
+        info.put("smallest_angle_deg", angle);
     }
 
     private static void putVolume(Map<String, Object> info, LabelVolume volume) {
@@ -131,11 +132,14 @@ public final class FileInfo {
                         setting == RunSettings.DURATION || (setting instanceof Parameter p && p.isGivenByPreset());
                 boolean hasUnit =
                         setting instanceof Parameter || !setting.unit().equals("1");
-                Map<String, Object> entry = new LinkedHashMap<>();
-                entry.put("value", value);
-                entry.put("unit", hasUnit ? setting.unit() : "");
-                entry.put("from", stated.contains(setting.key()) ? "file" : ofPreset ? "preset" : "default");
-                info.put(setting.key(), entry);
+                String from = stated.contains(setting.key()) ? "file" : ofPreset ? "preset" : "default";
+                String unit = hasUnit ? setting.unit() : "";
+                info.put(
+                        setting.key(),
+                        new OrderedValues()
+                                .with("value", value)
+                                .with("unit", unit)
+                                .with("from", from));
             }
         }
     }
@@ -152,21 +156,18 @@ public final class FileInfo {
     private static void putThorax(Map<String, Object> info, Thorax thorax) {
         Map<String, Object> counts = new LinkedHashMap<>();
         for (StructureKind kind : StructureKind.values()) {
-            if (!thorax.structuresOf(kind).isEmpty()) {
-                counts.put(
-                        kind.name().toLowerCase(Locale.ROOT),
-                        thorax.structuresOf(kind).size());
+            int count = thorax.structuresOf(kind).size();
+            if (count > 0) {
+                counts.put(kind.name().toLowerCase(Locale.ROOT), count);
             }
         }
         info.put("name", thorax.name());
         // The loader's first note states the axes and the unit of the folder, as declared or as inferred.
         info.put("frame", thorax.notes().get(0));
         info.put("structures", counts);
-        info.put(
-                "triangles",
-                thorax.structures().stream()
-                        .mapToInt(s -> s.mesh().triangleCount())
-                        .sum());
+        IntStream triangles =
+                thorax.structures().stream().mapToInt(s -> s.mesh().triangleCount());
+        info.put("triangles", triangles.sum());
         info.put("missing", missing(thorax));
         info.put("notes", thorax.notes().subList(1, thorax.notes().size()));
     }

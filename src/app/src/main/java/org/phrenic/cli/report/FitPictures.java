@@ -1,5 +1,6 @@
 package org.phrenic.cli.report;
 
+import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -7,6 +8,7 @@ import java.util.List;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.fit.FitDistances;
 import org.phrenic.fit.FitResult;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.scene.SurfacePictures;
 import org.phrenic.scene.camera.AnatomicalView;
@@ -50,14 +52,10 @@ public final class FitPictures {
                 String file = target.target().name() + "_" + state + "_" + view.label() + ".png";
                 String title = target.target().name() + ", " + state;
                 PictureSettings settings = PictureSettings.of(view, SIZE, SIZE, title);
-                PngFile.write(
-                        folder.resolve(file),
-                        pictures.distances(
-                                distances.model(),
-                                distances.toTarget(),
-                                settings,
-                                scale,
-                                distances.model().bounds()));
+                TriangleMesh model = distances.model();
+                BufferedImage picture =
+                        pictures.distances(model, distances.toTarget(), settings, scale, model.bounds());
+                PngFile.write(folder.resolve(file), picture);
                 written.add(new Picture(file, title + " seen from " + view.label(), title));
             }
         }

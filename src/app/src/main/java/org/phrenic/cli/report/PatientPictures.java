@@ -1,6 +1,7 @@
 package org.phrenic.cli.report;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
@@ -17,6 +18,7 @@ import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.export.FigureImage;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.Appearance;
+import org.phrenic.scene.style.ColourScale;
 import org.phrenic.study.paper.PatientCase;
 
 /** Reproduces figures 4 and 5 of Villard, Bourne and Bello 2009 for a patient. */
@@ -57,9 +59,8 @@ public final class PatientPictures {
             return List.of(
                     new FigureImage(
                             "fig4-" + file + "-levels",
-                            "Lungs at the end of exhale within the translucent, larger lungs at the end of "
-                                    + "inhale, from the"
-                                    + " front",
+                            "Lungs at the end of exhale within the translucent, larger lungs at the end of inhale, from"
+                                    + " the front",
                             "Lungs at the end of exhale, and at the end of inhale (translucent blue).",
                             pictures.layers(levels, settings(AnatomicalView.ANTERIOR))),
                     new FigureImage(
@@ -87,11 +88,11 @@ public final class PatientPictures {
     public List<FigureImage> distanceFigures() throws NoGraphicsException {
         DistanceSummary worst = patient.lungs().stream()
                 .map(t -> t.initial().summary())
-                .reduce((a, b) -> a.percentile95() > b.percentile95() ? a : b)
+                .max(Comparator.comparingDouble(DistanceSummary::percentile95))
                 .orElseThrow();
-        double[] bounds = MeshMerge.merge(
-                        List.of(lungs(FitResult.TargetResult::initial), lungs(FitResult.TargetResult::residual)))
-                .bounds();
+        TriangleMesh initial = lungs(FitResult.TargetResult::initial);
+        TriangleMesh fitted = lungs(FitResult.TargetResult::residual);
+        double[] bounds = MeshMerge.merge(List.of(initial, fitted)).bounds();
         List<FigureImage> figures = new ArrayList<>();
         try (SurfacePictures pictures = new SurfacePictures()) {
             for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.INFERIOR)) {
@@ -101,13 +102,13 @@ public final class PatientPictures {
                             .flatMapToDouble(
                                     lung -> DoubleStream.of(state.of.apply(lung).toTarget()))
                             .toArray();
+                    ColourScale scale = FitPictures.scale(worst);
                     figures.add(new FigureImage(
                             "fig5-" + file + "-" + state.label + "-" + view.label(),
                             state.caption + ": lungs in colours of their distance from those at the end of inhale, "
                                     + from,
                             state.caption + ", " + from + ".",
-                            pictures.distances(
-                                    lungs(state.of), distances, settings(view), FitPictures.scale(worst), bounds)));
+                            pictures.distances(lungs(state.of), distances, settings(view), scale, bounds)));
                 }
             }
         }

@@ -4,10 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
@@ -19,26 +21,14 @@ import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.view.SceneViewport;
 
 /** Writes the report of an attempt: the files of {@code phrenic rehearse}, and the plan that repeats the attempt. */
-public final class AttemptReportWriter {
-    private final SceneViewport view;
-
-    public AttemptReportWriter(SceneViewport view) {
-        this.view = view;
-    }
-
+public record AttemptReportWriter(SceneViewport view) {
     /**
      * Writes the files in the background; pictures are drawn between the frames of the view.
      *
      * @param done gets the reason of a failure, or an empty text, on the event dispatch thread
      */
     public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
-        BackgroundWorker.execute(
-                () -> {
-                    write(rehearsal, folder);
-                    return "";
-                },
-                done,
-                done);
+        BackgroundWorker.execute(Executors.callable(() -> write(rehearsal, folder), ""), done, done);
     }
 
     private void write(Rehearsal rehearsal, Path folder) {
@@ -57,9 +47,9 @@ public final class AttemptReportWriter {
                     .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
         }
         RehearsalReport report = new RehearsalReport(rehearsal);
-        YamlWriter.write(
-                folder.resolve("scenario.yaml"), rehearsal.plan().scenario().toMap());
-        YamlWriter.write(folder.resolve("plan.yaml"), rehearsal.plan().toMap("scenario.yaml"));
+        RehearsalPlan plan = rehearsal.plan();
+        YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
+        YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
         AtomicFile.write(folder.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
         JsonWriter.write(folder.resolve("report.json"), report.values());
     }

@@ -15,15 +15,9 @@ import org.phrenic.file.OutputException;
 import org.phrenic.scenario.Scenario;
 
 /** Scenarios stored by name: files in one folder, which {@code phrenic run} takes as well. */
-public final class ScenarioStore {
+public record ScenarioStore(Path folder) {
     private static final String SUFFIX = ".yaml";
     private static final int MAX_NAME_LENGTH = 60;
-
-    private final Path folder;
-
-    public ScenarioStore(Path folder) {
-        this.folder = folder;
-    }
 
     /**
      * The folder of the platform for an application's data.
@@ -33,17 +27,16 @@ public final class ScenarioStore {
      */
     static Path folderOf(String system, UnaryOperator<String> environment, Path home) {
         String name = system.toLowerCase(Locale.ROOT);
-        Path data;
         if (name.contains("mac")) {
-            data = home.resolve("Library/Application Support/Phrenic");
-        } else if (name.contains("win")) {
-            String roaming = environment.apply("APPDATA");
-            data = (roaming == null ? home.resolve("AppData/Roaming") : Path.of(roaming)).resolve("Phrenic");
-        } else {
-            String xdg = environment.apply("XDG_DATA_HOME");
-            data = (xdg == null || xdg.isBlank() ? home.resolve(".local/share") : Path.of(xdg)).resolve("phrenic");
+            return home.resolve("Library/Application Support/Phrenic/settings");
         }
-        return data.resolve("settings");
+        if (name.contains("win")) {
+            String roaming = environment.apply("APPDATA");
+            return (roaming == null ? home.resolve("AppData/Roaming") : Path.of(roaming)).resolve("Phrenic/settings");
+        }
+        String xdg = environment.apply("XDG_DATA_HOME");
+        Path data = xdg == null || xdg.isBlank() ? home.resolve(".local/share") : Path.of(xdg);
+        return data.resolve("phrenic/settings");
     }
 
     public static ScenarioStore ofUser() {
@@ -74,16 +67,12 @@ public final class ScenarioStore {
      * @throws OutputException if it cannot be written
      */
     public void save(String name, Scenario scenario) {
-        YamlWriter.write(file(name), settings(name, scenario));
-    }
-
-    /** The scenario without the steps and changes of a run. */
-    private static Map<String, Object> settings(String name, Scenario scenario) {
-        Map<String, Object> map = new LinkedHashMap<>(scenario.toMap());
-        map.put("name", name);
-        map.remove("steps");
-        map.remove("changes");
-        return map;
+        Map<String, Object> values = new LinkedHashMap<>(scenario.toMap());
+        values.put("name", name);
+        // Steps and changes belong to a run.
+        values.remove("steps");
+        values.remove("changes");
+        YamlWriter.write(file(name), values);
     }
 
     /**

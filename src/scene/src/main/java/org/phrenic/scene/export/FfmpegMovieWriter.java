@@ -24,17 +24,12 @@ import org.phrenic.file.OutputException;
 /**
  * Writes an H.264 movie with the {@code ffmpeg} program of this machine, which reads the pictures from a pipe. The file
  * is moved into place when complete. Odd widths and heights are padded by one pixel.
+ *
+ * @param program path of ffmpeg, as {@link #find} returns it
  */
-public final class FfmpegMovieWriter implements MovieWriter {
+public record FfmpegMovieWriter(Path program) implements MovieWriter {
     /** Timeout for ffmpeg after the last picture, s. */
     private static final long TIMEOUT_S = 300;
-
-    private final Path program;
-
-    /** @param program path of ffmpeg, as {@link #find} returns it */
-    public FfmpegMovieWriter(Path program) {
-        this.program = program;
-    }
 
     /** Finds ffmpeg on the search path of this process. */
     public static Optional<Path> find() {

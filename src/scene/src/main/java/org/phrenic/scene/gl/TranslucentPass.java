@@ -6,16 +6,8 @@ import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.SceneStyle;
 
 /** Draws translucent surfaces over opaque ones, in two passes or by depth peeling (Everitt 2001). */
-final class TranslucentPass {
+record TranslucentPass(SurfacePass faces, ScreenPass screen) {
     private static final int LAYER_COUNT = 4;
-
-    private final SurfacePass faces;
-    private final ScreenPass screen;
-
-    TranslucentPass(SurfacePass faces, ScreenPass screen) {
-        this.faces = faces;
-        this.screen = screen;
-    }
 
     /**
      * Draws back faces from the outermost to the innermost surface, then front faces in reverse order.

@@ -15,21 +15,13 @@ import org.phrenic.simulation.observe.Surface;
  * Constant vertex attributes, one byte each: visibility of ambient light, tendon fraction, and opacity. Opacity falls
  * to zero at the open border of skin, where the scan ends.
  */
-public final class VertexAttributes {
+public record VertexAttributes(Surface surface, EdgeTable table) {
     private static final int BYTE = 0xff;
     private static final int SMOOTHING_ROUNDS = 3;
     /** Distance from the border beyond which skin is opaque, mm. */
     private static final double FADE_END_MM = 45;
 
     private static final double FADE_START_MM = 6;
-
-    private final Surface surface;
-    private final EdgeTable table;
-
-    public VertexAttributes(Surface surface, EdgeTable table) {
-        this.surface = surface;
-        this.table = table;
-    }
 
     /** One integer per vertex: visibility in the lowest byte, then tendon fraction, then opacity. */
     public IntBuffer packed(float[] visibility) {
