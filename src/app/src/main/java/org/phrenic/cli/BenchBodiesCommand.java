@@ -6,7 +6,7 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.cli.option.OptionValues;
-import org.phrenic.cli.option.OutputFolder;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
@@ -94,7 +94,7 @@ final class BenchBodiesCommand extends ReportingCommand {
     @Override
     public Integer call() throws NoGraphicsException {
         if (out != null) {
-            OutputFolder.requireWritable(out);
+            ReportFolder.requireWritable(out);
         } else if (pictures) {
             throw new ParameterException(commandLine(), "found --pictures without --out, expected both");
         }
