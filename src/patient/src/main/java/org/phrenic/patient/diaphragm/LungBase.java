@@ -1,0 +1,126 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.mesh.query.TriangleTree;
+
+/**
+ * The base of one lung, of one or several lobes: faces whose normal points down, with no lung below them. A steep face
+ * belongs to the base only if its normal points toward the base's centre, for the base is concave; the face above the
+ * heart points away from it.
+ */
+final class LungBase {
+    /** Level faces: within 26 degrees of the horizontal. */
+    private static final double LEVEL = -0.9;
+    /** Steepest faces: within 6 degrees of the vertical. */
+    private static final double STEEP = -0.1;
+    /** Share of the base's level area below its stated top. */
+    private static final double TOP_SHARE = 0.9;
+
+    /** Faces higher than this above the top, mm, lie over the heart or at the hilum. */
+    private static final double ABOVE_TOP_MM = 6;
+
+    private static final double CLEAR_MM = 0.5;
+
+    final TriangleTree tree;
+    private final double[] normals;
+    private final double[] centre = new double[2];
+    private double top = Double.NEGATIVE_INFINITY;
+
+    private LungBase(TriangleMesh lung) {
+        tree = new TriangleTree(lung);
+        normals = MeshMeasure.triangleNormals(lung);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] area = new double[lung.triangleCount()];
+        double[] height = new double[area.length];
+        double[] cross = new double[3];
+        double total = 0;
+        for (int t = 0; t < area.length; t++) {
+            double[] m = middle(lung, t);
+            height[t] = m[2];
+            boolean level = normals[3 * t + 2] < LEVEL
+                    && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
+            area[t] = level ? 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross) : 0;
+            total += area[t];
+            centre[0] += area[t] * m[0];
+            centre[1] += area[t] * m[1];
+        }
+        centre[0] /= Math.max(total, Double.MIN_NORMAL);
+        centre[1] /= Math.max(total, Double.MIN_NORMAL);
+        double[] box = lung.bounds();
+        if (total == 0) {
+            centre[0] = 0.5 * (box[0] + box[3]);
+            centre[1] = 0.5 * (box[1] + box[4]);
+            top = box[2];
+        }
+        double sum = 0;
+        int[] order = IntStream.range(0, area.length)
+                .boxed()
+                .sorted(Comparator.comparingDouble(t -> height[t]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        for (int i = 0; i < order.length && sum < TOP_SHARE * total; i++) {
+            sum += area[order[i]];
+            top = area[order[i]] > 0 ? height[order[i]] : top;
+        }
+    }
+
+    /** The bases of the right and the left lung, as far as the body has them. */
+    static List<LungBase> of(Thorax body) {
+        return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
+                .map(side -> merged(body, side))
+                .flatMap(Optional::stream)
+                .map(LungBase::new)
+                .toList();
+    }
+
+    private static Optional<TriangleMesh> merged(Thorax body, Side side) {
+        List<TriangleMesh> lobes = body.structuresOf(StructureKind.LUNG).stream()
+                .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
+                .map(Structure::mesh)
+                .toList();
+        return lobes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(lobes));
+    }
+
+    private static double[] middle(TriangleMesh mesh, int triangle) {
+        double[] m = new double[3];
+        for (int c = 3 * triangle; c < 3 * triangle + 3; c++) {
+            int v = mesh.triangles()[c];
+            m[0] += mesh.x(v) / 3;
+            m[1] += mesh.y(v) / 3;
+            m[2] += mesh.z(v) / 3;
+        }
+        return m;
+    }
+
+    /** Height of the top of the base, mm. */
+    double top() {
+        return top;
+    }
+
+    /** Cosine between a direction from below and the inward normal of the face that a ray has met. */
+    double facing(TriangleTree.Hit hit, double[] d) {
+        int t = 3 * hit.triangle;
+        return -(normals[t] * d[0] + normals[t + 1] * d[1] + normals[t + 2] * d[2]);
+    }
+
+    /** Whether the face that a ray from below has met first belongs to the base. */
+    boolean isBase(TriangleTree.Hit hit) {
+        int t = 3 * hit.triangle;
+        if (hit.z > top + ABOVE_TOP_MM) {
+            return false;
+        }
+        double inward = normals[t] * (centre[0] - hit.x) + normals[t + 1] * (centre[1] - hit.y);
+        return normals[t + 2] < LEVEL || normals[t + 2] < STEEP && inward > 0;
+    }
+}

@@ -1,0 +1,233 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.Arrays;
+
+/**
+ * A smooth function on a regular grid that approximates scattered data: the minimiser of
+ *
+ * <p>{@code Σ w (h - d)² + L⁴ Σ (h_xx² + 2 h_xy² + h_yy²) + T² Σ h_y²}
+ *
+ * <p>over the grid's nodes, with natural boundary conditions. {@code L} is the smoothing length
+ * and {@code T} that of the tension along columns, without which the function keeps its slope beyond the data. Where no data are near,
+ * the function is a thin plate. The normal equations are solved by conjugate gradients, from a solution on a grid of
+ * twice the spacing.
+ */
+final class ThinPlateGrid {
+    private static final int LEAST_NODES = 12;
+    private static final int MOST_ITERATIONS = 400;
+    private static final double TOLERANCE = 1e-5;
+
+    private final int columns;
+    private final int rows;
+    private final double perXx;
+    private final double perXy;
+    private final double perYy;
+    private final boolean periodic;
+    private final double[] weight;
+    private final double plate;
+    private final double tension;
+
+    /** Lengths L and T, in the unit of the grid's steps. */
+    record Stiffness(double bendingMm, double tensionMm) {}
+
+    private ThinPlateGrid(
+            int columns, int rows, double[] steps, boolean periodic, double[] weight, Stiffness stiffness) {
+        this.columns = columns;
+        this.rows = rows;
+        this.periodic = periodic;
+        this.weight = weight;
+        perXx = 1 / (steps[0] * steps[0]);
+        perXy = 1 / (steps[0] * steps[1]);
+        perYy = 1 / (steps[1] * steps[1]);
+        plate = Math.pow(stiffness.bendingMm(), 4);
+        tension = Math.pow(stiffness.tensionMm(), 2) * perYy;
+    }
+
+    /**
+     * Solves for the values at all nodes; node (i, j) has the index {@code i + columns j}.
+     *
+     * @param steps spacing along columns and rows
+     * @param periodic whether the last column is next to the first
+     * @param data one value per node; ignored where the weight is 0
+     * @param weight one per node, 0 for no data
+     * @return values; 0 everywhere without data
+     */
+    static double[] solve(
+            int columns,
+            int rows,
+            double[] steps,
+            boolean periodic,
+            double[] data,
+            double[] weight,
+            Stiffness stiffness) {
+        double total = Arrays.stream(weight).sum();
+        double mean = 0;
+        for (int i = 0; i < data.length; i++) {
+            mean += weight[i] > 0 ? weight[i] * data[i] / total : 0;
+        }
+        double[] start = new double[data.length];
+        Arrays.fill(start, mean);
+        boolean coarser = columns >= 2 * LEAST_NODES && rows >= 2 * LEAST_NODES && columns % 2 == 0 && rows % 2 == 0;
+        if (coarser && total > 0) {
+            start = refine(coarseSolution(columns, rows, steps, periodic, data, weight, stiffness), columns, rows, periodic);
+        }
+        return new ThinPlateGrid(columns, rows, steps, periodic, weight, stiffness).conjugateGradients(data, start);
+    }
+
+    private static double[] coarseSolution(
+            int columns, int rows, double[] steps, boolean periodic, double[] data, double[] weight, Stiffness stiffness) {
+        int half = columns / 2;
+        double[] coarseData = new double[data.length / 4];
+        double[] coarseWeight = new double[data.length / 4];
+        for (int j = 0; j < rows; j++) {
+            for (int i = 0; i < columns; i++) {
+                int k = i + columns * j;
+                int c = i / 2 + half * (j / 2);
+                coarseWeight[c] += weight[k];
+                coarseData[c] += weight[k] > 0 ? weight[k] * data[k] : 0;
+            }
+        }
+        for (int c = 0; c < coarseData.length; c++) {
+            coarseData[c] /= Math.max(coarseWeight[c], Double.MIN_NORMAL);
+            coarseWeight[c] /= 4;
+        }
+        return solve(
+                half,
+                rows / 2,
+                new double[] {2 * steps[0], 2 * steps[1]},
+                periodic,
+                coarseData,
+                coarseWeight,
+                stiffness);
+    }
+
+    /** Bilinear interpolation; a coarse node lies in the middle of four fine ones. */
+    private static double[] refine(double[] coarse, int columns, int rows, boolean periodic) {
+        int half = columns / 2;
+        int low = rows / 2;
+        double[] fine = new double[columns * rows];
+        for (int j = 0; j < rows; j++) {
+            int nearJ = j / 2;
+            int farJ = Math.max(0, Math.min(low - 1, j % 2 == 0 ? nearJ - 1 : nearJ + 1));
+            for (int i = 0; i < columns; i++) {
+                int nearI = i / 2;
+                int far = i % 2 == 0 ? nearI - 1 : nearI + 1;
+                int farI = periodic ? Math.floorMod(far, half) : Math.max(0, Math.min(half - 1, far));
+                fine[i + columns * j] = 0.5625 * coarse[nearI + half * nearJ]
+                        + 0.1875 * (coarse[farI + half * nearJ] + coarse[nearI + half * farJ])
+                        + 0.0625 * coarse[farI + half * farJ];
+            }
+        }
+        return fine;
+    }
+
+    private double[] conjugateGradients(double[] data, double[] start) {
+        int n = start.length;
+        double[] x = start.clone();
+        double[] diagonal = new double[n];
+        double[] product = new double[n];
+        apply(x, product, diagonal);
+        double[] residual = new double[n];
+        double[] direction = new double[n];
+        double dot = 0;
+        double scale = 0;
+        for (int i = 0; i < n; i++) {
+            double right = weight[i] > 0 ? weight[i] * data[i] : 0;
+            residual[i] = right - product[i];
+            diagonal[i] = Math.max(diagonal[i], Double.MIN_NORMAL);
+            direction[i] = residual[i] / diagonal[i];
+            dot += residual[i] * direction[i];
+            scale += right * right / diagonal[i];
+        }
+        for (int k = 0; k < MOST_ITERATIONS && dot > TOLERANCE * TOLERANCE * scale; k++) {
+            apply(direction, product, null);
+            double curvature = 0;
+            for (int i = 0; i < n; i++) {
+                curvature += direction[i] * product[i];
+            }
+            if (!(curvature > 0)) {
+                break;
+            }
+            double step = dot / curvature;
+            double next = 0;
+            for (int i = 0; i < n; i++) {
+                x[i] += step * direction[i];
+                residual[i] -= step * product[i];
+                next += residual[i] * residual[i] / diagonal[i];
+            }
+            double turn = next / dot;
+            dot = next;
+            for (int i = 0; i < n; i++) {
+                direction[i] = residual[i] / diagonal[i] + turn * direction[i];
+            }
+        }
+        return x;
+    }
+
+    /** Multiplies by the matrix of the normal equations; also writes its diagonal if {@code diagonal} is not null. */
+    private void apply(double[] h, double[] out, double[] diagonal) {
+        for (int i = 0; i < h.length; i++) {
+            out[i] = weight[i] * h[i];
+            if (diagonal != null) {
+                diagonal[i] = weight[i];
+            }
+        }
+        for (int j = 0; j < rows; j++) {
+            for (int i = 0; i < columns; i++) {
+                int at = i + columns * j;
+                boolean inner = i > 0 && i < columns - 1;
+                int right = i < columns - 1 ? at + 1 : at + 1 - columns;
+                if (periodic || inner) {
+                    bend(h, out, diagonal, i > 0 ? at - 1 : at - 1 + columns, at, right, perXx);
+                }
+                if (j > 0 && j < rows - 1) {
+                    bend(h, out, diagonal, at - columns, at, at + columns, perYy);
+                }
+                if (j < rows - 1) {
+                    stretch(h, out, diagonal, at, at + columns);
+                }
+                if (j < rows - 1 && (periodic || i < columns - 1)) {
+                    twist(h, out, diagonal, at, right);
+                }
+            }
+        }
+    }
+
+    private void stretch(double[] h, double[] out, double[] diagonal, int a, int b) {
+        double v = tension * (h[a] - h[b]);
+        out[a] += v;
+        out[b] -= v;
+        if (diagonal != null) {
+            diagonal[a] += tension;
+            diagonal[b] += tension;
+        }
+    }
+
+    private void bend(double[] h, double[] out, double[] diagonal, int a, int b, int c, double per) {
+        double factor = plate * per * per;
+        double v = factor * (h[a] - 2 * h[b] + h[c]);
+        out[a] += v;
+        out[b] -= 2 * v;
+        out[c] += v;
+        if (diagonal != null) {
+            diagonal[a] += factor;
+            diagonal[b] += 4 * factor;
+            diagonal[c] += factor;
+        }
+    }
+
+    private void twist(double[] h, double[] out, double[] diagonal, int a, int b) {
+        double factor = 2 * plate * perXy * perXy;
+        double v = factor * (h[a] - h[b] - h[a + columns] + h[b + columns]);
+        out[a] += v;
+        out[b] -= v;
+        out[a + columns] -= v;
+        out[b + columns] += v;
+        if (diagonal != null) {
+            diagonal[a] += factor;
+            diagonal[b] += factor;
+            diagonal[a + columns] += factor;
+            diagonal[b + columns] += factor;
+        }
+    }
+}
