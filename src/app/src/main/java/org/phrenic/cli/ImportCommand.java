@@ -16,6 +16,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
@@ -167,6 +168,7 @@ final class ImportCommand extends ReportingCommand {
                 grid.spacing(1),
                 grid.spacing(2)));
         text.append(table.text());
+        result.quality().ifPresent(quality -> text.append('\n').append(text(quality)));
         text.append("\nmissing: ")
                 .append(body.missing().isEmpty() ? "nothing" : String.join(", ", NameRanges.collapse(body.missing())))
                 .append(".\n");
@@ -175,6 +177,19 @@ final class ImportCommand extends ReportingCommand {
         }
         body.notes().forEach(note -> text.append(note).append(".\n"));
         return text.append('\n').append(Disclaimer.TEXT).append('\n').toString();
+    }
+
+    private static String text(SheetQuality quality) {
+        TextTable table = new TextTable(false, true, true, false, false).row("diaphragm", "value", "limit", "unit", "");
+        for (SheetQuality.Measure m : quality.measures()) {
+            table.row(
+                    m.what(),
+                    String.format(Locale.ROOT, "%.2f", m.value()),
+                    String.format(Locale.ROOT, "%.0f", m.limit()),
+                    m.unit(),
+                    m.isGood() ? "" : "beyond");
+        }
+        return table.text();
     }
 
     private static String cell(String key, Object value) {

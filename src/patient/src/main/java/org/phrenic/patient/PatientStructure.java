@@ -23,7 +23,9 @@ public record PatientStructure(
         /** The surface of the scan with a part of a registered template that the scan lacks. */
         EXTENDED,
         /** A registered template, used where the structure is missing from the scan or truncated. */
-        VIRTUAL
+        VIRTUAL,
+        /** Built from the organs and bones of the body that it touches. */
+        BUILT
     }
 
     /**

@@ -21,8 +21,8 @@ import org.phrenic.mesh.query.TriangleTree;
  *
  * <p>Horizontal rays from the axis give the radius where they meet bone. The envelope is the asymmetric least-squares
  * thin plate through these radii (an expectile): a sample inside the envelope has weight 1, one outside it
- * {@value #OUTER_WEIGHT}, since rays that pass the rounded edge of a rib meet it farther out. As an implicit function it
- * is negative inside.
+ * {@value #OUTER_WEIGHT}, since rays that pass the rounded edge of a rib meet it farther out. As an implicit function
+ * it is negative inside.
  */
 public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     static final int SECTORS = 192;
@@ -31,6 +31,7 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     private static final ThinPlateGrid.Stiffness STIFFNESS = new ThinPlateGrid.Stiffness(5, 3);
     /** Thickness of ligament, vessels and fat in front of the vertebral bodies, mm. */
     private static final double SPINE_COVER_MM = 3;
+
     private static final int ROUNDS = 6;
     /** Position of the axis between the spine's front (0) and the sternum (1). */
     private static final double FORWARD = 0.5;
@@ -59,7 +60,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         if (spine.isEmpty() || body.structuresOf(StructureKind.RIB).isEmpty()) {
             throw new IllegalArgumentException("the body has no ribs or no lower thoracic vertebrae");
         }
-        double[] box = MeshMerge.merge(spine.stream().map(Structure::mesh).toList()).bounds();
+        double[] box =
+                MeshMerge.merge(spine.stream().map(Structure::mesh).toList()).bounds();
         TriangleMesh cage = MeshMerge.merge(bones);
         double[] all = cage.bounds();
         axisX = 0.5 * (box[0] + box[3]);
@@ -77,9 +79,7 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     }
 
     private static boolean isCage(StructureKind kind) {
-        return kind == StructureKind.RIB
-                || kind == StructureKind.COSTAL_CARTILAGE
-                || kind == StructureKind.STERNUM;
+        return kind == StructureKind.RIB || kind == StructureKind.COSTAL_CARTILAGE || kind == StructureKind.STERNUM;
     }
 
     private static boolean isSpine(StructureKind kind) {
@@ -110,8 +110,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         for (int k = 0; k < sample.length; k++) {
             double azimuth = azimuth(k % SECTORS);
             double z = bottom + k / SECTORS * LAYER_MM;
-            boolean found = tree.nearestAlongRay(
-                    axisX, axisY, z, StrictMath.sin(azimuth), StrictMath.cos(azimuth), 0, hit);
+            boolean found =
+                    tree.nearestAlongRay(axisX, axisY, z, StrictMath.sin(azimuth), StrictMath.cos(azimuth), 0, hit);
             double cover = hit.triangle >= firstOfSpine ? SPINE_COVER_MM : 0;
             sample[k] = found && hit.rayParameter < GREATEST_MM ? Math.max(1, hit.rayParameter - cover) : 0;
         }

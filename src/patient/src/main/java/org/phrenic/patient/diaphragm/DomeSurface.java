@@ -3,7 +3,6 @@ package org.phrenic.patient.diaphragm;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.Structure;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
@@ -18,9 +17,9 @@ import org.phrenic.mesh.query.TriangleTree;
  * function it is negative below the roof.
  *
  * <p>A ray from the pivot meets the base of a lung at ρ_t and leaves the highest abdominal organ at ρ_a. Where both are
- * known and near, the roof is in the middle; where the lung alone is near, the roof lies on its base; elsewhere, as under
- * the heart, it lies on the abdominal organ. The thin plate through these values ({@link ThinPlateGrid}) fills the rest,
- * and is held above every abdominal organ and below every lung where it would run through one.
+ * known and near, the roof is in the middle; where the lung alone is near, the roof lies on its base; elsewhere, as
+ * under the heart, it lies on the abdominal organ. The thin plate through these values ({@link ThinPlateGrid}) fills
+ * the rest, and is held above every abdominal organ and below every lung where it would run through one.
  */
 final class DomeSurface implements ImplicitSurface {
     /** Directions: the polar angle from the vertical and the azimuth as polar coordinates of a square grid. */
@@ -60,11 +59,11 @@ final class DomeSurface implements ImplicitSurface {
         double breadth = 0.5 * (cage.radius(Math.PI / 2, top - 40) + cage.radius(-Math.PI / 2, top - 40));
         double z = top - PIVOT_DEPTH * breadth;
         pivot = new double[] {cage.x(z), cage.y(z), z};
-        List<TriangleMesh> organs = body.structuresOf(StructureKind.LIVER).stream()
-                .map(Structure::mesh)
-                .toList();
+        List<TriangleMesh> organs =
+                ContactingOrgans.abdominal(body).stream().map(Structure::mesh).toList();
         Bounds bounds = new Bounds();
         bases.forEach(bounds::lung);
+        ContactingOrgans.heart(body).forEach(heart -> bounds.heart(heart.mesh()));
         bounds.organs(organs, cage);
         bounds.wall(cage, new InsertionLine(body, cage));
         rho = bounds.solve(breadth * Math.toRadians(STEP_DEG));
@@ -107,6 +106,21 @@ final class DomeSurface implements ImplicitSurface {
                     boolean known = facing > LEAST_COSINE && base.isBase(hit);
                     data[k] = known ? bound : 0;
                     weight[k] = known ? 1 : 0;
+                }
+            }
+        }
+
+        /** The heart bounds the roof where no lung lies before it; fat and pericardium are between. */
+        void heart(TriangleMesh heart) {
+            TriangleTree tree = new TriangleTree(heart);
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            for (int k = 0; k < upper.length; k++) {
+                double[] d = direction(k);
+                if (tree.nearestAlongRay(pivot[0], pivot[1], pivot[2], d[0], d[1], d[2], hit)
+                        && hit.rayParameter - halfThickness < upper[k]) {
+                    upper[k] = hit.rayParameter - halfThickness;
+                    data[k] = upper[k];
+                    weight[k] = 0;
                 }
             }
         }

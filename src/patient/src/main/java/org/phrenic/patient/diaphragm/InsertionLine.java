@@ -94,9 +94,8 @@ public final class InsertionLine {
 
     /** Azimuth and height of the anterior end of a rib: the lowest of its vertices farthest round from the back. */
     private double[] tip(Thorax body, int level, Side side) {
-        TriangleMesh rib = body.find(StructureKind.RIB, level, side)
-                .map(Structure::mesh)
-                .orElse(null);
+        TriangleMesh rib =
+                body.find(StructureKind.RIB, level, side).map(Structure::mesh).orElse(null);
         if (rib == null) {
             return null;
         }

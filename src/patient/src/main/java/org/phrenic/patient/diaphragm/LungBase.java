@@ -48,8 +48,8 @@ final class LungBase {
         for (int t = 0; t < area.length; t++) {
             double[] m = middle(lung, t);
             height[t] = m[2];
-            boolean level = normals[3 * t + 2] < LEVEL
-                    && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
+            boolean level =
+                    normals[3 * t + 2] < LEVEL && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
             area[t] = level ? 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross) : 0;
             total += area[t];
             centre[0] += area[t] * m[0];

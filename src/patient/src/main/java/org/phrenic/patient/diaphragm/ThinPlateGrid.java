@@ -7,10 +7,10 @@ import java.util.Arrays;
  *
  * <p>{@code Σ w (h - d)² + L⁴ Σ (h_xx² + 2 h_xy² + h_yy²) + T² Σ h_y²}
  *
- * <p>over the grid's nodes, with natural boundary conditions. {@code L} is the smoothing length
- * and {@code T} that of the tension along columns, without which the function keeps its slope beyond the data. Where no data are near,
- * the function is a thin plate. The normal equations are solved by conjugate gradients, from a solution on a grid of
- * twice the spacing.
+ * <p>over the grid's nodes, with natural boundary conditions. {@code L} is the smoothing length and {@code T} that of
+ * the tension along columns, without which the function keeps its slope beyond the data. Where no data are near, the
+ * function is a thin plate. The normal equations are solved by conjugate gradients, from a solution on a grid of twice
+ * the spacing.
  */
 final class ThinPlateGrid {
     private static final int LEAST_NODES = 12;
@@ -69,13 +69,20 @@ final class ThinPlateGrid {
         Arrays.fill(start, mean);
         boolean coarser = columns >= 2 * LEAST_NODES && rows >= 2 * LEAST_NODES && columns % 2 == 0 && rows % 2 == 0;
         if (coarser && total > 0) {
-            start = refine(coarseSolution(columns, rows, steps, periodic, data, weight, stiffness), columns, rows, periodic);
+            start = refine(
+                    coarseSolution(columns, rows, steps, periodic, data, weight, stiffness), columns, rows, periodic);
         }
         return new ThinPlateGrid(columns, rows, steps, periodic, weight, stiffness).conjugateGradients(data, start);
     }
 
     private static double[] coarseSolution(
-            int columns, int rows, double[] steps, boolean periodic, double[] data, double[] weight, Stiffness stiffness) {
+            int columns,
+            int rows,
+            double[] steps,
+            boolean periodic,
+            double[] data,
+            double[] weight,
+            Stiffness stiffness) {
         int half = columns / 2;
         double[] coarseData = new double[data.length / 4];
         double[] coarseWeight = new double[data.length / 4];

@@ -9,6 +9,8 @@ import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.diaphragm.DiaphragmCompletion;
+import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.LabelTable;
@@ -24,12 +26,17 @@ public final class ImportPipeline {
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
                 .run(table(request, volume), request.name());
         if (request.alignTo().isPresent()) {
-            return new ImportResult(file, volume.grid(), aligned(request, scanned));
+            return ImportResult.of(file, volume.grid(), aligned(request, scanned));
         }
-        return new ImportResult(
-                file,
-                volume.grid(),
-                request.template().map(t -> completed(scanned, t, progress)).orElse(scanned));
+        PatientBody body =
+                request.template().map(t -> completed(scanned, t, progress)).orElse(scanned);
+        ImportResult result = ImportResult.of(file, volume.grid(), body);
+        if (request.template().isPresent()) {
+            result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
+                throw new BadInputException(file + ": " + why);
+            });
+        }
+        return result;
     }
 
     private static LabelTable table(ImportRequest request, LabelVolume volume) {
@@ -44,7 +51,9 @@ public final class ImportPipeline {
 
     private static PatientBody completed(PatientBody scanned, Thorax template, ImportProgress progress) {
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
-        return BodyCompletion.complete(scanned, template);
+        PatientBody completed = BodyCompletion.complete(scanned, template);
+        progress.stage("building the diaphragm from the organs and bones that it touches");
+        return DiaphragmCompletion.complete(completed);
     }
 
     private static PatientBody aligned(ImportRequest request, PatientBody scanned) {

@@ -9,16 +9,18 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.diaphragm.SheetQuality;
 
 /** The report of an import: the structures built from a volume, and their accuracy. */
 final class ImportReport {
     private ImportReport() {}
 
-    /** @param file name of the volume as given by the user */
-    static OrderedValues of(String file, LabelGrid grid, PatientBody body) {
+    static OrderedValues of(ImportResult result) {
+        LabelGrid grid = result.grid();
+        PatientBody body = result.body();
         double voxelMm = Math.cbrt(grid.voxelVolume());
-        return new OrderedValues()
-                .with("volume", file)
+        OrderedValues report = new OrderedValues()
+                .with("volume", result.file())
                 .with("voxels", List.of(grid.columns(), grid.rows(), grid.slices()))
                 .with("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)))
                 .with("voxel_mm", voxelMm)
@@ -26,8 +28,22 @@ final class ImportReport {
                         "structures",
                         body.structures().stream().map(s -> row(s, voxelMm)).toList())
                 .with("missing", body.missing())
-                .with("can_breathe", body.canBreathe())
-                .with("notes", body.notes());
+                .with("can_breathe", body.canBreathe());
+        result.quality().ifPresent(quality -> report.with("diaphragm_quality", quality(quality)));
+        return report.with("notes", body.notes());
+    }
+
+    private static OrderedValues quality(SheetQuality quality) {
+        OrderedValues rows = new OrderedValues();
+        for (SheetQuality.Measure m : quality.measures()) {
+            rows.with(
+                    m.key(),
+                    new OrderedValues()
+                            .with("value", Double.isFinite(m.value()) ? m.value() : null)
+                            .with("limit", m.limit())
+                            .with("good", m.isGood()));
+        }
+        return rows;
     }
 
     private static OrderedValues row(PatientStructure s, double voxelMm) {

@@ -2,20 +2,33 @@ package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.diaphragm.SheetQuality;
 
 /**
  * An imported body.
  *
  * @param file name of the volume, for messages and reports
  * @param grid voxel grid of the volume
+ * @param quality quality of the diaphragm; empty if the body has none, or no cage that it could be measured against
  */
-public record ImportResult(String file, LabelGrid grid, PatientBody body) {
+public record ImportResult(String file, LabelGrid grid, PatientBody body, Optional<SheetQuality> quality) {
+    /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
+    static ImportResult of(String file, LabelGrid grid, PatientBody body) {
+        Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
+        return new ImportResult(
+                file,
+                grid,
+                body.withNotes(quality.flatMap(SheetQuality::warning).stream().toList()),
+                quality);
+    }
+
     /** The content of {@code import.json}. */
     public Map<String, Object> report() {
-        return ImportReport.of(file, grid, body).with("notice", Disclaimer.TEXT);
+        return ImportReport.of(this).with("notice", Disclaimer.TEXT);
     }
 
     /**

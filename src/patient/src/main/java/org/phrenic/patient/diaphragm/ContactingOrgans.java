@@ -1,0 +1,34 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.List;
+import java.util.Set;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+
+/** The organs above and below the diaphragm that touch it. */
+final class ContactingOrgans {
+    private static final Set<String> ABOVE = Set.of("heart");
+    private static final Set<String> BELOW = Set.of("spleen", "stomach", "kidney_r", "kidney_l");
+
+    private ContactingOrgans() {}
+
+    /** The heart, if the body has it. The lungs are not in the list. */
+    static List<Structure> heart(Thorax body) {
+        return body.structures().stream()
+                .filter(s -> ABOVE.contains(lower(s)) && s.mesh().triangleCount() > 0)
+                .toList();
+    }
+
+    /** Liver, spleen, stomach and kidneys, as far as the body has them. */
+    static List<Structure> abdominal(Thorax body) {
+        return body.structures().stream()
+                .filter(s -> (s.kind() == StructureKind.LIVER || BELOW.contains(lower(s)))
+                        && s.mesh().triangleCount() > 0)
+                .toList();
+    }
+
+    private static String lower(Structure s) {
+        return s.name().toLowerCase(java.util.Locale.ROOT);
+    }
+}

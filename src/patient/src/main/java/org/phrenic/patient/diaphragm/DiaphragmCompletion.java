@@ -1,0 +1,56 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.patient.ExpectedStructures;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+
+/** Gives a completed body the diaphragm that {@link DiaphragmBuilder} builds from its organs and bones. */
+public final class DiaphragmCompletion {
+    private static final String NAME = "diaphragm";
+
+    private DiaphragmCompletion() {}
+
+    /**
+     * Replaces the diaphragm of a body, or adds one. A diaphragm that the scan labels as a whole stays if it can
+     * breathe ({@link SheetQuality}). A body without ribs, lower thoracic vertebrae or lungs is returned with a note.
+     */
+    public static PatientBody complete(PatientBody body) {
+        if (hasUsable(body)) {
+            return body;
+        }
+        List<PatientStructure> rest = new ArrayList<>(body.structures().stream()
+                .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
+                .toList());
+        Thorax bare = new Thorax(
+                body.name(), rest.stream().map(PatientStructure::structure).toList(), List.of());
+        Structure sheet;
+        try {
+            sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, DiaphragmBuilder.build(bare));
+        } catch (IllegalArgumentException e) {
+            return body.withNotes(List.of("no diaphragm is built: " + e.getMessage()));
+        }
+        rest.add(new PatientStructure(sheet, PatientStructure.Source.BUILT, Optional.empty(), Optional.empty()));
+        rest.sort(Comparator.comparing(s -> s.structure().name()));
+        return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes())
+                .withNotes(List.of("the diaphragm is built from the organs and bones that it touches"));
+    }
+
+    private static boolean hasUsable(PatientBody body) {
+        boolean scanned = body.structures().stream()
+                .anyMatch(s -> s.structure().kind() == StructureKind.DIAPHRAGM
+                        && s.source() == PatientStructure.Source.SCAN
+                        && s.isComplete());
+        return scanned
+                && SheetQuality.of(body.thorax())
+                        .filter(q -> q.refusal().isEmpty())
+                        .isPresent();
+    }
+}

@@ -1,0 +1,94 @@
+package org.phrenic.patient.diaphragm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.SurfaceComparison;
+
+/** The virtual adult female without her diaphragm: what is built from the rest is held against it. */
+class DiaphragmBuilderTest {
+    private static final Thorax FEMALE =
+            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+    private static final TriangleMesh TRUE_SHEET =
+            FEMALE.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
+    private static final TriangleMesh BUILT = DiaphragmBuilder.build(without(StructureKind.DIAPHRAGM), 4000);
+
+    private static Thorax without(StructureKind kind) {
+        return new Thorax(
+                "patient",
+                FEMALE.structures().stream().filter(s -> s.kind() != kind).toList(),
+                List.of());
+    }
+
+    private static SheetQuality quality(TriangleMesh sheet) {
+        List<Structure> all =
+                new java.util.ArrayList<>(without(StructureKind.DIAPHRAGM).structures());
+        all.add(new Structure("diaphragm", StructureKind.DIAPHRAGM, 0, Side.MIDLINE, sheet));
+        return SheetQuality.of(new Thorax("patient", all, List.of())).orElseThrow();
+    }
+
+    @Test
+    void theSheetOfOneBodyLiesNearItsTrueSheet() {
+        SurfaceComparison off = SurfaceComparison.of(BUILT, TRUE_SHEET);
+        assertThat(off.byArea().mean()).as("mean, mm").isLessThan(2.5);
+        assertThat(off.byArea().percentile95()).as("95 %%, mm").isLessThan(10);
+    }
+
+    @Test
+    void theSheetIsClosedAndWithoutHandles() {
+        MeshTopology topology = new MeshTopology(BUILT);
+        assertThat(topology.isClosed() && topology.isManifold()).isTrue();
+        assertThat(topology.eulerCharacteristic()).isEqualTo(2);
+    }
+
+    @Test
+    void itLiesInsideTheCageWithEvenTrianglesAndNoIntersection() {
+        SheetQuality built = quality(BUILT);
+        assertThat(built.refusal()).isEmpty();
+        assertThat(built.value("outside_cage_maximum_mm")).isLessThan(0.5);
+        assertThat(built.value("self_intersections")).isZero();
+        assertThat(built.value("first_percentile_angle_deg")).isGreaterThan(18);
+        assertThat(built.value("edge_ratio")).isLessThan(6);
+    }
+
+    @Test
+    void aSheetBesideItsPlaceIsToldApart() {
+        double[] shifted = TRUE_SHEET.positions().clone();
+        for (int i = 2; i < shifted.length; i += 3) {
+            shifted[i] += 25;
+        }
+        SheetQuality high = quality(TRUE_SHEET.withPositions(shifted));
+        assertThat(quality(TRUE_SHEET).value("organ_vertices_through")).isZero();
+        assertThat(high.value("organ_vertices_through")).isGreaterThan(50);
+        assertThat(high.value("organs_through_maximum_mm")).isBetween(15.0, 27.0);
+        assertThat(high.warning()).isPresent();
+        double[] wide = TRUE_SHEET.positions().clone();
+        for (int i = 0; i < wide.length; i += 3) {
+            wide[i] *= 1.2;
+        }
+        SheetQuality outside = quality(TRUE_SHEET.withPositions(wide));
+        assertThat(outside.value("outside_cage_maximum_mm")).isBetween(12.0, 30.0);
+        assertThat(outside.refusal()).isPresent();
+    }
+
+    @Test
+    void withoutLungsOrRibsThereIsNoDiaphragm() {
+        assertThatThrownBy(() -> DiaphragmBuilder.build(without(StructureKind.LUNG)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("lungs");
+        assertThatThrownBy(() -> DiaphragmBuilder.build(without(StructureKind.RIB)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("ribs");
+    }
+}
