@@ -71,7 +71,7 @@ final class ImportCommand extends ReportingCommand {
             names = "--labels",
             paramLabel = "MAP",
             description = "Which label is which structure: a CSV file, or totalsegmentator. Without it, the volume's "
-                    + "own names.")
+                    + "own names, or TotalSegmentator's numbers where they fit.")
     private String labels;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")

@@ -11,6 +11,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -33,6 +34,10 @@ public final class ScanImport {
             StructureKind.LUNG, ORGAN_EDGE_MM,
             StructureKind.LIVER, ORGAN_EDGE_MM,
             StructureKind.DIAPHRAGM, ORGAN_EDGE_MM,
+            StructureKind.ORGAN, ORGAN_EDGE_MM,
+            StructureKind.VESSEL, ORGAN_EDGE_MM,
+            StructureKind.MUSCLE, 2 * ORGAN_EDGE_MM,
+            StructureKind.OTHER, ORGAN_EDGE_MM,
             StructureKind.SKIN, 2 * ORGAN_EDGE_MM));
     private static final double MM3_PER_ML = 1000;
     /** Segments of the body outline: background, and label 1. */
@@ -84,7 +89,7 @@ public final class ScanImport {
         if (!table.missing().isEmpty()) {
             notes.add("the volume lacks what the table names: " + String.join(", ", table.missing()));
         }
-        noteUnused(table);
+        noteLabels(table);
         split(segmentation);
         List<String> built = meshable(segmentation);
         progress.stage("laying a net between " + built.size() + " structures");
@@ -165,7 +170,13 @@ public final class ScanImport {
                                         voxelMm3,
                                         skin.orElseThrow().mesh(1, edge))
                                 : structure(
-                                        structure, segmentation, counts[segment], voxelMm3, mesher.mesh(segment, edge));
+                                        structure,
+                                        segmentation,
+                                        counts[segment],
+                                        voxelMm3,
+                                        keepsPieces(structure)
+                                                ? mesher.meshAll(segment, edge)
+                                                : mesher.mesh(segment, edge));
                         synchronized (done) {
                             progress.meshed(done.incrementAndGet(), built.size(), structure);
                         }
@@ -174,6 +185,12 @@ public final class ScanImport {
         return Stream.of(meshed)
                 .sorted(Comparator.comparing(s -> s.structure().name()))
                 .toList();
+    }
+
+    /** Whether every piece of a structure is kept: an obstacle is one wherever it lies. */
+    private static boolean keepsPieces(String structure) {
+        StructureKind kind = StructureName.parse(structure).orElseThrow().kind();
+        return kind.isNamed() && kind != StructureKind.BONE;
     }
 
     private static boolean isSkin(String structure) {
@@ -231,21 +248,32 @@ public final class ScanImport {
         notes.addAll(LungPlausibility.check(structures));
     }
 
-    /** Adds a note about labels of the volume that belong to no structure. */
-    private void noteUnused(LabelTable table) {
+    /** Adds notes about labels that are left out, and labels whose structure is unknown. */
+    private void noteLabels(LabelTable table) {
         int[] counts = volume.grid().counts();
         List<String> unused = new ArrayList<>();
+        List<String> unknown = new ArrayList<>();
         for (int label = 1; label < counts.length; label++) {
-            if (counts[label] > 0 && !table.structures().containsKey(label)) {
+            if (counts[label] > 0) {
+                String structure = table.structures().getOrDefault(label, LabelTable.IGNORE);
                 String name = volume.names().get(label);
-                unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
+                if (structure.equals(LabelTable.IGNORE)) {
+                    unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
+                } else if (structure.startsWith(OrganNames.OTHER_PREFIX)) {
+                    unknown.add(structure);
+                }
             }
         }
-        if (!unused.isEmpty()) {
-            int shown = Math.min(MAX_NAMED, unused.size());
-            notes.add("labels of the volume that are none of the structures asked for: "
-                    + String.join(", ", unused.subList(0, shown))
-                    + (unused.size() > shown ? " and " + (unused.size() - shown) + " more" : ""));
+        note("labels of the volume that are none of the structures asked for: ", unused);
+        note("labels of unknown structures, kept as obstacles: ", unknown);
+    }
+
+    private void note(String what, List<String> labels) {
+        if (!labels.isEmpty()) {
+            int shown = Math.min(MAX_NAMED, labels.size());
+            notes.add(what
+                    + String.join(", ", labels.subList(0, shown))
+                    + (labels.size() > shown ? " and " + (labels.size() - shown) + " more" : ""));
         }
     }
 }

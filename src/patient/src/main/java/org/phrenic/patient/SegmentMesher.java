@@ -7,6 +7,7 @@ import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Decimator;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.mesh.edit.WindowedSincFilter;
 import org.phrenic.mesh.query.SurfaceComparison;
@@ -49,10 +50,27 @@ public final class SegmentMesher {
     public MeshedSegment mesh(int segment, double edgeMm) {
         TriangleMesh label = largest(ConnectedComponents.of(voxels.surface(segment)));
         List<TriangleMesh> shells = ConnectedComponents.of(smooth.surface(segment));
-        TriangleMesh whole = largest(shells);
-        double discarded = 0;
+        return mesh(label, largest(shells), shells, edgeMm);
+    }
+
+    /** Meshes all pieces of a segment, like {@link #mesh(int, double)}. Cavities are left out. */
+    public MeshedSegment meshAll(int segment, double edgeMm) {
+        List<TriangleMesh> shells = ConnectedComponents.of(smooth.surface(segment));
+        return mesh(pieces(ConnectedComponents.of(voxels.surface(segment))), pieces(shells), shells, edgeMm);
+    }
+
+    private static TriangleMesh pieces(List<TriangleMesh> shells) {
+        return shells.size() == 1
+                ? shells.get(0)
+                : MeshMerge.merge(shells.stream()
+                        .filter(shell -> MeshMeasure.signedVolume(shell) > 0)
+                        .toList());
+    }
+
+    private MeshedSegment mesh(TriangleMesh label, TriangleMesh whole, List<TriangleMesh> shells, double edgeMm) {
+        double discarded = -MeshMeasure.signedVolume(whole);
         for (TriangleMesh shell : shells) {
-            discarded += shell == whole ? 0 : Math.abs(MeshMeasure.signedVolume(shell));
+            discarded += Math.abs(MeshMeasure.signedVolume(shell));
         }
         int wanted = Math.max(MIN_VERTICES, (int) Math.round(settings.keptFraction() * whole.vertexCount()));
         TriangleMesh few = Decimator.toVertexCount(whole, wanted, settings.maxDeviationVoxels() * voxelMm);

@@ -19,6 +19,7 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
 
 class ScanImportTest {
@@ -157,7 +158,7 @@ class ScanImportTest {
                         () -> body(ScanSamples.volume(), new LabelTable(Map.of(ScanSamples.LIVER, LabelTable.LUNGS))))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("does not part into two");
-        assertThatThrownBy(() -> LabelTable.named("scan", ScanSamples.volume()))
+        assertThatThrownBy(() -> LabelGuess.of(ScanSamples.volume()).require("scan"))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("--labels");
     }
@@ -165,7 +166,7 @@ class ScanImportTest {
     @Test
     void namesOfTotalSegmentatorAreKnownByNameAndByNumber() {
         LabelVolume named = ScanSamples.volume(l -> l, Map.of(1, "lung_lower_lobe_right", 5, "liver", 9, "brain"));
-        assertThat(LabelTable.named("scan", named).structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver", 9, "brain"));
+        assertThat(LabelGuess.of(named).require("scan").structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver"));
         assertThat(LabelTable.totalSegmentator(named).structures())
                 .isEqualTo(Map.of(1, "lung_R", 5, "liver", 9, "brain"));
         assertThat(LabelTable.totalSegmentator(ScanSamples.volume()).structures())
@@ -180,7 +181,7 @@ class ScanImportTest {
         Path file = Path.of("../shared/segmentations/example_seg.nii.gz");
         assumeTrue(Files.exists(file), "no ../shared/segmentations here: the real slab is not imported");
         LabelVolume volume = LabelVolumeFiles.read(file);
-        assertThat(LabelTable.named(file.toString(), volume).structures()).containsEntry(111, "rib_08_R");
+        assertThat(LabelGuess.of(volume).require("scan").structures()).containsEntry(111, "rib_08_R");
         PatientBody body = body(
                 volume,
                 new LabelTable(Map.of(

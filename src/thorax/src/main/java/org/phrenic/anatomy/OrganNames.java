@@ -13,6 +13,9 @@ import java.util.Optional;
  * {@code _L} state the side.
  */
 public final class OrganNames {
+    /** Begins the names that {@link #other} makes. */
+    public static final String OTHER_PREFIX = "other_";
+
     private static final Map<String, StructureKind> KNOWN = known();
 
     private OrganNames() {}
@@ -103,6 +106,6 @@ public final class OrganNames {
     public static String other(String text) {
         String word =
                 text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
-        return prefix(StructureKind.OTHER) + (word.isEmpty() ? "unnamed" : word);
+        return OTHER_PREFIX + (word.isEmpty() ? "unnamed" : word);
     }
 }

@@ -14,6 +14,7 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
 
 /** The labels of a volume as a table: number, name and size, and the structure that each one becomes. */
@@ -54,15 +55,9 @@ final class ScanLabels extends AbstractTableModel {
      */
     static ScanLabels read(Path file) {
         LabelVolume volume = LabelVolumeFiles.read(file);
-        return new ScanLabels(volume, guess(file, volume));
-    }
-
-    private static Map<Integer, String> guess(Path file, LabelVolume volume) {
-        try {
-            return LabelTable.named(file.toString(), volume).structures();
-        } catch (BadInputException unnamed) {
-            return Map.of();
-        }
+        return new ScanLabels(
+                volume,
+                LabelGuess.of(volume).table().map(LabelTable::structures).orElse(Map.of()));
     }
 
     /** Columns, rows and slices of the volume, as text. */
@@ -79,6 +74,7 @@ final class ScanLabels extends AbstractTableModel {
     Set<String> known() {
         Set<String> known = new TreeSet<>(numbered.values());
         known.add(LabelTable.LUNGS);
+        known.add(LabelTable.RIBS);
         known.add(LabelTable.COSTAL_CARTILAGES);
         return known;
     }
@@ -98,8 +94,8 @@ final class ScanLabels extends AbstractTableModel {
             return Optional.empty();
         }
         String lines = IntStream.range(0, rows.size())
-                .filter(row -> !structures.get(row).equals(NONE))
-                .mapToObj(row -> rows.get(row).label() + "," + structures.get(row))
+                .mapToObj(row -> rows.get(row).label() + ","
+                        + (structures.get(row).equals(NONE) ? LabelTable.IGNORE : structures.get(row)))
                 .collect(Collectors.joining("\n", "label,structure\n", "\n"));
         AtomicFile.write(file, lines);
         return Optional.of(file);

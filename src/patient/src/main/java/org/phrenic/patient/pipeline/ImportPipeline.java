@@ -13,6 +13,7 @@ import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
+import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
 
 /** Turns a scan into a body: reads the volume, meshes its structures, and completes or aligns the body. */
@@ -22,9 +23,10 @@ public final class ImportPipeline {
     /** @throws BadInputException if the file cannot be imported; the message is one sentence */
     public static ImportResult run(ImportRequest request, ImportProgress progress) {
         String file = request.file().toString();
+        progress.stage("reading " + file);
         LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
-                .run(table(request, volume), request.name());
+                .run(table(request, volume, progress), request.name());
         if (request.alignTo().isPresent()) {
             return ImportResult.of(file, volume.grid(), aligned(request, scanned));
         }
@@ -39,9 +41,11 @@ public final class ImportPipeline {
         return result;
     }
 
-    private static LabelTable table(ImportRequest request, LabelVolume volume) {
+    private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
         if (request.labels().isEmpty()) {
-            return LabelTable.named(request.file().toString(), volume);
+            LabelGuess guess = LabelGuess.of(volume);
+            progress.stage(guess.reason());
+            return guess.require(request.file().toString());
         }
         String labels = request.labels().get();
         return labels.equals(LabelTable.TOTALSEGMENTATOR)

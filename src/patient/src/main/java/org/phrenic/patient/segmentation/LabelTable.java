@@ -10,10 +10,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Maps each label of a volume to a structure. Several labels may map to the same structure, such as the lobes of a
@@ -30,11 +32,18 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     public static final String RIBS = "ribs";
     /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
+
+    private static final String SKIN = "skin";
+    /** A label that is left out. */
+    public static final String IGNORE = "ignore";
     /**
      * The built-in table: label numbers and names of the task {@code total} of TotalSegmentator (Wasserthal et al.
      * 2023, doi 10.1148/ryai.230024).
      */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
+
+    /** A few segments are kept free for parts that are told apart. */
+    private static final int MAX_STRUCTURES = LabelGrid.MAX_BYTE_LABEL - 50;
 
     private static final String SHIPPED = "/org/phrenic/data/labels/totalsegmentator.csv";
 
@@ -63,29 +72,51 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return of("totalsegmentator.csv", shipped(), volume, false);
     }
 
-    /**
-     * Derives a table from the label names in the volume. Names of thorax folder structures and of TotalSegmentator are
-     * known.
-     *
-     * @throws BadInputException if no name is known
-     */
-    public static LabelTable named(String file, LabelVolume volume) {
+    /** Structure by label name of TotalSegmentator. */
+    static Map<String, String> totalSegmentatorNames() {
         CsvTable table = shipped();
-        List<String> known = table.texts("name");
-        Map<Integer, String> structures = new TreeMap<>();
-        volume.names().forEach((label, name) -> {
-            if (isStructure(name)) {
-                structures.put(label, name);
-            } else if (known.contains(name)) {
-                structures.put(label, table.texts("structure").get(known.lastIndexOf(name)));
-            }
-        });
-        if (structures.isEmpty()) {
-            throw new BadInputException(file + ": found "
-                    + (volume.names().isEmpty() ? "no names of labels" : "no name of a structure among its labels")
-                    + ", expected --labels with a table, or --labels " + TOTALSEGMENTATOR);
+        Map<String, String> names = new TreeMap<>();
+        for (int row = 0; row < table.texts("structure").size(); row++) {
+            names.put(table.texts("name").get(row), table.texts("structure").get(row));
         }
-        return new LabelTable(structures);
+        return names;
+    }
+
+    /** Structure by label number of TotalSegmentator. */
+    static Map<Integer, String> totalSegmentatorNumbers() {
+        CsvTable table = shipped();
+        Map<Integer, String> numbers = new TreeMap<>();
+        for (int row = 0; row < table.texts("structure").size(); row++) {
+            numbers.put(label(table, row), table.texts("structure").get(row));
+        }
+        return numbers;
+    }
+
+    /** Returns a table in which a label without a known name that encloses all others is the skin, if none is. */
+    private LabelTable withOutline(LabelVolume volume) {
+        Map<Integer, String> all = new TreeMap<>(structures);
+        if (!all.containsValue(SKIN)) {
+            BodyOutline.label(volume.grid(), this).ifPresent(label -> all.put(label, SKIN));
+        }
+        return new LabelTable(all, missing);
+    }
+
+    /**
+     * Returns a table that holds every label of the volume. A label without a structure is named after its name or
+     * number: {@code other_NAME}, or {@code skin} if it encloses all others.
+     */
+    public LabelTable withRest(LabelVolume volume) {
+        int[] counts = volume.grid().counts();
+        Map<Integer, String> all = new TreeMap<>(structures);
+        long names = structures.values().stream().distinct().count();
+        for (int label = 1; label < counts.length; label++) {
+            if (counts[label] > 0 && !all.containsKey(label) && names++ < MAX_STRUCTURES) {
+                String name = volume.names().getOrDefault(label, "");
+                String text = name.isBlank() ? String.valueOf(label) : name;
+                all.put(label, LabelNames.structure(text).orElse(OrganNames.other(text)));
+            }
+        }
+        return new LabelTable(all, missing).withOutline(volume);
     }
 
     private static CsvTable shipped() {
@@ -114,8 +145,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                 throw table.badCell(
                         row,
                         "structure",
-                        "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, " + LUNGS
-                                + " or " + COSTAL_CARTILAGES);
+                        "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, kidney_R,"
+                                + " other_NAME, " + LUNGS + ", " + RIBS + ", " + COSTAL_CARTILAGES + " or " + IGNORE);
             }
             List<Integer> labels =
                     byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));
@@ -128,7 +159,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         if (map.isEmpty()) {
             throw new BadInputException(file + ": found no row for a label of the volume, expected some");
         }
-        return new LabelTable(map, tellAbsent ? absent : List.of());
+        return new LabelTable(map, tellAbsent ? absent : List.of()).withRest(volume);
     }
 
     private static List<Integer> labelsNamed(LabelVolume volume, String name) {
@@ -146,8 +177,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return (int) label;
     }
 
-    private static boolean isStructure(String name) {
+    static boolean isStructure(String name) {
         return name.equals(LUNGS)
+                || name.equals(IGNORE)
                 || name.equals(RIBS)
                 || name.equals(COSTAL_CARTILAGES)
                 || StructureName.parse(name).isPresent();

@@ -44,7 +44,8 @@ public final class Segmentation {
         byte[] segmentOfLabel = new byte[LabelGrid.MAX_LABEL + 1];
         for (Map.Entry<Integer, String> entry : map.structures().entrySet()) {
             int label = entry.getKey();
-            if (label < counts.length && counts[label] > 0) {
+            boolean wanted = !entry.getValue().equals(LabelTable.IGNORE);
+            if (wanted && label < counts.length && counts[label] > 0) {
                 segmentOfLabel[label] = (byte) segment(entry.getValue());
                 labels.computeIfAbsent(entry.getValue(), name -> new ArrayList<>())
                         .add(label);

@@ -33,6 +33,7 @@ import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -137,7 +138,7 @@ public final class PatientStudy {
                 axes.map(stated -> GeometryOverride.axes(read, stated)).orElse(read);
         LabelTable map = volume.names().isEmpty()
                 ? new LabelTable(Map.of(1, LabelTable.LUNGS))
-                : LabelTable.named(file.toString(), volume);
+                : LabelGuess.of(volume).require(file.toString());
         return new ScanImport(volume, file.toString(), MeshingSettings.PAPER, Optional.empty(), (n, of, what) -> {})
                 .run(map, name);
     }

@@ -1,0 +1,120 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureName;
+
+/**
+ * Structures by the names that files give to labels, such as "Right Lung", "rib 5 left", "T12" or "kidney_right". Case,
+ * order of words and separators do not matter.
+ */
+final class LabelNames {
+    private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
+    private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})");
+    /** Words that add nothing to the name of a structure. */
+    private static final List<String> FILLERS =
+            List.of("vertebra", "vertebrae", "lobe", "upper", "middle", "lower", "superior", "inferior", "of", "the");
+
+    private static final Map<String, String> OF_TOTALSEGMENTATOR = Map.copyOf(LabelTable.totalSegmentatorNames());
+
+    private static final Map<String, String> SYNONYMS = Map.ofEntries(
+            Map.entry("esophagus", "oesophagus"),
+            Map.entry("clavicula", "clavicle"),
+            Map.entry("gall_bladder", "gallbladder"),
+            Map.entry("ivc", "inferior_vena_cava"),
+            Map.entry("bladder", "urinary_bladder"),
+            Map.entry("adrenal", "adrenal_gland"),
+            Map.entry("small_intestine", "small_bowel"),
+            Map.entry("large_bowel", "colon"),
+            Map.entry("bowel", "organ_bowel"),
+            Map.entry("intestine", "organ_bowel"),
+            Map.entry("kidneys", "organ_kidneys"),
+            Map.entry("vena_cava", "inferior_vena_cava"));
+
+    private LabelNames() {}
+
+    /** The structure that a label's name stands for; empty if the name is unknown. */
+    static Optional<String> structure(String name) {
+        List<String> words = new ArrayList<>(Arrays.asList(name.toLowerCase(Locale.ROOT)
+                .replaceAll("[^a-z0-9]+", " ")
+                .strip()
+                .split(" ", -1)));
+        String ofTool = OF_TOTALSEGMENTATOR.get(String.join("_", words));
+        if (ofTool != null || LabelTable.isStructure(name)) {
+            return Optional.of(ofTool != null ? ofTool : name);
+        }
+        Side side = side(words);
+        String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
+        for (String word : words) {
+            if (word.startsWith("rib")) {
+                return levelled(words, side, "rib", LabelTable.RIBS);
+            }
+            if (word.startsWith("cartilage")) {
+                return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
+            }
+            if (word.startsWith("lung")) {
+                return Optional.of(side == Side.MIDLINE ? LabelTable.LUNGS : "lung" + suffix);
+            }
+            if (List.of("sternum", "manubrium", "xiphoid").contains(word)) {
+                return Optional.of(word.equals("sternum") ? word : "sternum_" + word);
+            }
+            if (List.of("skin", "body", "torso", "trunk").contains(word)) {
+                return Optional.of("skin");
+            }
+            if (List.of("tumor", "tumour", "lesion", "metastasis").contains(word)) {
+                return Optional.of("lesion_" + String.join("_", words));
+            }
+        }
+        return vertebra(words).or(() -> organ(words, suffix));
+    }
+
+    private static Side side(List<String> words) {
+        boolean right = words.removeAll(List.of("right", "r", "rt"));
+        boolean left = words.removeAll(List.of("left", "l", "lt"));
+        return right == left ? Side.MIDLINE : right ? Side.RIGHT : Side.LEFT;
+    }
+
+    private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
+        for (String word : words) {
+            Matcher m = NUMBER.matcher(word.replaceAll("^(ribs?|cartilages?)", ""));
+            if (m.matches() && side != Side.MIDLINE) {
+                return known(String.format(
+                        Locale.ROOT, "%s_%02d_%s", stem, Integer.parseInt(m.group(1)), side == Side.RIGHT ? "R" : "L"));
+            }
+        }
+        return side == Side.MIDLINE ? Optional.of(common) : Optional.empty();
+    }
+
+    private static Optional<String> vertebra(List<String> words) {
+        for (String word : words) {
+            Matcher m = VERTEBRA.matcher(word);
+            if (m.matches() && (words.size() == 1 || FILLERS.containsAll(without(words, word)))) {
+                String region = m.group(1).toUpperCase(Locale.ROOT);
+                int number = Integer.parseInt(m.group(2));
+                boolean padded = region.equals("T") || region.equals("L");
+                return known(String.format(Locale.ROOT, padded ? "vertebra_%s%02d" : "vertebra_%s%d", region, number));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static List<String> without(List<String> words, String word) {
+        return words.stream().filter(other -> !other.equals(word)).toList();
+    }
+
+    private static Optional<String> organ(List<String> words, String suffix) {
+        String stem = String.join("_", words);
+        return known(SYNONYMS.getOrDefault(stem, stem) + suffix);
+    }
+
+    private static Optional<String> known(String structure) {
+        return StructureName.parse(structure).map(name -> structure);
+    }
+}

@@ -1,0 +1,89 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+class LabelGuessTest {
+    @ParameterizedTest
+    @CsvSource({
+        "Right Lung, lung_R",
+        "lung_upper_lobe_left, lung_L",
+        "lungs, lungs",
+        "rib 5 left, rib_05_L",
+        "Rib_R_11, rib_11_R",
+        "ribs, ribs",
+        "T12, vertebra_T12",
+        "vertebrae_L3, vertebra_L03",
+        "vertebrae_C7, vertebra_C7",
+        "costal cartilages, costal_cartilages",
+        "Manubrium, sternum_manubrium",
+        "kidney right, kidney_R",
+        "Gall bladder, gallbladder",
+        "esophagus, oesophagus",
+        "clavicula_left, clavicle_L",
+        "iliac vena left, iliac_vein_L",
+        "liver tumor 2, lesion_liver_tumor_2",
+        "body_trunc, skin",
+    })
+    void namesOfFilesStandForStructures(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @Test
+    void nothingIsMadeOfAnUnknownName() {
+        assertThat(List.of("rib 13 left", "rib left", "T13", "segment 4", "1", ""))
+                .allSatisfy(name -> assertThat(LabelNames.structure(name)).isEmpty());
+    }
+
+    private static LabelVolume cage(double zPerSlice, Map<Integer, String> names) {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        double s = CageVoxels.SPACING_MM;
+        LabelGrid grid =
+                LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, cage.labels, new double[] {
+                    s, 0, 0, 0, 0, s, 0, 0, 0, 0, zPerSlice, 0
+                });
+        return new LabelVolume(grid, names, List.of());
+    }
+
+    @Test
+    void numbersOfTotalSegmentatorAreTakenWhereTheirPlacesFit() {
+        LabelGuess guess = LabelGuess.of(cage(CageVoxels.SPACING_MM, Map.of()));
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.confidence()).isEqualTo(1);
+        assertThat(guess.table().orElseThrow().structures())
+                .containsEntry(92, "rib_01_L")
+                .containsEntry(115, "rib_12_R");
+        // Upside down nearly all comparisons of heights fail.
+        LabelGuess none = LabelGuess.of(cage(-CageVoxels.SPACING_MM, Map.of()));
+        assertThat(none.source()).isEqualTo(LabelGuess.Source.NONE);
+        assertThatThrownBy(() -> none.require("scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("not where TotalSegmentator's structures of these numbers lie");
+    }
+
+    @Test
+    void aLabelThatEnclosesAllOthersIsTheSkinAndUnknownOnesAreObstacles() {
+        LabelVolume bare = cage(CageVoxels.SPACING_MM, Map.of());
+        byte[] labels = new byte[bare.grid().voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (bare.grid().label(v) == 0 ? 200 : bare.grid().label(v));
+        }
+        labels[1] = (byte) 150;
+        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, labels, new double[] {
+            3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0
+        });
+        Map<Integer, String> structures = LabelGuess.of(new LabelVolume(grid, Map.of(), List.of()))
+                .require("scan")
+                .structures();
+        assertThat(structures).containsEntry(200, "skin").containsEntry(150, "other_150");
+    }
+}
