@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
@@ -48,7 +48,8 @@ public final class SceneFixture implements AutoCloseable {
 
         Breath() {
             Scenario scenario = Scenario.defaults().with("resolution=low");
-            try (Simulation simulation = Simulation.of(scenario, VirtualBodies.grow("adult-male", Resolution.LOW))) {
+            try (Simulation simulation =
+                    Simulation.of(scenario, VirtualThorax.ofPreset("adult-male", Resolution.LOW))) {
                 SceneSurfaces scene = new SceneSurfaces(simulation);
                 surfaces = scene.surfaces();
                 rest = scene.newFrame();

@@ -8,7 +8,6 @@ import java.util.Map;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.RunSettings;
@@ -33,8 +32,7 @@ public final class SimulationRun {
     /** Loads the body that a scenario names. */
     public static Thorax loadThorax(Scenario scenario) {
         if (scenario.isVirtual()) {
-            String preset = scenario.anatomy().substring("virtual/".length());
-            return VirtualThorax.generate(VirtualThoraxParameters.preset(preset), scenario.resolution());
+            return VirtualThorax.ofPreset(scenario.anatomy().substring("virtual/".length()), scenario.resolution());
         }
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }

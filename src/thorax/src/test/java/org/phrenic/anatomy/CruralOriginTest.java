@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.TriangleMesh;
 
 class CruralOriginTest {
@@ -22,7 +22,7 @@ class CruralOriginTest {
 
     @BeforeAll
     static void find() {
-        body = VirtualBodies.grow("adult-male", Resolution.LOW);
+        body = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         diaphragm =
                 Diaphragm.withTrefoilTendon(body.find("diaphragm").orElseThrow().mesh());
         share = CruralOrigin.attachmentShares(body, diaphragm);

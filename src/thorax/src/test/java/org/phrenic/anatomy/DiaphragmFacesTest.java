@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -74,7 +74,7 @@ class DiaphragmFacesTest {
     @Test
     void bothFacesOfTheVirtualSheetsHaveAboutEqualArea() {
         for (String body : new String[] {"adult-male", "adult-female"}) {
-            TriangleMesh sheet = VirtualBodies.grow(body, Resolution.LOW)
+            TriangleMesh sheet = VirtualThorax.ofPreset(body, Resolution.LOW)
                     .find("diaphragm")
                     .orElseThrow()
                     .mesh();

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -20,7 +20,7 @@ class DiaphragmTest {
     @BeforeAll
     static void make() {
         dome = Diaphragm.withTrefoilTendon(DomeSheet.adult(RINGS));
-        male = Diaphragm.withTrefoilTendon(VirtualBodies.grow("adult-male", Resolution.LOW)
+        male = Diaphragm.withTrefoilTendon(VirtualThorax.ofPreset("adult-male", Resolution.LOW)
                 .find("diaphragm")
                 .orElseThrow()
                 .mesh());

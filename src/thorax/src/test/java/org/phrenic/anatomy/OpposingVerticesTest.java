@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.TriangleMesh;
 
 class OpposingVerticesTest {
@@ -87,7 +87,7 @@ class OpposingVerticesTest {
 
     @Test
     void theVirtualSheetHasAnOpposingVertexNearlyEverywhere() {
-        Diaphragm male = Diaphragm.withTrefoilTendon(VirtualBodies.grow("adult-male", Resolution.LOW)
+        Diaphragm male = Diaphragm.withTrefoilTendon(VirtualThorax.ofPreset("adult-male", Resolution.LOW)
                 .find("diaphragm")
                 .orElseThrow()
                 .mesh());

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 
 class StructureNameTest {
     @ParameterizedTest
@@ -72,7 +72,7 @@ class StructureNameTest {
 
     @Test
     void theNamesOfTheVirtualBodySayWhatItsStructuresAre() {
-        assertThat(VirtualBodies.grow("adult-male", Resolution.LOW).structures())
+        assertThat(VirtualThorax.ofPreset("adult-male", Resolution.LOW).structures())
                 .allSatisfy(s -> assertThat(StructureName.parse(s.name()))
                         .as(s.name())
                         .contains(new StructureName(s.kind(), s.level(), s.side())));

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
 
@@ -66,7 +66,7 @@ class BreathingKindsTest {
         Runs.Run female = Runs.run(
                 1.9,
                 Runs.scenario(Runs.sheetAlone("anatomy=virtual/adult-female")),
-                VirtualBodies.grow("adult-female", Resolution.LOW));
+                VirtualThorax.ofPreset("adult-female", Resolution.LOW));
         assertThat(female.fall("dome_right_mm")).isBetween(8.0, 30.0);
         assertThat(female.fall("dome_left_mm")).isBetween(8.0, 30.0);
         assertThat(female.rise("lung_volume_change_ml")).isBetween(200.0, 800.0);

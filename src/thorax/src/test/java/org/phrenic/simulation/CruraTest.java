@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.scenario.Scenario;
@@ -52,7 +52,7 @@ class CruraTest {
     /** The bed is as firm under a coarse mesh as under a fine one. */
     @Test
     void finerMeshesAreHeldAlike() {
-        assertThat(held(VirtualBodies.grow("adult-male", Resolution.MEDIUM), "resolution=medium"))
+        assertThat(held(VirtualThorax.ofPreset("adult-male", Resolution.MEDIUM), "resolution=medium"))
                 .isCloseTo(held(Runs.male(), "resolution=low"), org.assertj.core.api.Assertions.withinPercentage(5));
     }
 

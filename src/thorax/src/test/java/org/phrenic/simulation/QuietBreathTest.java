@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.scenario.Scenario;
 
 /** One quiet breath (4 s) of the virtual adult male with everything switched on; ranges from measurements in people. */
@@ -96,7 +96,7 @@ class QuietBreathTest {
         Runs.Run medium = Runs.run(
                 INSPIRATION_S,
                 Scenario.defaults().with("resolution=medium"),
-                VirtualBodies.grow("adult-male", Resolution.MEDIUM));
+                VirtualThorax.ofPreset("adult-male", Resolution.MEDIUM));
         assertThat(medium.nodes()).isGreaterThan(breath.nodes());
         double coarse = breath.fall("dome_right_mm");
         assertThat(medium.fall("dome_right_mm")).isCloseTo(coarse, within(0.05 * coarse));

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
@@ -50,7 +50,7 @@ public final class Runs {
     }
 
     public static Thorax male() {
-        return VirtualBodies.grow("adult-male", Resolution.LOW);
+        return VirtualThorax.ofPreset("adult-male", Resolution.LOW);
     }
 
     public static Scenario scenario(String... assignments) {

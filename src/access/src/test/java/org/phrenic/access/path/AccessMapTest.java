@@ -21,7 +21,7 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.Vectors;
@@ -48,7 +48,7 @@ class AccessMapTest {
         workers = Workers.of(2);
         Scenario deep = Scenario.defaults()
                 .with("preset=deep", "rate_per_min=20", "resolution=low", "lungs=embedded", "sternum=kinematic");
-        try (Simulation simulation = Simulation.of(deep, VirtualBodies.grow("adult-male", Resolution.LOW))) {
+        try (Simulation simulation = Simulation.of(deep, VirtualThorax.ofPreset("adult-male", Resolution.LOW))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
             scene = new MovingAnatomy(surfaces.surfaces());

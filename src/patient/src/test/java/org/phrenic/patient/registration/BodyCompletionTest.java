@@ -11,7 +11,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibEnds;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -26,7 +25,7 @@ import org.phrenic.patient.PatientStructure;
 /** The virtual adult female is the patient: of her a scan shows the lungs alone, and the rest is made of the male. */
 class BodyCompletionTest {
     private static Thorax thorax(String preset) {
-        return VirtualThorax.generate(VirtualThoraxParameters.preset(preset), Resolution.LOW);
+        return VirtualThorax.ofPreset(preset, Resolution.LOW);
     }
 
     private static PatientBody scanOf(Thorax patient, String cutAt) {

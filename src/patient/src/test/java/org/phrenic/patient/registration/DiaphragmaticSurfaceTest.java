@@ -10,15 +10,13 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SurfaceDistance;
 
 class DiaphragmaticSurfaceTest {
-    private static final Thorax MALE =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final Thorax MALE = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
 
     @Test
     void itIsOnePieceThatLiesOnTheDiaphragm() {

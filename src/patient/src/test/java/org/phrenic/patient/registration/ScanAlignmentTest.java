@@ -12,7 +12,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.TriangleMesh;
@@ -25,7 +24,7 @@ class ScanAlignmentTest {
 
     @BeforeAll
     static void generate() {
-        male = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+        male = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
     }
 
     private static Thorax only(StructureKind kind) {

@@ -9,13 +9,11 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 
 class BodyVariationTest {
     private static final BodyVariation SAME = new BodyVariation(1, 1, 1, 0, 0, 0);
-    private static final Thorax MAN =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
 
     private static double[] box(Thorax body, String structure) {
         return body.find(structure).orElseThrow().mesh().bounds();

@@ -10,7 +10,6 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
@@ -18,8 +17,8 @@ import org.phrenic.simulation.observe.Surface;
  * Small octahedra as organs at known places of the virtual man's diaphragm; its right dome is highest at z = 115 mm.
  */
 class SheetCrossingTest {
-    private static final Diaphragm SHEET = Diaphragm.withTrefoilTendon(
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW)
+    private static final Diaphragm SHEET =
+            Diaphragm.withTrefoilTendon(VirtualThorax.ofPreset("adult-male", Resolution.LOW)
                     .find("diaphragm")
                     .orElseThrow()
                     .mesh());

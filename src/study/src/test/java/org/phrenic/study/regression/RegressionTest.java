@@ -20,7 +20,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -45,7 +45,7 @@ class RegressionTest {
     }
 
     private static Thorax body(Scenario scenario) {
-        return VirtualBodies.grow(scenario.anatomy().substring("virtual/".length()), Resolution.LOW);
+        return VirtualThorax.ofPreset(scenario.anatomy().substring("virtual/".length()), Resolution.LOW);
     }
 
     private static Regression of(Path folder, RegressionScene scene) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.CaseResult.Outcome;
@@ -104,7 +104,7 @@ class StabilityStudyTest {
                         "liver=false",
                         "threads=1");
         try (ThoraxScene trial =
-                new ThoraxScene(scenario, VirtualBodies.grow("adult-male", Resolution.LOW), simulation -> {})) {
+                new ThoraxScene(scenario, VirtualThorax.ofPreset("adult-male", Resolution.LOW), simulation -> {})) {
             NodeState shape = new NodeState(trial.system());
             double[] before = null;
             for (int breath = 1; breath <= 4; breath++) {

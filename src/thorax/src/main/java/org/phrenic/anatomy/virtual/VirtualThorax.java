@@ -1,9 +1,12 @@
 package org.phrenic.anatomy.virtual;
 
+import java.lang.ref.SoftReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinTask;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -25,6 +28,8 @@ public final class VirtualThorax {
     private static final int VERTEBRA_SWEEPS = 3;
     private static final Tube RIB = new Tube(12, 60, 2.4, 3);
     private static final Tube DISC = new Tube(28, 4, 2.3, 1);
+    /** Bodies of presets by name and resolution, kept while memory allows. */
+    private static final Map<String, SoftReference<Thorax>> PRESETS = new ConcurrentHashMap<>();
 
     private final VirtualThoraxParameters parameters;
     private final Resolution resolution;
@@ -54,6 +59,24 @@ public final class VirtualThorax {
      */
     public static Thorax generate(VirtualThoraxParameters parameters, Resolution resolution) {
         return new VirtualThorax(parameters, resolution).build();
+    }
+
+    /**
+     * The thorax of a preset. It is generated at the first call and kept while memory allows; its meshes are shared.
+     *
+     * @throws IllegalArgumentException if there is no preset of this name
+     */
+    public static Thorax ofPreset(String preset, Resolution resolution) {
+        Thorax[] found = new Thorax[1];
+        PRESETS.compute(preset + " " + resolution, (key, known) -> {
+            found[0] = known == null ? null : known.get();
+            if (found[0] != null) {
+                return known;
+            }
+            found[0] = generate(VirtualThoraxParameters.preset(preset), resolution);
+            return new SoftReference<>(found[0]);
+        });
+        return found[0];
     }
 
     /** Generates the parts in parallel and lists them in the order bones, spine, organs. */

@@ -12,7 +12,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.engine.parallel.Workers;
 
@@ -32,7 +32,7 @@ class LinearBlendSkinningTest {
 
     @BeforeAll
     static void make() throws IOException {
-        male = VirtualBodies.grow("adult-male", Resolution.LOW);
+        male = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         bones = SkinningWeights.of(male, cage);
     }

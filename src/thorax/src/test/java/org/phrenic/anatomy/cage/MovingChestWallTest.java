@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.virtual.VirtualBodies;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,7 +27,7 @@ class MovingChestWallTest {
 
     @BeforeAll
     static void make() throws IOException {
-        Thorax male = VirtualBodies.grow("adult-male", Resolution.LOW);
+        Thorax male = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         cage = RibCage.of(male, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         bones = SkinningWeights.of(male, cage);
         low = male.find("rib_09_R").orElseThrow().mesh().bounds()[2];

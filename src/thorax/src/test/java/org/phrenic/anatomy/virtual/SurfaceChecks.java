@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
@@ -15,6 +16,11 @@ final class SurfaceChecks {
     private final double[] box;
     /** Triangles by the slabs of height they reach into. */
     private int[][] slabs;
+
+    /** The surface of this name. */
+    static SurfaceChecks of(Thorax thorax, String name) {
+        return new SurfaceChecks(thorax.find(name).orElseThrow().mesh());
+    }
 
     SurfaceChecks(TriangleMesh mesh) {
         this.mesh = mesh;

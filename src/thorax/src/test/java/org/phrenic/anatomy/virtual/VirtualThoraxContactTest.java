@@ -20,7 +20,7 @@ class VirtualThoraxContactTest {
             List.of(StructureKind.RIB, StructureKind.COSTAL_CARTILAGE, StructureKind.STERNUM, StructureKind.VERTEBRA);
 
     private static Thorax body(String preset) {
-        return VirtualBodies.grow(preset, Resolution.LOW);
+        return VirtualThorax.ofPreset(preset, Resolution.LOW);
     }
 
     @ParameterizedTest
@@ -54,10 +54,10 @@ class VirtualThoraxContactTest {
 
     /** The first touches one of the others. */
     private static void touch(Thorax thorax, String one, String... others) {
-        SurfaceChecks a = VirtualBodies.surface(thorax, one);
+        SurfaceChecks a = SurfaceChecks.of(thorax, one);
         double least = Double.POSITIVE_INFINITY;
         for (String other : others) {
-            SurfaceChecks b = VirtualBodies.surface(thorax, other);
+            SurfaceChecks b = SurfaceChecks.of(thorax, other);
             least = Math.min(least, Math.min(a.gap(b), b.gap(a)));
         }
         assertThat(least).as(one + " to " + String.join(", ", others)).isLessThanOrEqualTo(MOST_GAP_MM);
@@ -69,7 +69,7 @@ class VirtualThoraxContactTest {
         Thorax thorax = body(preset);
         List<String> names = List.of("lung_R", "lung_L", "liver", "diaphragm");
         List<SurfaceChecks> organs =
-                names.stream().map(name -> VirtualBodies.surface(thorax, name)).toList();
+                names.stream().map(name -> SurfaceChecks.of(thorax, name)).toList();
         for (Structure bone : thorax.structures()) {
             if (!HARD.contains(bone.kind())) {
                 continue;
@@ -115,7 +115,7 @@ class VirtualThoraxContactTest {
     @ValueSource(strings = {"adult-male", "adult-female"})
     void skinCoversEveryBone(String preset) {
         Thorax thorax = body(preset);
-        SurfaceChecks skin = VirtualBodies.surface(thorax, "skin_torso");
+        SurfaceChecks skin = SurfaceChecks.of(thorax, "skin_torso");
         for (Structure structure : thorax.structures()) {
             SurfaceChecks surface = new SurfaceChecks(structure.mesh());
             for (int v = 0; v < structure.mesh().vertexCount() && structure.kind() != StructureKind.SKIN; v += 23) {

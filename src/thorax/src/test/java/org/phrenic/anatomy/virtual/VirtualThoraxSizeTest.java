@@ -21,7 +21,7 @@ class VirtualThoraxSizeTest {
     private static final double[] RIB_ARC_MM = {128, 209, 264, 293, 307, 312, 312, 301, 278, 237, 165, 84};
 
     private static Thorax body(String preset) {
-        return VirtualBodies.grow(preset, Resolution.MEDIUM);
+        return VirtualThorax.ofPreset(preset, Resolution.MEDIUM);
     }
 
     private static double[] cage(Thorax thorax) {
@@ -99,7 +99,7 @@ class VirtualThoraxSizeTest {
 
     /** From pole to pole of the bar. */
     private static double span(String preset, String name) {
-        SurfaceChecks bar = VirtualBodies.surface(body(preset), name);
+        SurfaceChecks bar = SurfaceChecks.of(body(preset), name);
         int n = bar.mesh.vertexCount();
         return Vectors.distance(bar.vertex(n - 2), bar.vertex(n - 1));
     }
@@ -158,7 +158,7 @@ class VirtualThoraxSizeTest {
     @ParameterizedTest
     @ValueSource(strings = {"adult-male", "adult-female"})
     void theDiaphragmHasTheAreaOfAnAdults(String preset) {
-        SurfaceChecks sheet = VirtualBodies.surface(body(preset), "diaphragm");
+        SurfaceChecks sheet = SurfaceChecks.of(body(preset), "diaphragm");
         int half = sheet.mesh.vertexCount() / 2;
         double area = 0;
         for (int t = 0; t < sheet.mesh.triangleCount(); t++) {
@@ -176,11 +176,11 @@ class VirtualThoraxSizeTest {
     @CsvSource({"adult-male, 2400, 3500, 1500", "adult-female, 1900, 2900, 1300"})
     void lungsAndLiverHaveTheVolumeOfAnAdults(String preset, double least, double most, double liver) {
         Thorax thorax = body(preset);
-        double right = VirtualBodies.surface(thorax, "lung_R").volumeMl();
-        double left = VirtualBodies.surface(thorax, "lung_L").volumeMl();
+        double right = SurfaceChecks.of(thorax, "lung_R").volumeMl();
+        double left = SurfaceChecks.of(thorax, "lung_L").volumeMl();
         assertThat(right + left).isBetween(least, most);
         assertThat(right).isGreaterThan(left);
-        assertThat(VirtualBodies.surface(thorax, "liver").volumeMl()).isCloseTo(liver, within(0.05 * liver));
+        assertThat(SurfaceChecks.of(thorax, "liver").volumeMl()).isCloseTo(liver, within(0.05 * liver));
     }
 
     @ParameterizedTest
