@@ -31,19 +31,11 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
      */
     private static final double SAMPLE_S = 0.01;
 
-    private static final List<String> OBSERVABLES = List.of(
-            "dome_right_mm",
-            "dome_left_mm",
-            "central_tendon_mm",
-            "anterior_right_mm",
-            "posterior_right_mm",
-            "fibre_shortening_percent",
-            "lung_volume_change_ml",
-            "transverse_change_mm",
-            "sternum_cranial_mm",
-            "sternum_ventral_mm",
-            "liver_si_mm",
-            "liver_ap_mm");
+    private static final List<String> OBSERVABLES =
+            List.of(("dome_right_mm dome_left_mm central_tendon_mm anterior_right_mm"
+                            + " posterior_right_mm fibre_shortening_percent lung_volume_change_ml transverse_change_mm"
+                            + " sternum_cranial_mm sternum_ventral_mm liver_si_mm liver_ap_mm")
+                    .split(" "));
 
     /**
      * Sensitivity to one parameter.
@@ -89,11 +81,8 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
         for (int i = 0; i < parameters.size(); i++) {
             double[] pair = ends.get(i);
             double share = (pair[1] - pair[0]) / single.get(parameters.get(i));
-            rows.add(new Row(
-                    parameters.get(i),
-                    pair[0],
-                    pair[1],
-                    effects(reference, seen.get(2 * i + 1), seen.get(2 * i + 2), share)));
+            double[] effects = effects(reference, seen.get(2 * i + 1), seen.get(2 * i + 2), share);
+            rows.add(new Row(parameters.get(i), pair[0], pair[1], effects));
         }
         return new Sensitivity(scenario.preset(), scenario.anatomy(), OBSERVABLES, reference, rows);
     }

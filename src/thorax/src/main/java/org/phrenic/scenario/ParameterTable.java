@@ -13,14 +13,9 @@ public final class ParameterTable {
     /** The table in Markdown, the content of {@code docs/parameters.md}. */
     public static String markdown() {
         return Materials.parameters().stream()
-                .map(p -> String.join(
-                        " | ",
-                        "| `" + p.key() + "`",
-                        p.unit(),
-                        NumberSetting.number(p.minimum()) + " to " + NumberSetting.number(p.maximum()),
-                        cell(p, Materials.PHYSICAL),
-                        cell(p, Materials.PAPER),
-                        p.description() + " |\n"))
+                .map(p -> "| `" + p.key() + "` | " + p.unit() + " | " + NumberSetting.number(p.minimum()) + " to "
+                        + NumberSetting.number(p.maximum()) + " | " + cell(p, Materials.PHYSICAL) + " | "
+                        + cell(p, Materials.PAPER) + " | " + p.description() + " |\n")
                 .collect(Collectors.joining(
                         "",
                         """

@@ -43,7 +43,7 @@ public final class Simulation implements AutoCloseable {
      * Settling steps of the paper's scene, which is in equilibrium from the start. They verify this and warm up the JIT
      * compiler before the run is timed.
      */
-    private static final long FEWEST_STEPS = 300;
+    private static final long MIN_SETTLING_STEPS = 300;
 
     /**
      * Settling damping rate, 1/s. Of 2.5 to 20 1/s it leaves the least creep in later breaths, because the softest
@@ -119,7 +119,7 @@ public final class Simulation implements AutoCloseable {
         scene.drive().holdAtExpiration(true);
         Stepper stepper =
                 new Stepper(IntegratorKind.VERLET.create(system), scenario.timeStepS(), StepPolicy.SUBSTEP, limit);
-        long steps = Math.max(FEWEST_STEPS, Math.round(SETTLE_S / scenario.timeStepS()));
+        long steps = Math.max(MIN_SETTLING_STEPS, Math.round(SETTLE_S / scenario.timeStepS()));
         for (long i = 0; i < steps; i++) {
             stepper.step();
         }
@@ -269,12 +269,8 @@ public final class Simulation implements AutoCloseable {
         scene.pose().update(-1);
         scene.tuning().restart(start, system());
         scene.drive().restart(new LiveBreathing(start));
-        System.arraycopy(
-                system().layout().toInternal(scene.restPositions()),
-                0,
-                system().positions(),
-                0,
-                scene.restPositions().length);
+        double[] rest = system().layout().toInternal(scene.restPositions());
+        System.arraycopy(rest, 0, system().positions(), 0, rest.length);
         Arrays.fill(system().velocities(), 0);
         system().invalidate();
         stepper.restart(start.integrator().create(system()), firstLimit);

@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import java.util.Locale;
+import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
 
 /**
@@ -16,13 +17,12 @@ import org.phrenic.engine.integrator.Stepper;
 public record SubstepReason(
         double dtS, int substeps, double limitS, String integrator, String limitMessage, String cause) {
     static SubstepReason of(Stepper stepper) {
-        return new SubstepReason(
-                stepper.dt(),
-                stepper.substeps(),
-                stepper.limit().largestStep(stepper.integrator().kind()),
-                stepper.integrator().kind().label(),
-                stepper.limit().describe(stepper.integrator().kind(), stepper.dt()),
-                stepper.substepRefinementReason());
+        double dt = stepper.dt();
+        IntegratorKind kind = stepper.integrator().kind();
+        double limit = stepper.limit().largestStep(kind);
+        String message = stepper.limit().describe(kind, dt);
+        String cause = stepper.substepRefinementReason();
+        return new SubstepReason(dt, stepper.substeps(), limit, kind.label(), message, cause);
     }
 
     /** One sentence with all values. */

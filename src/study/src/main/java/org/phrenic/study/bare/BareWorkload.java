@@ -131,15 +131,19 @@ public final class BareWorkload implements AutoCloseable {
                 rate[run] = settings.steps() / ((System.nanoTime() - start) * 1e-9);
             }
             Arrays.sort(rate);
+            int nodes = work.system.nodeCount();
+            int links = scene.links().length / 2;
+            String scheme = settings.integrator().label();
+            double median = rate[RUNS / 2];
             return new BareResult(
-                    rate[RUNS / 2],
+                    median,
                     rate[0],
                     rate[RUNS - 1],
-                    work.system.nodeCount(),
+                    nodes,
                     work.edges,
-                    scene.links().length / 2,
+                    links,
                     settings.threads(),
-                    settings.integrator().label(),
+                    scheme,
                     KERNEL,
                     dz,
                     floor,

@@ -20,24 +20,10 @@ import org.phrenic.study.ReportValues;
 /** Cost and error of solver settings for several scenes: tables, a document and JSON values. */
 public final class ErrorReport {
     /** Columns of {@link #cells}. */
-    public static final List<Column> COLUMNS = Stream.concat(
-                    Stream.of(Column.text("integrator")),
-                    Stream.concat(
-                            Stream.of(
-                                            "step, s",
-                                            "sweeps",
-                                            "refresh, s",
-                                            "rms, mm",
-                                            "rms, %",
-                                            "max, mm",
-                                            "max, %",
-                                            "all, rms mm",
-                                            "all, max mm",
-                                            "CPU, s",
-                                            "wall, s",
-                                            "x real time")
-                                    .map(Column::number),
-                            Stream.of(Column.text(""))))
+    public static final List<Column> COLUMNS = Stream.of(("integrator;step, s;sweeps;refresh, s;rms, mm;rms, %"
+                            + ";max, mm;max, %;all, rms mm;all, max mm;CPU, s;wall, s;x real time;")
+                    .split(";", -1))
+            .map(heading -> new Column(heading, !heading.isEmpty() && !heading.equals("integrator")))
             .toList();
 
     private final List<ErrorStudy> studies;
@@ -80,23 +66,22 @@ public final class ErrorReport {
     /** Describes the scene and its reference solution. */
     public static String heading(ErrorStudy study) {
         double[] uncertainty = study.referenceUncertainty();
-        return format(
-                "%s: %d nodes, %s breath of %s s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice"
-                        + " as long its diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its"
-                        + " nodes %.2g mm rms and at most %.2g mm.",
+        int threads = study.scenario().threads();
+        String breath = study.scenario().preset() + " breath of " + SolverSettings.number(study.simulatedS()) + " s";
+        String scene = format(
+                "%s: %d nodes, %s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice as long its",
                 title(study),
                 study.nodes(),
-                study.scenario().preset(),
-                SolverSettings.number(study.simulatedS()),
+                breath,
                 study.excursionMm(),
-                study.scenario().threads(),
-                study.scenario().threads() == 1 ? "" : "s",
-                study.reference().label(),
-                uncertainty[0],
-                study.percent(uncertainty[0]),
-                uncertainty[1],
-                uncertainty[2],
-                uncertainty[3]);
+                threads,
+                threads == 1 ? "" : "s",
+                study.reference().label());
+        String pattern =
+                " diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its nodes %.2g mm rms and"
+                        + " at most %.2g mm.";
+        double percent = study.percent(uncertainty[0]);
+        return scene + format(pattern, uncertainty[0], percent, uncertainty[1], uncertainty[2], uncertainty[3]);
     }
 
     private static String title(ErrorStudy study) {
@@ -130,36 +115,30 @@ public final class ErrorReport {
     /** Describes the distance from equilibrium at one phase. */
     public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
         NewtonEquilibrium.Result newton = lag.newton();
-        return format(
-                "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the equilibrium"
-                        + " of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they"
-                        + " come to rest by themselves. Newton: %s %.1g mN a node, %d constraints bind%s; relaxation"
-                        + " alone was %.2g mm rms off.",
-                lag.timeS(),
-                lag.rmsMm(),
-                study.percent(lag.rmsMm()),
-                lag.maxMm(),
-                lag.relaxedRmsMm(),
-                newton.converged() ? "converged to" : "not converged,",
-                newton.residualsMn()[newton.residualsMn().length - 1],
-                newton.activeRows(),
-                newton.activeSetSettled() ? "" : ", " + newton.activeSetChanges() + " more would change",
-                lag.relaxationErrorMm());
+        String distances = "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the"
+                + " equilibrium of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they"
+                + " come to rest by themselves.";
+        double percent = study.percent(lag.rmsMm());
+        String outcome = newton.converged() ? "converged to" : "not converged,";
+        double residual = newton.residualsMn()[newton.residualsMn().length - 1];
+        String more = newton.activeSetSettled() ? "" : ", " + newton.activeSetChanges() + " more would change";
+        return format(distances, lag.timeS(), lag.rmsMm(), percent, lag.maxMm(), lag.relaxedRmsMm())
+                + format(
+                        " Newton: %s %.1g mN a node, %d constraints bind%s;",
+                        outcome, residual, newton.activeRows(), more)
+                + format(" relaxation alone was %.2g mm rms off.", lag.relaxationErrorMm());
     }
 
     /** Describes the mesh refinement errors, one sentence each. */
     public List<String> meshSentences() {
         List<String> lines = new ArrayList<>();
         meshes.forEach((material, errors) -> errors.forEach(e -> lines.add(format(
-                "%s: the sheet of %d vertices (%s) moves %.3g mm rms and at most %.3g mm otherwise than that of"
-                        + " resolution %s; its domes go down %+.2f mm more.",
-                material,
-                e.vertices(),
-                e.resolution(),
-                e.rmsMm(),
-                e.maxMm(),
-                e.referenceResolution(),
-                e.excursionDifferenceMm()))));
+                        "%s: the sheet of %d vertices (%s) moves %.3g mm rms",
+                        material, e.vertices(), e.resolution(), e.rmsMm())
+                + format(
+                        " and at most %.3g mm otherwise than that of resolution %s;",
+                        e.maxMm(), e.referenceResolution())
+                + format(" its domes go down %+.2f mm more.", e.excursionDifferenceMm()))));
         return lines;
     }
 

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
@@ -86,12 +87,9 @@ public record ErrorStudy(
             }
             int total = wanted.size() + 2;
             SolverSettings reference = SolverGrid.reference(SolverGrid.referenceStepS(scenario.material()));
-            Trajectory coarse = runs.run(SolverGrid.reference(2 * reference.timeStepS()));
-            progress.done(
-                    1,
-                    total,
-                    "reference, "
-                            + SolverGrid.reference(2 * reference.timeStepS()).label());
+            SolverSettings coarser = SolverGrid.reference(2 * reference.timeStepS());
+            Trajectory coarse = runs.run(coarser);
+            progress.done(1, total, "reference, " + coarser.label());
             Trajectory exact = runs.run(reference);
             progress.done(2, total, "reference, " + reference.label());
             boolean[] sheet = runs.diaphragmNodes();
@@ -110,14 +108,16 @@ public record ErrorStudy(
             List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && !quick
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
                     : List.of();
+            double excursionMm = runs.excursionMm(exact);
+            List<ErrorPoint> marked = withParetoFront(points);
             return new ErrorStudy(
                     scenario,
                     runs.nodes(),
                     runs.durationS(),
-                    runs.excursionMm(exact),
+                    excursionMm,
                     reference,
                     proof,
-                    withParetoFront(points),
+                    marked,
                     equilibrium,
                     leftOut);
         }
@@ -130,20 +130,12 @@ public record ErrorStudy(
             SolverSettings settings,
             double untilS,
             Scenario scenario) {
-        double[] distance = run.distanceFrom(exact, sheet);
+        double[] d = run.distanceFrom(exact, sheet);
         double[] all = run.distanceFrom(exact);
+        boolean own = settings.equals(SolverSettings.of(scenario));
+        double speed = untilS / run.wallS();
         return new ErrorPoint(
-                settings,
-                run.substeps(),
-                distance[0],
-                distance[1],
-                all[0],
-                all[1],
-                run.cpuS(),
-                run.wallS(),
-                untilS / run.wallS(),
-                false,
-                settings.equals(SolverSettings.of(scenario)));
+                settings, run.substeps(), d[0], d[1], all[0], all[1], run.cpuS(), run.wallS(), speed, false, own);
     }
 
     /** Reason to skip a setting: null if it is run, empty if another setting of its scheme and step represents it. */
@@ -186,11 +178,9 @@ public record ErrorStudy(
         boolean[] front = ParetoFront.of(
                 points.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
                 points.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
-        List<ErrorPoint> marked = new ArrayList<>();
-        for (int i = 0; i < front.length; i++) {
-            marked.add(points.get(i).withParetoOptimal(front[i]));
-        }
-        return marked;
+        return IntStream.range(0, front.length)
+                .mapToObj(i -> points.get(i).withParetoOptimal(front[i]))
+                .toList();
     }
 
     /** Mesh refinement errors, each resolution simulated with its own settings. */

@@ -14,13 +14,9 @@ import org.phrenic.simulation.observe.Surface;
  * the ribs in the midclavicular line (5.5 for the fifth intercostal space).
  */
 final class DomeLevelMeasure implements SceneMeasure {
-    static final List<String> NAMES = List.of(
-            "dome_right_vertebra",
-            "dome_left_vertebra",
-            "central_tendon_vertebra",
-            "dome_right_rib",
-            "dome_left_rib",
-            "dome_right_above_left_mm");
+    static final List<String> NAMES = List.of(("dome_right_vertebra dome_left_vertebra central_tendon_vertebra"
+                    + " dome_right_rib dome_left_rib dome_right_above_left_mm")
+            .split(" "));
 
     /** Depth of a vertebral body from its front, mm. */
     private static final double BODY_MM = 25;

@@ -46,45 +46,35 @@ final class ModelSection {
 
     void add(ReportDocument report) {
         report.section("The model, part by part");
+        double ratio = Materials.PHYSICAL.defaultOf(SheetSprings.TENDON_RATIO, Scenario.defaults());
+        double radius = Materials.PAPER.defaultOf(ActionLines.ACTION_RADIUS, Scenario.defaults());
+        Object[] model = {
+            grouped(ours.diaphragmVertices()), grouped(ours.diaphragmTriangles()), grouped(ours.tendonVertices()),
+            grouped(published.tendonVertices()), ours.eulerCharacteristic(), grouped(published.springs()),
+            grouped(published.rigidLinks()), grouped(ours.rigidLinks()), trimmed(ratio, 4),
+            format("%.0e", worstLinkError()), trimmed(SternumPart.STIFFNESS, 4), trimmed(radius, 4)
+        };
         report.table(
                 "The model. \"The paper's material\" is a setting of the program (material: paper).",
                 PaperTexts.columns(4, "part", "the paper", "here", "what differs and why"),
-                PaperTexts.rows(
-                        "model",
-                        grouped(ours.diaphragmVertices()),
-                        grouped(ours.diaphragmTriangles()),
-                        grouped(ours.tendonVertices()),
-                        grouped(published.tendonVertices()),
-                        ours.eulerCharacteristic(),
-                        grouped(published.springs()),
-                        grouped(published.rigidLinks()),
-                        grouped(ours.rigidLinks()),
-                        trimmed(Materials.PHYSICAL.defaultOf(SheetSprings.TENDON_RATIO, Scenario.defaults()), 4),
-                        format("%.0e", worstLinkError()),
-                        trimmed(SternumPart.STIFFNESS, 4),
-                        trimmed(Materials.PAPER.defaultOf(ActionLines.ACTION_RADIUS, Scenario.defaults()), 4)));
+                PaperTexts.rows("model", model));
         report.section("The parameters");
-        report.table(
-                "",
-                PaperTexts.columns(
-                        5,
-                        "parameter",
-                        "the paper",
-                        "here, the paper's material",
-                        "here otherwise",
-                        "what differs and why"),
-                PaperTexts.rows(
-                        "parameters",
-                        value(SheetSprings.SPRING_STIFFNESS, Materials.PAPER),
-                        value(SheetSprings.MUSCLE_STIFFNESS, Materials.PHYSICAL),
-                        value(TissueMass.NODE_MASS, Materials.PAPER),
-                        value(TissueMass.AREA_DENSITY, Materials.PHYSICAL),
-                        value(TissueMass.DAMPING, Materials.PAPER),
-                        value(TissueMass.DAMPING_RATE, Materials.PHYSICAL),
-                        timeStep("paper"),
-                        timeStep("physical"),
-                        format("%.2f", 1000 * published.rk2LimitS()),
-                        published.rk2Substeps()));
+        String[] headings = {
+            "parameter", "the paper", "here, the paper's material", "here otherwise", "what differs and why"
+        };
+        Object[] parameters = {
+            value(SheetSprings.SPRING_STIFFNESS, Materials.PAPER),
+            value(SheetSprings.MUSCLE_STIFFNESS, Materials.PHYSICAL),
+            value(TissueMass.NODE_MASS, Materials.PAPER),
+            value(TissueMass.AREA_DENSITY, Materials.PHYSICAL),
+            value(TissueMass.DAMPING, Materials.PAPER),
+            value(TissueMass.DAMPING_RATE, Materials.PHYSICAL),
+            timeStep("paper"),
+            timeStep("physical"),
+            format("%.2f", 1000 * published.rk2LimitS()),
+            published.rk2Substeps()
+        };
+        report.table("", PaperTexts.columns(5, headings), PaperTexts.rows("parameters", parameters));
     }
 
     private double worstLinkError() {

@@ -103,6 +103,8 @@ final class SpeedSection {
     private Claim realTime() {
         Resolution finest = ours.resolutions().get(0);
         double published = PUBLISHED.row(finest, SpeedCase.HETEROGENEOUS).stepsPerS() * PaperScenarios.STEP_S;
+        double substepMs =
+                1000 * PaperScenarios.STEP_S / reproduction.publishedModel().rk2Substeps();
         return PaperTexts.claim(
                 "real-time",
                 Verdict.agrees(reproduction.realTimeFactor() >= 1),
@@ -110,10 +112,6 @@ final class SpeedSection {
                 format("%.2f", published),
                 format("%.0f", 1 / published),
                 grouped(ours.row(finest, SpeedCase.HETEROGENEOUS).vertices()),
-                format(
-                        "%.1f",
-                        1000
-                                * PaperScenarios.STEP_S
-                                / reproduction.publishedModel().rk2Substeps()));
+                format("%.1f", substepMs));
     }
 }

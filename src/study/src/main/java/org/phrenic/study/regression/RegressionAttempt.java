@@ -146,16 +146,10 @@ record RegressionAttempt(
                 worst = entry.getKey();
             }
         }
+        String values = worst + " is " + now.get(worst) + ", the reference is " + then.get(worst);
         boolean holds = most <= tolerance;
-        return RegressionComparison.ofReport(
-                name,
-                holds,
-                worst,
-                most,
-                holds
-                        ? ""
-                        : worst + " is " + now.get(worst) + ", the reference is " + then.get(worst)
-                                + ", the tolerance is " + tolerance + " of it");
+        String sentence = holds ? "" : values + ", the tolerance is " + tolerance + " of it";
+        return RegressionComparison.ofReport(name, holds, worst, most, sentence);
     }
 
     /** Relative error of a leaf; infinite if texts differ or one value is NaN. */

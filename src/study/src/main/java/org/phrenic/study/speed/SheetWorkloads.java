@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
@@ -27,12 +28,10 @@ final class SheetWorkloads {
     private final TriangleMesh sheet;
 
     SheetWorkloads() {
-        sheet = ConnectedComponents.of(
-                        SimulationRun.loadThorax(Scenario.defaults().with("resolution=low"))
-                                .structuresOf(StructureKind.DIAPHRAGM)
-                                .get(0)
-                                .mesh())
-                .stream()
+        Thorax thorax = SimulationRun.loadThorax(Scenario.defaults().with("resolution=low"));
+        TriangleMesh shells =
+                thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
+        sheet = ConnectedComponents.of(shells).stream()
                 .filter(m -> new MeshTopology(m).isClosed())
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElseThrow();
@@ -62,15 +61,13 @@ final class SheetWorkloads {
                 .toArray();
         double held = heights[(int) (HELD_SHARE * heights.length)];
         double loaded = heights[(int) ((1 - LOADED_SHARE) * heights.length)];
-        return new BareScene(
-                mesh,
-                IntStream.range(0, heights.length)
-                        .filter(i -> made.z(i) <= held)
-                        .toArray(),
-                IntStream.range(0, heights.length)
-                        .filter(i -> made.z(i) >= loaded)
-                        .toArray(),
-                new int[0]);
+        int[] fixed = IntStream.range(0, heights.length)
+                .filter(i -> made.z(i) <= held)
+                .toArray();
+        int[] carrying = IntStream.range(0, heights.length)
+                .filter(i -> made.z(i) >= loaded)
+                .toArray();
+        return new BareScene(mesh, fixed, carrying, new int[0]);
     }
 
     /** Splits each triangle into four at the midpoints of its edges. */

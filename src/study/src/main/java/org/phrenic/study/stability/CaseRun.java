@@ -249,15 +249,17 @@ final class CaseRun {
                             + " all come to rest within %.2g mm of their start",
                     repeat, found.getOrDefault(StabilityMeasure.DRIFT_MM, Double.NaN));
         }
+        String sentence = violation.isEmpty() ? reported : violation;
+        Stepper stepper = scene.stepper();
         return new CaseResult(
                 stabilityCase.key(),
                 integrator,
                 outcome,
-                violation.isEmpty() ? reported : violation,
+                sentence,
                 durationS,
                 endS,
-                scene.stepper().dt(),
-                scene.stepper().substeps(),
+                stepper.dt(),
+                stepper.substeps(),
                 found);
     }
 }

@@ -1,11 +1,12 @@
 package org.phrenic.study.validation;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.Key;
 import org.phrenic.document.OrderedValues;
@@ -118,18 +119,14 @@ public record LiverMotion(List<Row> rows) {
         AXES.forEach(axis -> known.add(known(table, as, axis, Reduction.SIZE)));
         // The table has no creep range for a hold at expiration.
         known.add(known(table, preset, "dome_right_mm", Reduction.CREEP));
-        return new Row(
-                body,
-                preset,
-                series.value("liver_si_mm", start) - series.value("liver_si_mm", deepest),
-                size(series, "liver_ap_mm", start, deepest),
-                size(series, "liver_lr_mm", start, deepest),
-                descent(series, "liver_top_mm", start, deepest),
-                descent(series, "liver_edge_mm", start, deepest),
-                descent(series, "dome_right_mm", start, deepest),
-                creep(series, "liver_si_mm"),
-                creep(series, "dome_right_mm"),
-                known);
+        double si = descent(series, "liver_si_mm", start, deepest);
+        double ap = Math.abs(descent(series, "liver_ap_mm", start, deepest));
+        double lr = Math.abs(descent(series, "liver_lr_mm", start, deepest));
+        double top = descent(series, "liver_top_mm", start, deepest);
+        double edge = descent(series, "liver_edge_mm", start, deepest);
+        double dome = descent(series, "dome_right_mm", start, deepest);
+        double creep = creep(series, "dome_right_mm");
+        return new Row(body, preset, si, ap, lr, top, edge, dome, creep(series, "liver_si_mm"), creep, known);
     }
 
     /** Row before a given one at which the domes are lowest. */
@@ -139,10 +136,6 @@ public record LiverMotion(List<Row> rows) {
             best = series.value("dome_right_mm", i) < series.value("dome_right_mm", best) ? i : best;
         }
         return best;
-    }
-
-    private static double size(BreathSeries series, String column, int from, int to) {
-        return Math.abs(series.value(column, to) - series.value(column, from));
     }
 
     private static double descent(BreathSeries series, String column, int from, int to) {
@@ -175,17 +168,12 @@ public record LiverMotion(List<Row> rows) {
         lines.add(List.of(
                 "body", "preset", "SI mm", "AP mm", "LR mm", "top mm", "edge mm", "dome mm", "creep mm", "of dome mm"));
         for (Row r : rows) {
-            lines.add(List.of(
-                    r.body(),
-                    r.preset(),
-                    cell(r, 0),
-                    cell(r, 1),
-                    cell(r, 2),
-                    ReportNumbers.number(r.topMm()),
-                    ReportNumbers.number(r.edgeMm()),
-                    ReportNumbers.number(r.domeMm()),
-                    ReportNumbers.number(r.liverCreepMm()),
-                    cell(r, 3)));
+            List<String> line = new ArrayList<>(List.of(r.body(), r.preset(), cell(r, 0), cell(r, 1), cell(r, 2)));
+            DoubleStream.of(r.topMm(), r.edgeMm(), r.domeMm(), r.liverCreepMm())
+                    .mapToObj(ReportNumbers::number)
+                    .forEach(line::add);
+            line.add(cell(r, 3));
+            lines.add(line);
         }
         return lines;
     }
@@ -202,11 +190,13 @@ public record LiverMotion(List<Row> rows) {
     /** Number of values outside their range. */
     public long outOfRangeCount() {
         return rows.stream()
-                .flatMap(r -> Arrays.stream(new int[] {0, 1, 2, 3})
-                        .filter(i -> r.referenceRanges().get(i).isPresent()
-                                && !r.referenceRanges().get(i).get().contains(r.comparedValues()[i]))
-                        .boxed())
-                .count();
+                .mapToLong(r -> IntStream.range(0, r.comparedValues().length)
+                        .filter(i -> r.referenceRanges()
+                                .get(i)
+                                .filter(range -> !range.contains(r.comparedValues()[i]))
+                                .isPresent())
+                        .count())
+                .sum();
     }
 
     /** The study as values for JSON. */

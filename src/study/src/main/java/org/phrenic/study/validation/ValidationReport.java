@@ -16,16 +16,10 @@ import org.phrenic.study.validation.Finding.Verdict;
 
 /** A validation as Markdown and as values for JSON. The output is deterministic. */
 public record ValidationReport(Validation validation) {
-    private static final List<Column> COLUMNS = List.of(
-            Column.text("quantity"),
-            Column.text("preset"),
-            Column.number("value"),
-            Column.number("range"),
-            Column.text("unit"),
-            Column.text("confidence"),
-            Column.text("verdict"),
-            Column.text("measured"),
-            Column.text("source"));
+    private static final List<Column> COLUMNS = Stream.of(
+                    "quantity preset value range unit confidence verdict measured source".split(" "))
+            .map(name -> new Column(name, name.equals("value") || name.equals("range")))
+            .toList();
 
     private static long count(Validation.Body body, Confidence confidence, Verdict verdict) {
         return body.findings().stream()

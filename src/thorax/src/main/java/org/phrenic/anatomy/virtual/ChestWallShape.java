@@ -65,7 +65,8 @@ final class ChestWallShape implements VerticalAxis, ImplicitSurface {
         }
     }
 
-    private static double[] column(List<ImmutableDoubleArray> rows, int index) {
+    /** A column of a table of measures. */
+    static double[] column(List<ImmutableDoubleArray> rows, int index) {
         return rows.stream().mapToDouble(row -> row.at(index)).toArray();
     }
 

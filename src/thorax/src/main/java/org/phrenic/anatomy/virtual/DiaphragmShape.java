@@ -31,9 +31,7 @@ final class DiaphragmShape implements ImplicitSurface {
         inset = wallInset();
         midlineTurn = measures.midlineTurnRadiusMm();
         sideTurn = measures.turnRadiusMm();
-        rim = new ProfileCurve(
-                measures.rim().stream().mapToDouble(row -> row.at(0)).toArray(),
-                measures.rim().stream().mapToDouble(row -> row.at(1)).toArray());
+        rim = new ProfileCurve(ChestWallShape.column(measures.rim(), 0), ChestWallShape.column(measures.rim(), 1));
     }
 
     /** Height z of the line of insertion at an azimuth (rad, -pi to pi), mm. */

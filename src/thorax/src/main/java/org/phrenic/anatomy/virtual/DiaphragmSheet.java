@@ -33,12 +33,7 @@ final class DiaphragmSheet {
         for (int i = 0; i < border.length; i++) {
             double azimuth = Meridians.azimuth(i);
             double z = shape.rimZ(azimuth > Math.PI ? azimuth - 2 * Math.PI : azimuth);
-            double r = RootFinder.firstOutward(
-                    s -> {
-                        double[] p = wall.point(azimuth, s, z);
-                        return shape.at(p[0], p[1], p[2]);
-                    },
-                    50);
+            double r = RootFinder.firstOutward(s -> shape.at(wall.point(azimuth, s, z)), 50);
             border[i] = wall.point(azimuth, r, z);
         }
         meridians = new Meridians(shape, wall, PIVOT_Z, true, border);

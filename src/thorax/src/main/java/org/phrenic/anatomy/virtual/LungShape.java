@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.virtual.shape.Clearance;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
@@ -25,6 +26,7 @@ final class LungShape implements VerticalAxis {
 
     private final VirtualThoraxParameters.Lungs measures;
     private final ChestWallShape wall;
+    private final ImplicitSurface side = this::sideRegion;
     private final ImplicitSurface roof;
     private final DiaphragmShape dome;
     private final double roofOffset;
@@ -36,11 +38,11 @@ final class LungShape implements VerticalAxis {
     private final Meridians sideLines;
     private final Meridians baseLines;
 
-    LungShape(VirtualThoraxParameters parameters, ChestWallShape wall, DiaphragmShape dome, Side side) {
+    LungShape(VirtualThoraxParameters parameters, ChestWallShape wall, DiaphragmShape dome, Side where) {
         measures = parameters.lungs();
         this.wall = wall;
-        sign = side.sign();
-        index = side == Side.RIGHT ? 0 : 1;
+        sign = where.sign();
+        index = where == Side.RIGHT ? 0 : 1;
         apex = index == 0 ? measures.apexRight().toArray() : measures.apexLeft().toArray();
         base = index == 0 ? measures.baseRight().toArray() : measures.baseLeft().toArray();
         VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
@@ -50,7 +52,7 @@ final class LungShape implements VerticalAxis {
         roof = (x, y, z) -> dome.at(x, y, z) - roofOffset;
         double[][] border = new double[Meridians.AZIMUTHS][];
         Arrays.setAll(border, i -> lowerBorder(Meridians.azimuth(i)));
-        sideLines = new Meridians(this::sideRegion, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
+        sideLines = new Meridians(side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
         baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, border);
     }
 
@@ -101,28 +103,17 @@ final class LungShape implements VerticalAxis {
                 throw new IllegalStateException("lung: the side never meets the diaphragm at azimuth " + azimuth);
             }
         }
-        double z = RootFinder.illinois(
-                h -> heightAboveRoof(azimuth, h),
-                low,
-                heightAboveRoof(azimuth, low),
-                high,
-                heightAboveRoof(azimuth, high));
+        DoubleUnaryOperator above = h -> heightAboveRoof(azimuth, h);
+        double z = RootFinder.illinois(above, low, above.applyAsDouble(low), high, above.applyAsDouble(high));
         return sidePoint(azimuth, z);
     }
 
     private double heightAboveRoof(double azimuth, double z) {
-        double[] p = sidePoint(azimuth, z);
-        return roof.at(p[0], p[1], p[2]);
+        return roof.at(sidePoint(azimuth, z));
     }
 
     private double[] sidePoint(double azimuth, double z) {
-        double r = RootFinder.firstOutward(
-                s -> {
-                    double[] p = point(azimuth, s, z);
-                    return sideRegion(p[0], p[1], p[2]);
-                },
-                20);
-        return point(azimuth, r, z);
+        return point(azimuth, RootFinder.firstOutward(s -> side.at(point(azimuth, s, z)), 20), z);
     }
 
     TriangleMesh mesh(int vertices) {
@@ -135,7 +126,7 @@ final class LungShape implements VerticalAxis {
         TriangleMesh whole = join(upper, lower, border);
         int inner = upper.vertexCount() - border;
         int upperCount = upper.vertexCount();
-        ImplicitSurface side = this::sideRegion;
+
         TriangleMesh even =
                 SurfaceRelaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
         return Clearance.enforce(even, dome, 1, roofOffset);

@@ -8,7 +8,13 @@ import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.mesh.Vectors;
 
 /** Centre lines of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */
-final class RibCageCourses {
+@SuppressWarnings("ArrayRecordComponent") // read only
+record RibCageCourses(
+        VirtualThoraxParameters parameters,
+        Spine spine,
+        ChestWallShape wall,
+        VertebraShape[] vertebrae,
+        SternumShape sternum) {
     /** Gap between the inner chest wall and the bones on it, mm: pleura and fascia. */
     private static final double CLEARANCE_MM = 0.6;
     /** Overlap of adjoining parts, mm. */
@@ -16,25 +22,6 @@ final class RibCageCourses {
 
     private static final int PUSHES = 3;
     private static final int SMOOTHING_PASSES = 6;
-
-    private final VirtualThoraxParameters parameters;
-    private final Spine spine;
-    private final ChestWallShape wall;
-    private final VertebraShape[] vertebrae;
-    private final SternumShape sternum;
-
-    RibCageCourses(
-            VirtualThoraxParameters parameters,
-            Spine spine,
-            ChestWallShape wall,
-            VertebraShape[] vertebrae,
-            SternumShape sternum) {
-        this.parameters = parameters;
-        this.spine = spine;
-        this.wall = wall;
-        this.vertebrae = vertebrae.clone();
-        this.sternum = sternum;
-    }
 
     /** Centre line of a rib from its head to its anterior end. */
     Polyline ribCourse(int level, Side side) {
@@ -160,7 +147,6 @@ final class RibCageCourses {
     }
 
     private double wallOffset(double[] p) {
-        double[] g = wall.gradient(p);
-        return wall.at(p[0], p[1], p[2]) / Vectors.length(g);
+        return wall.at(p) / Vectors.length(wall.gradient(p));
     }
 }

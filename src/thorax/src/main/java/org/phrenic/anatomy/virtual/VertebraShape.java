@@ -84,10 +84,6 @@ final class VertebraShape implements ImplicitSurface {
         return Vectors.addScaled(inside, direction, low);
     }
 
-    private double at(double[] p) {
-        return at(p[0], p[1], p[2]);
-    }
-
     @Override
     public double at(double x, double y, double z) {
         double across = Math.abs(x);

@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import org.phrenic.document.Key;
 import org.phrenic.document.YamlDocument;
-import org.phrenic.file.BadInputException;
 
 /**
  * Measures from which a parametric thorax is generated, at end-expiration. Lengths are in mm, angles in degrees,
@@ -49,16 +48,6 @@ public record VirtualThoraxParameters(
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    /**
-     * Reads measures from YAML text. Unknown keys, missing keys and wrong counts are errors.
-     *
-     * @param source name of the text in messages
-     * @throws BadInputException if the text is not a complete set of measures; the message names source, line and key
-     */
-    public static VirtualThoraxParameters read(String source, String text) {
-        return YamlDocument.parse(source, text).bind(VirtualThoraxParameters.class);
     }
 
     /**

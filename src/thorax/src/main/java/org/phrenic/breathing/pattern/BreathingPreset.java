@@ -27,15 +27,8 @@ import org.phrenic.file.BadInputException;
  */
 public final class BreathingPreset {
     private static final List<String> NAMES = List.of(
-            "quiet",
-            "quiet-supine",
-            "deep",
-            "hold-inspiration",
-            "hold-expiration",
-            "sniff",
-            "cough",
-            "rapid-shallow",
-            "cheyne-stokes");
+            ("quiet quiet-supine deep hold-inspiration hold-expiration sniff" + " cough rapid-shallow cheyne-stokes")
+                    .split(" "));
 
     private final String name;
     private final BreathingParameters parameters;

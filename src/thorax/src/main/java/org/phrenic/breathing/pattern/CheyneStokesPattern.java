@@ -18,8 +18,6 @@ public final class CheyneStokesPattern extends NamedPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * Creates the pattern.
-     *
      * @param name display name
      * @param deepest parameters of a breath of relative depth 1; its rate applies to all breaths
      * @param breaths number of breaths in a cycle, at least 1

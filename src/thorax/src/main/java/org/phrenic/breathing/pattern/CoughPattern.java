@@ -21,8 +21,6 @@ public final class CoughPattern extends NamedPattern {
     private final double abdominalPressure;
 
     /**
-     * Creates the pattern.
-     *
      * @param name display name
      * @param parameters depth of the inspiration and rate of the coughs; Ti is its inspiratory fraction of the period
      * @param compressionS time with closed glottis, s
@@ -45,12 +43,11 @@ public final class CoughPattern extends NamedPattern {
         this.abdominalPressure = abdominalPressure;
         double cough = inspirationS + compressionS + 2 * expulsionS;
         if (!(compressionS > 0) || !(expulsionS > 0) || !(cough <= periodS)) {
+            String found = "inspiration " + inspirationS + " s, compression_s " + compressionS + " and expulsion_s "
+                    + expulsionS;
             throw new IllegalArgumentException(
-                    "cough: inspiration " + inspirationS + " s, compression_s " + compressionS
-                            + " and expulsion_s " + expulsionS
-                            + ", expected more than 0 and inspiration, compression and twice the expulsion within the "
-                            + "period of "
-                            + periodS + " s");
+                    "cough: " + found + ", expected more than 0 and inspiration, compression and twice the"
+                            + " expulsion within the period of " + periodS + " s");
         }
     }
 

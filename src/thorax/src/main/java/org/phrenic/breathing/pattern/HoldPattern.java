@@ -33,8 +33,6 @@ public final class HoldPattern extends NamedPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * Creates the pattern.
-     *
      * @param name display name
      * @param around parameters of the breaths before and after the hold
      * @param breathsBefore number of breaths before the hold

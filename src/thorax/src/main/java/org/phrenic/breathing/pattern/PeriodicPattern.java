@@ -10,7 +10,6 @@ public final class PeriodicPattern extends NamedPattern {
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
 
-    /** Creates the pattern. */
     public PeriodicPattern(String name, BreathingParameters parameters) {
         super(name, parameters.periodS());
         wave = parameters.wave();

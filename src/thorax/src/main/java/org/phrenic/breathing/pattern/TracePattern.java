@@ -29,8 +29,6 @@ public final class TracePattern implements BreathingPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * Creates the pattern.
-     *
      * @param trace recording; remove any drift beforehand
      * @param parameters depth at the 95th percentile; rate and fractions are ignored
      * @param loops true to repeat the trace, false to rest after its end

@@ -4,10 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.PrescribedMotion;
+import org.phrenic.engine.constraint.ContactSurface;
 import org.phrenic.engine.constraint.SlidingContact;
 import org.phrenic.engine.force.Attachments;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.LungBaseMotion;
 import org.phrenic.model.organ.LungPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -49,13 +51,12 @@ public final class Lungs extends ScenePart {
     private void attachBase(Scene scene, LungPart lungs) {
         int[] nodes = lungs.baseSprings.node();
         double[] points = MassSpringBuilder.positionsOf(scene.restPositions(), 0, nodes);
+        DiaphragmPart sheet = scene.diaphragm();
+        int[] nearest = MassSpringBuilder.offset(lungs.baseSprings.nearestVertex(), sheet.firstNode);
         PrescribedMotion places = scene.recessTracks()
-                .<PrescribedMotion>map(tracks -> new LungBaseMotion(
-                        scene.system(), scene.diaphragm(), scene.wall().orElseThrow(), points, tracks))
-                .orElseGet(() -> new NodeFollowers(
-                        scene.system(),
-                        MassSpringBuilder.offset(lungs.baseSprings.nearestVertex(), scene.diaphragm().firstNode),
-                        points));
+                .<PrescribedMotion>map(tracks ->
+                        new LungBaseMotion(scene.system(), sheet, scene.wall().orElseThrow(), points, tracks))
+                .orElseGet(() -> new NodeFollowers(scene.system(), nearest, points));
         Attachments base = new Attachments(scene.layout(), nodes, lungs.baseSprings.stiffnesses(), 0, places);
         base.setRefreshInterval(scene.refreshS());
         scene.addLungBase(base);
@@ -64,11 +65,7 @@ public final class Lungs extends ScenePart {
 
     private static void holdToPleura(Scene scene, LungPart lungs, MovingChestWall wall) {
         int[] pleural = lungs.pleuralNodes();
-        scene.system()
-                .add(SlidingContact.adhering(
-                        scene.layout(),
-                        pleural,
-                        wall.slidingContact(MassSpringBuilder.positionsOf(scene.restPositions(), 0, pleural)),
-                        scene.refreshS()));
+        ContactSurface surface = wall.slidingContact(MassSpringBuilder.positionsOf(scene.restPositions(), 0, pleural));
+        scene.system().add(SlidingContact.adhering(scene.layout(), pleural, surface, scene.refreshS()));
     }
 }

@@ -12,6 +12,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
@@ -101,15 +102,10 @@ public final class SceneAssembly {
         List<Structure> lungs = join(lungsMeshed);
         scene.setBones(join(weights));
         scene.setWall(material.chestWall(scene, lungs));
+        MovingChestWall wall = scene.wall().orElse(null);
+        double stiffness = material.lungToMuscleStiffness(settings);
         scene.setLungs(face.filter(f -> !lungs.isEmpty())
-                .map(f -> new LungPart(
-                        scene.nodes(),
-                        lungs,
-                        join(f),
-                        scene.bones(),
-                        scene.wall().orElse(null),
-                        law,
-                        material.lungToMuscleStiffness(settings))));
+                .map(f -> new LungPart(scene.nodes(), lungs, join(f), scene.bones(), wall, law, stiffness)));
         placeNodes(face);
         addParts();
         scene.setOrgans(sternum, liver.map(SceneAssembly::join), lungModel == LungModel.EMBEDDED ? lungs : List.of());
@@ -152,13 +148,10 @@ public final class SceneAssembly {
         try {
             return future.join();
         } catch (CompletionException e) {
-            if (e.getCause() instanceof RuntimeException cause) {
-                throw cause;
-            }
             if (e.getCause() instanceof Error cause) {
                 throw cause;
             }
-            throw e;
+            throw e.getCause() instanceof RuntimeException cause ? cause : e;
         }
     }
 

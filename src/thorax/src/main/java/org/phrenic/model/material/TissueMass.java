@@ -1,5 +1,6 @@
 package org.phrenic.model.material;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -11,7 +12,7 @@ import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Parameter;
 
 /** Masses and viscous damping of all nodes. */
-public abstract class TissueMass extends ScenePart {
+public final class TissueMass extends ScenePart {
     public static final Parameter AREA_DENSITY = Parameter.named("area_density_kg_per_m2", "Mass per area")
             .range(3, 1000, "kg/m^2")
             .initial(60)
@@ -36,76 +37,36 @@ public abstract class TissueMass extends ScenePart {
             .describedAs("Viscous damping over mass.");
 
     /** Mass per area. Mass scales with the relative stiffness, so that all tissue has the same wave speed. */
-    static final TissueMass PER_AREA = new TissueMass(AREA_DENSITY, DAMPING_RATE) {
-        @Override
-        void setDamping(ParticleSystem system, double value) {
-            system.setViscosityPerMass(value);
-        }
-
-        @Override
-        List<Parameter> tuningParameters() {
-            return List.of(
-                    AREA_DENSITY,
-                    DAMPING_RATE,
-                    SheetSprings.TENDON_RATIO,
-                    SheetSprings.MUSCLE_STIFFNESS,
-                    Lungs.LUNG_STIFFNESS);
-        }
-
-        @Override
-        double tendonFactor(double[] value, double[] assembled) {
-            return value[0] / assembled[0] * (value[2] / assembled[2]);
-        }
-
-        @Override
-        double lungFactor(double[] value, double[] assembled) {
-            return value[0] / assembled[0] * (value[4] / assembled[4]) / (value[3] / assembled[3]);
-        }
-    };
+    static final TissueMass PER_AREA = new TissueMass(AREA_DENSITY, DAMPING_RATE, true);
 
     /** Uniform node mass. */
-    static final TissueMass PER_NODE = new TissueMass(NODE_MASS, DAMPING) {
-        @Override
-        void setDamping(ParticleSystem system, double value) {
-            system.setViscosity(value);
-        }
-
-        @Override
-        List<Parameter> tuningParameters() {
-            return parameters();
-        }
-
-        @Override
-        double tendonFactor(double[] value, double[] assembled) {
-            return value[0] / assembled[0];
-        }
-
-        @Override
-        double lungFactor(double[] value, double[] assembled) {
-            return value[0] / assembled[0];
-        }
-    };
+    static final TissueMass PER_NODE = new TissueMass(NODE_MASS, DAMPING, false);
 
     private final Parameter damping;
+    private final boolean perArea;
 
-    private TissueMass(Parameter mass, Parameter damping) {
+    private TissueMass(Parameter mass, Parameter damping, boolean perArea) {
         super(Stage.BOUNDARY, mass, damping);
         this.damping = damping;
+        this.perArea = perArea;
     }
 
-    abstract void setDamping(ParticleSystem system, double value);
-
-    /** Parameters on which masses depend: mass and damping first. */
-    abstract List<Parameter> tuningParameters();
-
-    abstract double tendonFactor(double[] value, double[] assembled);
-
-    abstract double lungFactor(double[] value, double[] assembled);
+    private void setDamping(ParticleSystem system, double value) {
+        if (perArea) {
+            system.setViscosityPerMass(value);
+        } else {
+            system.setViscosity(value);
+        }
+    }
 
     @Override
     public void addTo(Scene scene) {
         setDamping(scene.system(), scene.settings().get(damping));
-        scene.tunes(tuningParameters(), () -> tuning(scene));
+        List<Parameter> tuned = new ArrayList<>(parameters());
+        if (perArea) {
+            tuned.addAll(List.of(SheetSprings.TENDON_RATIO, SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS));
+        }
+        scene.tunes(tuned, () -> tuning(scene));
     }
 
     private TissueTuner.Action tuning(Scene scene) {
@@ -117,8 +78,8 @@ public abstract class TissueMass extends ScenePart {
         double[] masses = system.masses().clone();
         return (value, assembled, asAssembled) -> {
             double all = value[0] / assembled[0];
-            double tendon = tendonFactor(value, assembled);
-            double lung = lungFactor(value, assembled);
+            double tendon = perArea ? all * (value[2] / assembled[2]) : all;
+            double lung = perArea ? all * (value[4] / assembled[4]) / (value[3] / assembled[3]) : all;
             for (int i = 0; i < masses.length; i++) {
                 int node = layout.caller(i);
                 boolean inTendon =

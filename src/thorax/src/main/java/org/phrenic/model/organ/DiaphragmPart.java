@@ -115,20 +115,15 @@ public final class DiaphragmPart {
         if (from.struts) {
             double[] p = sheet.positions();
             for (OpposingVertices.Pair pair : across.nearestPairs(STRUTS)) {
-                parts.sheetSprings.add(
-                        firstNode + pair.a(),
-                        firstNode + pair.b(),
-                        law.edgeStiffness(2, STRUT_STIFFNESS),
-                        MassSpringBuilder.distance(p, pair.a(), p, pair.b()),
-                        0);
+                parts.sheetSprings.addEdge(p, firstNode, pair.a(), pair.b(), law.edgeStiffness(2, STRUT_STIFFNESS), 0);
             }
         }
         links = across.greedyMatching(diaphragm::isTendon, from.linksPerNode);
-        faceOrder = new FaceOrder(
-                diaphragm,
-                from.struts
-                        ? across.greedyMatching(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i), 1)
-                        : List.of());
+        faceOrder = new FaceOrder(diaphragm, from.struts ? across.greedyMatching(i -> isFreeMuscle(i), 1) : List.of());
+    }
+
+    private boolean isFreeMuscle(int vertex) {
+        return !diaphragm.isTendon(vertex) && !diaphragm.isInserted(vertex);
     }
 
     private void addEdges(SpringList springs, Tissue from) {
@@ -154,14 +149,9 @@ public final class DiaphragmPart {
             fibreShare[e] = stiff ? 0 : share / sides * (1 - 0.5 * (cruralShare[a] + cruralShare[b]));
             leftShare[e] = smoothShare(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
             frontShare[e] = smoothShare(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
-            springs.add(
-                    firstNode + a,
-                    firstNode + b,
-                    from.law.edgeStiffness(sides, stiff ? from.tendonRatio : 1),
-                    MassSpringBuilder.distance(p, a, p, b),
-                    fibreShare[e]
-                            * driveShare(leftShare[e], from.leftOverRight)
-                            * driveShare(frontShare[e], from.frontOverBack));
+            double stiffness = from.law.edgeStiffness(sides, stiff ? from.tendonRatio : 1);
+            double contractile = contractileShare(e, from.leftOverRight, from.frontOverBack);
+            springs.addEdge(p, firstNode, a, b, stiffness, contractile);
         }
     }
 
@@ -246,8 +236,8 @@ public final class DiaphragmPart {
     public int[] slidingVertices(MovingChestWall wall) {
         TriangleMesh s = diaphragm.sheet();
         return IntStream.range(0, s.vertexCount())
-                .filter(i -> !diaphragm.isTendon(i) && !diaphragm.isInserted(i))
-                .filter(i -> diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM)
+                .filter(i ->
+                        isFreeMuscle(i) && (diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM))
                 .toArray();
     }
 

@@ -37,16 +37,15 @@ final class FaceOrder {
     /** The constraint on scene nodes; {@code firstNode} is the node of the first vertex. */
     NonInversionPairs constraint(NodeLayout layout, int firstNode, double refresh) {
         int[] t = diaphragm.sheet().triangles();
-        return new NonInversionPairs(
-                layout,
-                uprightPairs.stream().mapToInt(p -> firstNode + p.outer).toArray(),
-                uprightPairs.stream().mapToInt(p -> firstNode + p.inner).toArray(),
-                uprightPairs.stream()
-                        .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
-                        .map(c -> firstNode + t[c])
-                        .toArray(),
-                uprightPairs.stream().mapToDouble(p -> p.minSeparation).toArray(),
-                refresh);
+        int[] outer = uprightPairs.stream().mapToInt(p -> firstNode + p.outer).toArray();
+        int[] inner = uprightPairs.stream().mapToInt(p -> firstNode + p.inner).toArray();
+        int[] corners = uprightPairs.stream()
+                .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
+                .map(c -> firstNode + t[c])
+                .toArray();
+        double[] separation =
+                uprightPairs.stream().mapToDouble(p -> p.minSeparation).toArray();
+        return new NonInversionPairs(layout, outer, inner, corners, separation, refresh);
     }
 
     /**

@@ -41,7 +41,7 @@ public final class LiverPart {
     private static final double ROTATION_RESISTANCE = 0.6;
 
     private static final double LOWEST_SHARE = 0.82;
-    private static final int FEWEST = 12;
+    private static final int MIN_BARE_AREA_VERTICES = 12;
 
     /** Points of the diaphragm farther than this from the liver at rest never touch it. */
     private static final double REACH_MM = 80;
@@ -90,7 +90,7 @@ public final class LiverPart {
         double middle = 0.5 * (box[1] + box[4]);
         int[] near = roofNodes(d, normals, distance, ATTACHED_MM);
         long behind = IntStream.of(near).filter(i -> sheet.y(i) > middle).count();
-        int[] vertices = behind >= FEWEST ? near : roofNodes(d, normals, distance, 3 * ATTACHED_MM);
+        int[] vertices = behind >= MIN_BARE_AREA_VERTICES ? near : roofNodes(d, normals, distance, 3 * ATTACHED_MM);
         double[] areas = MeshMeasure.vertexAreas(sheet);
         area = IntStream.of(vertices).mapToDouble(i -> areas[i]).toArray();
         roofNodes = IntStream.of(vertices).map(i -> 3 * (part.firstNode + i)).toArray();

@@ -40,7 +40,7 @@ public final class LungBaseMotion implements PrescribedMotion {
     /** Time constant with which anchors approach their target positions without jumps. */
     private static final double RELAXATION_S = 0.04;
     /** After a longer interval the anchors are reset to their targets. */
-    private static final double LONGEST_S = 0.2;
+    private static final double MAX_INTERVAL_S = 0.2;
 
     /** Number of values per wall plane. */
     private static final int PLANE = 5;
@@ -234,7 +234,7 @@ public final class LungBaseMotion implements PrescribedMotion {
 
     private void moveAnchors(int piece) {
         double[] x = system.positions();
-        boolean anew = !(elapsedS > 0 && elapsedS < LONGEST_S);
+        boolean anew = !(elapsedS > 0 && elapsedS < MAX_INTERVAL_S);
         int end = Math.min(slidingShare.length, (piece + 1) * POINTS_A_PIECE);
         for (int i = piece * POINTS_A_PIECE; i < end; i++) {
             double along = slidingShare[i] > 0 ? slidingShare[i] * openedPoints(i) : 0;

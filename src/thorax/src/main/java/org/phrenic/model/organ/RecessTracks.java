@@ -16,11 +16,11 @@ import org.phrenic.mesh.query.TriangleTree;
 public final class RecessTracks {
     static final double SPACING_MM = 6;
     /** Longest step along the face: the spacing plus a margin for rounding. */
-    private static final double MOST_STEP_MM = 1.01 * SPACING_MM;
+    private static final double MAX_STEP_MM = 1.01 * SPACING_MM;
     /** A shorter step means that the track has reached the border. */
-    private static final double LEAST_STEP_MM = 0.3 * SPACING_MM;
+    private static final double MIN_STEP_MM = 0.3 * SPACING_MM;
 
-    private static final int MOST_POINTS = 48;
+    private static final int MAX_POINTS = 48;
 
     /** Index of the first point of each track, followed by the total number of points. */
     final int[] start;
@@ -35,8 +35,8 @@ public final class RecessTracks {
         TriangleTree.Hit hit = new TriangleTree.Hit();
         int n = points.length / 3;
         start = new int[n + 1];
-        corner = new int[3 * n * MOST_POINTS];
-        weight = new double[3 * n * MOST_POINTS];
+        corner = new int[3 * n * MAX_POINTS];
+        weight = new double[3 * n * MAX_POINTS];
         double[] down = new double[3];
         int count = 0;
         for (int i = 0; i < n; i++) {
@@ -48,9 +48,9 @@ public final class RecessTracks {
             double fromX = Double.NaN;
             double fromY = Double.NaN;
             double fromZ = Double.NaN;
-            for (int k = 0; k < MOST_POINTS; k++) {
+            for (int k = 0; k < MAX_POINTS; k++) {
                 face.closest(x, y, z, reach, hit);
-                if (squared(hit.x - fromX, hit.y - fromY, hit.z - fromZ) < LEAST_STEP_MM * LEAST_STEP_MM) {
+                if (squared(hit.x - fromX, hit.y - fromY, hit.z - fromZ) < MIN_STEP_MM * MIN_STEP_MM) {
                     break;
                 }
                 weight[3 * count] = hit.weightA;
@@ -73,7 +73,7 @@ public final class RecessTracks {
                 y = fromY + SPACING_MM * down[1];
                 z = fromZ + SPACING_MM * down[2];
                 // Limiting the search radius to the step length shortens the search.
-                reach = MOST_STEP_MM;
+                reach = MAX_STEP_MM;
             }
         }
         start[n] = count;

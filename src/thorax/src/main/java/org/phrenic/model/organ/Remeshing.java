@@ -14,29 +14,29 @@ public final class Remeshing {
      * A mesh whose vertex count is within this share of the target is not remeshed. Meshes made for a resolution are
      * kept.
      */
-    private static final double NEAR_ENOUGH = 0.01;
+    private static final double VERTEX_COUNT_TOLERANCE = 0.01;
 
     /**
      * Smallest angle, degrees, that at most 1 % of a sheet's triangles may undercut. Meshes made for a resolution have
      * 27 to 40 degrees. A mesh warped to a body of which only the lungs are known has 7 to 9 degrees and edges of 0.5
      * to 50 mm; its slivers oscillate until the sheet diverges.
      */
-    private static final double LEAST_ANGLE_DEG = 15;
+    private static final double MIN_ANGLE_DEG = 15;
 
-    private static final int FEWEST = 24;
+    private static final int MIN_VERTICES = 24;
     private static final double WELD_MM = 0.25;
 
     private Remeshing() {}
 
     /** Whether a sheet can be used without remeshing for a target number of vertices. */
     public static boolean isAdequate(TriangleMesh sheet, int vertices) {
-        return Math.abs(sheet.vertexCount() - vertices) <= NEAR_ENOUGH * vertices
-                && MeshQuality.firstPercentileAngleDeg(sheet) >= LEAST_ANGLE_DEG;
+        return Math.abs(sheet.vertexCount() - vertices) <= VERTEX_COUNT_TOLERANCE * vertices
+                && MeshQuality.firstPercentileAngleDeg(sheet) >= MIN_ANGLE_DEG;
     }
 
     public static List<Structure> toBudget(List<Structure> structures, int vertices) {
         int present = structures.stream().mapToInt(s -> s.mesh().vertexCount()).sum();
-        if (Math.abs(present - vertices) <= NEAR_ENOUGH * vertices) {
+        if (Math.abs(present - vertices) <= VERTEX_COUNT_TOLERANCE * vertices) {
             return structures;
         }
         double area =
@@ -45,7 +45,7 @@ public final class Remeshing {
         return structures.stream()
                 .map(s -> {
                     int share = (int) Math.round(vertices * MeshMeasure.area(s.mesh()) / area);
-                    TriangleMesh meshed = Remesher.toVertexCount(s.mesh(), Math.max(FEWEST, share));
+                    TriangleMesh meshed = Remesher.toVertexCount(s.mesh(), Math.max(MIN_VERTICES, share));
                     // Seams between patches leave coincident vertices. They are welded, because a spring needs a
                     // length above 0.
                     return s.withMesh(MeshRepair.repair(meshed, WELD_MM).mesh());

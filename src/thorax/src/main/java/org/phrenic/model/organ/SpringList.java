@@ -31,6 +31,16 @@ public final class SpringList {
         count++;
     }
 
+    /**
+     * Adds a spring between vertices a and b of a surface, with their distance as rest length.
+     *
+     * @param p positions of the surface's vertices, mm
+     * @param first node of its first vertex
+     */
+    public void addEdge(double[] p, int first, int a, int b, double k, double contractile) {
+        add(first + a, first + b, k, MassSpringBuilder.distance(p, a, p, b), contractile);
+    }
+
     public int count() {
         return count;
     }

@@ -1,7 +1,5 @@
 package org.phrenic.model.organ;
 
-import java.util.Locale;
-
 /** Motion model of sternum and costal cartilages. */
 public enum SternumModel {
     /** Springs, attached to the ends of the ribs. */
@@ -9,10 +7,5 @@ public enum SternumModel {
     /** A rigid fit to the ends of the ribs. */
     KINEMATIC,
     /** No motion. */
-    OFF;
-
-    /** Name in scenario files. */
-    public String label() {
-        return name().toLowerCase(Locale.ROOT);
-    }
+    OFF
 }

@@ -59,20 +59,11 @@ public final class SternumPart {
             law.addEdges(parts.passiveSprings, mesh, first, STIFFNESS);
             double[] p = mesh.positions();
             for (OpposingVertices.Pair pair : braced.braces()) {
-                parts.passiveSprings.add(
-                        first + pair.a(),
-                        first + pair.b(),
-                        0.3 * edge,
-                        MassSpringBuilder.distance(p, pair.a(), p, pair.b()),
-                        0);
+                parts.passiveSprings.addEdge(p, first, pair.a(), pair.b(), 0.3 * edge, 0);
             }
             for (int i = 0; i < mesh.vertexCount(); i++) {
-                parts.attachToBone(
-                        first + i,
-                        edge
-                                * (FREE_SHARE
-                                        + (ATTACHED_SHARE - FREE_SHARE)
-                                                * FallOff.at(distanceToRib(cage, s, p, i), FADE_MM)));
+                double near = FallOff.at(distanceToRib(cage, s, p, i), FADE_MM);
+                parts.attachToBone(first + i, edge * (FREE_SHARE + (ATTACHED_SHARE - FREE_SHARE) * near));
             }
         }
         TieSprings.connect(parts, structures, firstNodes, 0.3 * edge);

@@ -11,7 +11,7 @@ import org.phrenic.mesh.TriangleMesh;
 public final class TieSprings {
     private static final double REACH_MM = 6;
     /** Shortest tie. A spring needs a length above 0; where surfaces touch, the neighbouring vertices connect them. */
-    private static final double SHORTEST_MM = 0.5;
+    private static final double MIN_LENGTH_MM = 0.5;
 
     private TieSprings() {}
 
@@ -34,7 +34,7 @@ public final class TieSprings {
                 for (int v = 0; v < a.vertexCount(); v++) {
                     int other = nearest.find(a.x(v), a.y(v), a.z(v), REACH_MM);
                     double d = nearest.distance();
-                    if (d < REACH_MM && d > SHORTEST_MM) {
+                    if (d < REACH_MM && d > MIN_LENGTH_MM) {
                         parts.passiveSprings.add(firsts.get(i) + v, firsts.get(j) + other, stiffness, d, 0);
                     }
                 }

@@ -105,15 +105,8 @@ public interface TissueLaw {
         int[] edges = table.edges();
         double[] p = mesh.positions();
         for (int e = 0; e < table.edgeCount(); e++) {
-            int a = edges[2 * e];
-            int b = edges[2 * e + 1];
-            int triangles = Math.min(table.faceCount(e), 2);
-            springs.add(
-                    first + a,
-                    first + b,
-                    edgeStiffness(triangles, relative),
-                    MassSpringBuilder.distance(p, a, p, b),
-                    0);
+            double stiffness = edgeStiffness(Math.min(table.faceCount(e), 2), relative);
+            springs.addEdge(p, first, edges[2 * e], edges[2 * e + 1], stiffness, 0);
         }
     }
 }

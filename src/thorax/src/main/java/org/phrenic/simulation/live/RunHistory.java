@@ -19,14 +19,14 @@ public final class RunHistory {
 
     static final long FRAME_BYTES = 64L << 20;
     static final double FRAMES_S = 10;
-    private static final double LEAST_BETWEEN_S = 0.04;
+    private static final double MIN_FRAME_INTERVAL_S = 0.04;
     private static final int CHUNK = 1_000;
     private static final int COLUMNS = Observation.COLUMNS.size();
 
     private final List<double[]> chunks = new ArrayList<>();
     private final ArrayDeque<Frame> freeFrames = new ArrayDeque<>();
     private final ArrayList<Frame> ring = new ArrayList<>();
-    private final int mostFrames;
+    private final int maxFrames;
     private final double betweenS;
     private int firstFrame;
     private long dropped;
@@ -35,8 +35,8 @@ public final class RunHistory {
 
     RunHistory(Frame like) {
         long bytes = Math.max(1, bytes(like));
-        mostFrames = (int) Math.max(2L, Math.min(Math.round(FRAMES_S / LEAST_BETWEEN_S), FRAME_BYTES / bytes));
-        betweenS = FRAMES_S / mostFrames;
+        maxFrames = (int) Math.max(2L, Math.min(Math.round(FRAMES_S / MIN_FRAME_INTERVAL_S), FRAME_BYTES / bytes));
+        betweenS = FRAMES_S / maxFrames;
     }
 
     static long bytes(Frame frame) {
@@ -79,7 +79,7 @@ public final class RunHistory {
 
     synchronized void add(Frame frame) {
         lastFrameS = frame.timeS();
-        if (ring.size() < mostFrames) {
+        if (ring.size() < maxFrames) {
             Frame free = freeFrames.isEmpty() ? frame.copy() : freeFrames.poll();
             free.copyFrom(frame);
             // The ring is not full, so its oldest frame is first.

@@ -45,15 +45,10 @@ final class RunningScene implements AutoCloseable {
         Frame rest = surfaces.newFrame();
         pipe = new FrameTripleBuffer(rest);
         history = new RunHistory(rest);
+        int nodes = simulation.system().nodeCount();
+        int springs = simulation.springCount();
         scene = new LiveScene(
-                simulation.start(),
-                surfaces.surfaces(),
-                surfaces.overlays(),
-                rest::copy,
-                simulation.system().nodeCount(),
-                simulation.springCount(),
-                notes,
-                id);
+                simulation.start(), surfaces.surfaces(), surfaces.overlays(), rest::copy, nodes, springs, notes, id);
         sample();
         publish();
     }

@@ -49,11 +49,9 @@ public final class LungMeasure {
             position[s] = new double[mesh.positions().length];
             if (!stepped) {
                 velocity[s] = new double[mesh.positions().length];
+                double[] p = mesh.positions();
                 walls[s] = new LinearBlendSkinning(
-                        scene.pose(),
-                        mesh.positions(),
-                        bones.weightsAt(mesh.positions()),
-                        scene.system().workers());
+                        scene.pose(), p, bones.weightsAt(p), scene.system().workers());
                 embed(scene, s, mesh);
             }
         }

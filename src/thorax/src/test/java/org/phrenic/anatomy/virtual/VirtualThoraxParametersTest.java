@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
 
 class VirtualThoraxParametersTest {
@@ -20,7 +21,7 @@ class VirtualThoraxParametersTest {
 
     private static void assertRefused(String text, String... words) {
         assertThatExceptionOfType(BadInputException.class)
-                .isThrownBy(() -> VirtualThoraxParameters.read("body.yaml", text))
+                .isThrownBy(() -> YamlDocument.parse("body.yaml", text).bind(VirtualThoraxParameters.class))
                 .withMessageStartingWith("body.yaml: ")
                 .satisfies(e -> assertThat(e.getMessage()).contains(words).doesNotContain("\n"));
     }

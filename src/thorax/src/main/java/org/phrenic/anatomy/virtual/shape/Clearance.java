@@ -19,7 +19,7 @@ public final class Clearance {
         for (int v = 0; v < positions.length; v += 3) {
             double[] p = Vectors.of(positions[v], positions[v + 1], positions[v + 2]);
             for (int i = 0; i < STEPS; i++) {
-                double value = away * region.at(p[0], p[1], p[2]);
+                double value = away * region.at(p);
                 if (value > 3 * least) {
                     break;
                 }

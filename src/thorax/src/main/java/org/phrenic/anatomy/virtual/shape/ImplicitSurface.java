@@ -9,6 +9,11 @@ import org.phrenic.mesh.Vectors;
 public interface ImplicitSurface {
     double at(double x, double y, double z);
 
+    /** Value at a point. */
+    default double at(double[] p) {
+        return at(p[0], p[1], p[2]);
+    }
+
     /** Gradient by central differences with a step of 0.05 mm. */
     default double[] gradient(double[] p) {
         double e = 0.05;

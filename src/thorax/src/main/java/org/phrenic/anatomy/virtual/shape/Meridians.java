@@ -37,12 +37,7 @@ public final class Meridians {
                 double angle = start + (stop - start) * k / n;
                 double cos = k == 0 ? 0 : StrictMath.cos(angle);
                 double sin = StrictMath.sin(angle);
-                guess = RootFinder.firstOutward(
-                        s -> {
-                            double[] p = axis.point(azimuth, s * cos, pivotZ + s * sin);
-                            return surface.at(p[0], p[1], p[2]);
-                        },
-                        guess);
+                guess = RootFinder.firstOutward(s -> surface.at(axis.point(azimuth, s * cos, pivotZ + s * sin)), guess);
                 points[k] = axis.point(azimuth, guess * cos, pivotZ + guess * sin);
             }
             points[n] = end;

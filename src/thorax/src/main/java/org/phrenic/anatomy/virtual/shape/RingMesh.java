@@ -3,6 +3,7 @@ package org.phrenic.anatomy.virtual.shape;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleToIntFunction;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -23,15 +24,11 @@ public final class RingMesh {
     }
 
     public static int vertexCount(int[] counts) {
-        int total = 1;
-        for (int count : counts) {
-            total += count;
-        }
-        return total;
+        return 1 + Arrays.stream(counts).sum();
     }
 
     /** Edge length at which {@code count(edge)}, a decreasing function, is closest to {@code target}. */
-    public static double edgeLengthFor(java.util.function.DoubleToIntFunction count, int target) {
+    public static double edgeLengthFor(DoubleToIntFunction count, int target) {
         double best = 6;
         int bestMiss = Integer.MAX_VALUE;
         double low = 1.5;
