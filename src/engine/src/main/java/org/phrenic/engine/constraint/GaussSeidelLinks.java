@@ -238,12 +238,7 @@ final class GaussSeidelLinks extends RigidLinks implements SeparableConstraint {
     /** Reports coupled links with a relative error above 5 % after all sweeps: their lengths are incompatible. */
     @Override
     public String violation() {
-        return lastError <= UNMET
-                ? null
-                : String.format(
-                        Locale.ROOT,
-                        "after %d sweeps a rigid link is still off its length by %.0f %%",
-                        sweepsLast,
-                        100 * lastError);
+        String pattern = "after %d sweeps a rigid link is still off its length by %.0f %%";
+        return lastError <= UNMET ? null : String.format(Locale.ROOT, pattern, sweepsLast, 100 * lastError);
     }
 }

@@ -35,10 +35,10 @@ public final class NonInversionPairs implements SeparableConstraint {
             NodeLayout layout, int[] outer, int[] inner, int[] triangle, double[] least, double refreshInterval) {
         int n = outer.length;
         if (inner.length != n || triangle.length != 3 * n || least.length != n) {
-            throw new IllegalArgumentException("ordered pairs: found " + n + " outer nodes, " + inner.length
-                    + " inner, "
-                    + triangle.length + " corners and " + least.length + " distances, expected as many, as many, 3"
-                    + " each and as many");
+            String found =
+                    n + " outer nodes, " + inner.length + " inner, " + triangle.length + " corners and " + least.length;
+            throw new IllegalArgumentException(
+                    "ordered pairs: found " + found + " distances, expected as many, as many, 3 each and as many");
         }
         this.outer = new int[n];
         this.inner = new int[n];
@@ -71,10 +71,6 @@ public final class NonInversionPairs implements SeparableConstraint {
     @Override
     public int[][] itemNodes() {
         return new int[][] {outer, inner};
-    }
-
-    public int count() {
-        return outer.length;
     }
 
     @Override
@@ -142,12 +138,18 @@ public final class NonInversionPairs implements SeparableConstraint {
     public void jacobianRows(ParticleSystem particles, RowConsumer out) {
         double[] x = particles.positions();
         for (int i = 0; i < outer.length; i++) {
-            double gap = -minDistance[i];
-            for (int axis = 0; axis < 3; axis++) {
-                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
-            }
+            double gap = gap(x, i);
             out.add(outer[i] / 3, inner[i] / 3, normal[3 * i], normal[3 * i + 1], normal[3 * i + 2], gap, true);
         }
+    }
+
+    /** Distance of a pair along its last computed normal minus the least distance, mm. */
+    private double gap(double[] x, int i) {
+        double gap = -minDistance[i];
+        for (int axis = 0; axis < 3; axis++) {
+            gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
+        }
+        return gap;
     }
 
     /** Largest violation of the least distance, mm, along the last computed normals. */
@@ -156,11 +158,7 @@ public final class NonInversionPairs implements SeparableConstraint {
         double[] x = particles.positions();
         double worst = 0;
         for (int i = 0; i < outer.length; i++) {
-            double gap = -minDistance[i];
-            for (int axis = 0; axis < 3; axis++) {
-                gap += normal[3 * i + axis] * (x[outer[i] + axis] - x[inner[i] + axis]);
-            }
-            worst = Math.max(worst, -gap);
+            worst = Math.max(worst, -gap(x, i));
         }
         return worst;
     }

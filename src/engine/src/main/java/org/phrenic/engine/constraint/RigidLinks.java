@@ -5,6 +5,7 @@ import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
 import org.phrenic.engine.CoupledConstraint;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.NodeLayout;
 
 /**
@@ -67,7 +68,8 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
      */
     public static RigidLinks gaussSeidel(
             NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions, double tolerance, int maxSweeps) {
-        return gaussSeidelToLengths(layout, nodeA, nodeB, lengths(nodeA, nodeB, positions), tolerance, maxSweeps);
+        double[] lengths = DenseVectors.distances(positions, nodeA, nodeB);
+        return gaussSeidelToLengths(layout, nodeA, nodeB, lengths, tolerance, maxSweeps);
     }
 
     /** As {@link #gaussSeidel}, with the length of each link given, mm. */
@@ -78,20 +80,7 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
 
     /** The paper's projection: each link once, in the given order. Parameters as for {@link #gaussSeidel}. */
     public static RigidLinks singlePass(NodeLayout layout, int[] nodeA, int[] nodeB, double[] positions) {
-        return new SinglePassLinks(layout, nodeA, nodeB, lengths(nodeA, nodeB, positions));
-    }
-
-    private static double[] lengths(int[] nodeA, int[] nodeB, double[] positions) {
-        double[] lengths = new double[nodeA.length];
-        for (int i = 0; i < lengths.length; i++) {
-            double squared = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                double d = positions[3 * nodeB[i] + axis] - positions[3 * nodeA[i] + axis];
-                squared += d * d;
-            }
-            lengths[i] = Math.sqrt(squared);
-        }
-        return lengths;
+        return new SinglePassLinks(layout, nodeA, nodeB, DenseVectors.distances(positions, nodeA, nodeB));
     }
 
     /** Internal numbers of one end of each link. */
@@ -125,12 +114,16 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
     public void captureLengths(ParticleSystem particles) {
         double[] x = particles.positions();
         for (int i = 0; i < capturedLength.length; i++) {
-            double dx = x[nodeB[i]] - x[nodeA[i]];
-            double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
-            double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
-            capturedLength[i] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            capturedLength[i] = currentLength(x, i);
         }
         interpolateLengths(0);
+    }
+
+    private double currentLength(double[] x, int i) {
+        double dx = x[nodeB[i]] - x[nodeA[i]];
+        double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
+        double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
     /** Interpolates every length between the last captured one (0) and the target (1). */
@@ -186,11 +179,8 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         double[] x = particles.positions();
         double worst = 0;
         for (int i = 0; i < length.length; i++) {
-            double dx = x[nodeB[i]] - x[nodeA[i]];
-            double dy = x[nodeB[i] + 1] - x[nodeA[i] + 1];
-            double dz = x[nodeB[i] + 2] - x[nodeA[i] + 2];
             // Math.max propagates NaN, so that invalid positions are reported.
-            worst = Math.max(worst, Math.abs(Math.sqrt(dx * dx + dy * dy + dz * dz) - length[i]) / length[i]);
+            worst = Math.max(worst, Math.abs(currentLength(x, i) - length[i]) / length[i]);
         }
         return worst;
     }

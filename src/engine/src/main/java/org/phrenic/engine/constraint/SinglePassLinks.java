@@ -1,6 +1,5 @@
 package org.phrenic.engine.constraint;
 
-import java.util.stream.IntStream;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -27,13 +26,7 @@ final class SinglePassLinks extends RigidLinks {
     }
 
     private SinglePassLinks(int[] a, int[] b, double[] l, boolean inOrder) {
-        super(
-                a,
-                b,
-                l,
-                inOrder
-                        ? IntStream.range(0, a.length).toArray()
-                        : sorted(a.length, i -> (long) Math.min(a[i], b[i]) << 28));
+        super(a, b, l, sorted(a.length, i -> inOrder ? (long) i << 28 : (long) Math.min(a[i], b[i]) << 28));
         this.inOrder = inOrder;
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.engine.constraint;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -102,17 +103,9 @@ public final class SlidingContact implements SeparableConstraint {
         return new int[][] {node};
     }
 
-    public int count() {
-        return node.length;
-    }
-
     /** Number of nodes in contact in the last step. */
     public int contactCount() {
-        int sum = 0;
-        for (boolean t : inContact) {
-            sum += t ? 1 : 0;
-        }
-        return sum;
+        return (int) IntStream.range(0, node.length).filter(i -> inContact[i]).count();
     }
 
     @Override
@@ -137,7 +130,7 @@ public final class SlidingContact implements SeparableConstraint {
             int n = node[i];
             int p = PLANE * i;
             surface.tangentPlane(listed[i], x[n], x[n + 1], x[n + 2], plane, p);
-            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
+            double gap = gap(x, i);
             double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
             far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
             inContact[i] = false;
@@ -190,11 +183,17 @@ public final class SlidingContact implements SeparableConstraint {
         double[] x = particles.positions();
         double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
-            int n = node[i];
             int p = PLANE * i;
-            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
-            out.add(n / 3, -1, plane[p], plane[p + 1], plane[p + 2], gap - plane[p + 4] * elapsed, !adhering);
+            double gap = gap(x, i) - plane[p + 4] * elapsed;
+            out.add(node[i] / 3, -1, plane[p], plane[p + 1], plane[p + 2], gap, !adhering);
         }
+    }
+
+    /** Distance of a node from its tangent plane when that was taken, mm. */
+    private double gap(double[] x, int i) {
+        int n = node[i];
+        int p = PLANE * i;
+        return plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
     }
 
     /** Largest penetration of a tangent plane, mm. */
@@ -204,10 +203,7 @@ public final class SlidingContact implements SeparableConstraint {
         double worst = 0;
         double elapsed = refresh.elapsed();
         for (int i = 0; i < node.length; i++) {
-            int n = node[i];
-            int p = PLANE * i;
-            double gap = plane[p] * x[n] + plane[p + 1] * x[n + 1] + plane[p + 2] * x[n + 2] - plane[p + 3];
-            worst = Math.max(worst, plane[p + 4] * elapsed - gap);
+            worst = Math.max(worst, plane[PLANE * i + 4] * elapsed - gap(x, i));
         }
         return worst;
     }

@@ -145,10 +145,6 @@ public final class Attachments implements ForceField {
         stiffnessFactor = value;
     }
 
-    public int count() {
-        return stiffness.length;
-    }
-
     @Override
     public void prepare(double time) {
         if (anchors.isStationary()) {

@@ -2,6 +2,7 @@ package org.phrenic.engine.force;
 
 import java.util.Arrays;
 import org.phrenic.engine.ForceField;
+import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.BlockedEdges;
 import org.phrenic.engine.parallel.NodeLayout;
 
@@ -55,10 +56,6 @@ public final class Springs implements ForceField {
     /** Sets the activation a; 0 means passive. */
     public void setActivation(double value) {
         constants.activation = value;
-    }
-
-    public double activation() {
-        return constants.activation;
     }
 
     public int count() {
@@ -248,14 +245,8 @@ public final class Springs implements ForceField {
          * @throws IllegalArgumentException if both ends of a spring coincide, so that its force has no direction
          */
         public Builder restLengthsAt(double[] positions) {
-            restLengths = new double[nodeA.length];
+            restLengths = DenseVectors.distances(positions, nodeA, nodeB);
             for (int e = 0; e < restLengths.length; e++) {
-                double squared = 0;
-                for (int axis = 0; axis < 3; axis++) {
-                    double d = positions[3 * nodeB[e] + axis] - positions[3 * nodeA[e] + axis];
-                    squared += d * d;
-                }
-                restLengths[e] = Math.sqrt(squared);
                 if (!(restLengths[e] > 0)) {
                     throw new IllegalArgumentException("spring " + e + " between nodes " + nodeA[e] + " and " + nodeB[e]
                             + ": found length " + restLengths[e] + " mm, expected more than 0");

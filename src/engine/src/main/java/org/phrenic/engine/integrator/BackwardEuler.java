@@ -153,10 +153,6 @@ final class BackwardEuler extends AbstractIntegrator {
         }
     }
 
-    static double[][] amplification(double a, double b) {
-        return amplification(a, b, 0);
-    }
-
     static double[][] amplification(double a, double b, double c) {
         double inverse = 1 / (1 + b + a);
         // v' h = ((1 - c) v h - a x) / (1 + b + a), x' = x + v' h.

@@ -9,11 +9,7 @@ public final class DivergenceException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     DivergenceException(double failedTime, double restoredTime, String cause) {
-        super(String.format(
-                Locale.ROOT,
-                "the simulation diverged at %.4f s (%s); the state at %.4f s was restored",
-                failedTime,
-                cause,
-                restoredTime));
+        super(String.format(Locale.ROOT, "the simulation diverged at %.4f s (%s);", failedTime, cause)
+                + String.format(Locale.ROOT, " the state at %.4f s was restored", restoredTime));
     }
 }

@@ -166,12 +166,9 @@ final class DivergenceGuard {
         for (int n = 1; n < system.nodeCount(); n++) {
             farthest = squaredWay(n) > squaredWay(farthest) ? n : farthest;
         }
-        return String.format(
-                Locale.ROOT,
-                "node %d is %.3g mm from where it was at rest, the bound is %.3g mm",
-                system.layout().caller(farthest),
-                Math.sqrt(squaredWay(farthest)),
-                maxDisplacement);
+        String pattern = "node %d is %.3g mm from where it was at rest, the bound is %.3g mm";
+        double distance = Math.sqrt(squaredWay(farthest));
+        return String.format(Locale.ROOT, pattern, system.layout().caller(farthest), distance, maxDisplacement);
     }
 
     private String describe() {
@@ -188,12 +185,8 @@ final class DivergenceGuard {
                 return "position or velocity of node " + system.layout().caller(n) + " is not a finite number";
             }
             if (speed > MAX_SPEED * MAX_SPEED) {
-                return String.format(
-                        Locale.ROOT,
-                        "node %d moves at %.3g mm/s, the bound is %.3g mm/s",
-                        system.layout().caller(n),
-                        Math.sqrt(speed),
-                        MAX_SPEED);
+                String pattern = "node %d moves at %.3g mm/s, the bound is %.3g mm/s";
+                return String.format(Locale.ROOT, pattern, system.layout().caller(n), Math.sqrt(speed), MAX_SPEED);
             }
         }
         return "speed beyond all bounds";

@@ -49,14 +49,11 @@ public enum IntegratorKind {
 
     /** @throws IllegalArgumentException if there is no scheme of this name; the message lists the valid names */
     public static IntegratorKind of(String name) {
-        String wanted = name.toLowerCase(Locale.ROOT);
-        for (IntegratorKind kind : values()) {
-            if (kind.label.equals(wanted)) {
-                return kind;
-            }
-        }
-        throw new IllegalArgumentException("integrator: found '" + name + "', expected one of "
-                + Arrays.stream(values()).map(IntegratorKind::label).collect(Collectors.joining(", ")));
+        return Arrays.stream(values())
+                .filter(kind -> kind.label.equals(name.toLowerCase(Locale.ROOT)))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("integrator: found '" + name + "', expected one of "
+                        + Arrays.stream(values()).map(IntegratorKind::label).collect(Collectors.joining(", "))));
     }
 
     /** Creates an integrator of this kind for a system. */
@@ -84,7 +81,7 @@ public enum IntegratorKind {
             case RK2 -> MidpointRungeKutta.amplification(a, b);
             case RK4 -> ClassicalRungeKutta.amplification(a, b);
             case SYMPLECTIC_EULER -> SymplecticEuler.amplification(a, b);
-            case BACKWARD_EULER -> BackwardEuler.amplification(a, b);
+            case BACKWARD_EULER -> BackwardEuler.amplification(a, b, 0);
         };
     }
 

@@ -62,10 +62,7 @@ final class SpectralRadius {
 
     /** Larger absolute root of λ² - t λ + d. */
     private static double quadratic(double t, double d, double discriminant) {
-        if (discriminant < 0) {
-            return Math.sqrt(d);
-        }
-        return 0.5 * (Math.abs(t) + Math.sqrt(discriminant));
+        return discriminant < 0 ? Math.sqrt(d) : 0.5 * (Math.abs(t) + Math.sqrt(discriminant));
     }
 
     /** A real root of λ³ - t λ² + m λ - d, by bisection within Cauchy's bound. */

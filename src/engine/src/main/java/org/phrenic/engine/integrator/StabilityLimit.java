@@ -60,16 +60,12 @@ public record StabilityLimit(
                 dashpot = Math.max(dashpot, w * damping[i]);
             }
         }
+        double root = Math.sqrt(bound);
         double highest = MARGIN * Math.sqrt(HighestFrequency.omegaSquared(system));
-        // Also false if the highest frequency is NaN.
-        boolean usable = highest <= Math.sqrt(bound);
-        return new StabilityLimit(
-                usable ? highest : Math.sqrt(bound),
-                Math.sqrt(bound),
-                least == Double.POSITIVE_INFINITY ? 0 : least,
-                most,
-                dashpot,
-                system.hasContacts());
+        // The comparison is also false if the highest frequency is NaN.
+        double omega = highest <= root ? highest : root;
+        double damped = least == Double.POSITIVE_INFINITY ? 0 : least;
+        return new StabilityLimit(omega, root, damped, most, dashpot, system.hasContacts());
     }
 
     /** Largest stable step of a scheme on this system, s; 0 if no step is stable, infinite if every step is. */
@@ -129,27 +125,19 @@ public record StabilityLimit(
     public int substeps(IntegratorKind kind, double dt, double safety) {
         double limit = largestStep(kind);
         if (limit == 0) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
+            String pattern =
                     "integrator %s grows at every step on this system (highest frequency %.4g 1/s, least damping %.4g"
-                            + " 1/s): add damping or choose verlet",
-                    kind.label(),
-                    omegaMax,
-                    minDamping));
+                            + " 1/s): add damping or choose verlet";
+            throw new IllegalArgumentException(String.format(Locale.ROOT, pattern, kind.label(), omegaMax, minDamping));
         }
         return isStable(kind, dt) && dt <= limit * safety ? 1 : (int) Math.ceil(dt / (limit * safety));
     }
 
     /** One sentence that states the step and the limit. */
     public String describe(IntegratorKind kind, double dt) {
-        return String.format(
-                Locale.ROOT,
+        String pattern =
                 "time step %.6g s is beyond the stability limit %.6g s of %s for this scene (highest frequency %.4g"
-                        + " 1/s, Gershgorin bound %.4g 1/s)",
-                dt,
-                largestStep(kind),
-                kind.label(),
-                omegaMax,
-                omegaBound);
+                        + " 1/s, Gershgorin bound %.4g 1/s)";
+        return String.format(Locale.ROOT, pattern, dt, largestStep(kind), kind.label(), omegaMax, omegaBound);
     }
 }

@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import java.util.Arrays;
 import org.phrenic.engine.ForceEvaluation;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.Workers;
@@ -47,9 +48,7 @@ final class Stormer extends AbstractIntegrator {
 
     Stormer(ParticleSystem system) {
         super(IntegratorKind.STORMER, system);
-        for (int i = 0; i < history.length; i++) {
-            history[i] = new double[x.length];
-        }
+        Arrays.setAll(history, i -> new double[x.length]);
     }
 
     @Override

@@ -18,4 +18,18 @@ public final class DenseVectors {
             to[i] += scale * other[i];
         }
     }
+
+    /** Distances between points a and b of an array with three numbers per point. */
+    public static double[] distances(double[] points, int[] a, int[] b) {
+        double[] distances = new double[a.length];
+        for (int i = 0; i < distances.length; i++) {
+            double squared = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = points[3 * b[i] + axis] - points[3 * a[i] + axis];
+                squared += d * d;
+            }
+            distances[i] = Math.sqrt(squared);
+        }
+        return distances;
+    }
 }
