@@ -116,8 +116,8 @@ public final class ErrorReport {
     public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
         NewtonEquilibrium.Result newton = lag.newton();
         String distances = "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the"
-                + " equilibrium of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where they"
-                + " come to rest by themselves.";
+                + " equilibrium of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where"
+                + " they come to rest by themselves.";
         double percent = study.percent(lag.rmsMm());
         String outcome = newton.converged() ? "converged to" : "not converged,";
         double residual = newton.residualsMn()[newton.residualsMn().length - 1];
