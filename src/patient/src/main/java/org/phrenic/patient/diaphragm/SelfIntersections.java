@@ -6,11 +6,11 @@ import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
 
 /** Self-intersections of a surface: its edges that pass through a triangle without a common vertex. */
-final class SelfIntersections {
+public final class SelfIntersections {
     private SelfIntersections() {}
 
     /** Number of edges that pass through another triangle. */
-    static int count(TriangleMesh mesh) {
+    public static int count(TriangleMesh mesh) {
         int[] edges = new MeshTopology(mesh).edges();
         int[] corners = mesh.triangles();
         TriangleTree tree = new TriangleTree(mesh);

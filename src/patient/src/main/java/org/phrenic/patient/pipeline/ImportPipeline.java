@@ -9,6 +9,7 @@ import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.SkinEnvelope;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.registration.BodyCompletion;
@@ -57,7 +58,7 @@ public final class ImportPipeline {
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
         PatientBody completed = BodyCompletion.complete(scanned, template);
         progress.stage("building the diaphragm from the organs and bones that it touches");
-        return DiaphragmCompletion.complete(completed);
+        return SkinEnvelope.complete(DiaphragmCompletion.complete(completed));
     }
 
     private static PatientBody aligned(ImportRequest request, PatientBody scanned) {

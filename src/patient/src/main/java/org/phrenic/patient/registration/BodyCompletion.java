@@ -223,7 +223,9 @@ public final class BodyCompletion {
         for (PatientStructure s : body.structures()) {
             Optional<DistanceSummary> off =
                     merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
-            if (off.isEmpty() || s.isComplete()) {
+            // The end of a scan always cuts the skin.
+            boolean skin = s.structure().kind() == StructureKind.SKIN;
+            if (off.isEmpty() || s.isComplete() || skin) {
                 all.add(extended(off.map(s::withDistanceToScan).orElse(s), extended));
             }
         }

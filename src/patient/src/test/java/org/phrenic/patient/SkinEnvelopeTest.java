@@ -1,0 +1,89 @@
+package org.phrenic.patient;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.patient.diaphragm.SelfIntersections;
+
+class SkinEnvelopeTest {
+    private static PatientBody body(PatientStructure.Source ofSkin) {
+        Thorax thorax = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+        return new PatientBody(
+                "body",
+                thorax.structures().stream()
+                        .map(s -> new PatientStructure(
+                                s,
+                                s.kind() == StructureKind.SKIN ? ofSkin : PatientStructure.Source.SCAN,
+                                Optional.empty(),
+                                Optional.empty()))
+                        .toList(),
+                List.of(),
+                List.of());
+    }
+
+    private static TriangleMesh skin(PatientBody body) {
+        List<Structure> skins = body.thorax().structuresOf(StructureKind.SKIN);
+        assertThat(skins).hasSize(1);
+        return skins.get(0).mesh();
+    }
+
+    @Test
+    void theEnvelopeHoldsEveryStructureWithAMarginAndHasNoFold() {
+        PatientBody grown = SkinEnvelope.complete(body(PatientStructure.Source.VIRTUAL));
+        TriangleMesh skin = skin(grown);
+        assertThat(grown.structure(SkinEnvelope.NAME).orElseThrow().source()).isEqualTo(PatientStructure.Source.BUILT);
+        MeshTopology topology = new MeshTopology(skin);
+        assertThat(topology.isClosed() && topology.isManifold()).isTrue();
+        assertThat(topology.eulerCharacteristic()).isEqualTo(2);
+        assertThat(SelfIntersections.count(skin)).isZero();
+        SurfaceDistance distance = new SurfaceDistance(skin);
+        for (PatientStructure s : grown.structures()) {
+            if (s.structure().kind() != StructureKind.SKIN) {
+                double nearest = -Arrays.stream(
+                                distance.signedDistance(s.structure().mesh().positions()))
+                        .max()
+                        .orElseThrow();
+                assertThat(nearest).as(s.structure().name()).isGreaterThan(SkinEnvelope.WALL_MM - 7);
+            }
+        }
+        // Her own skin: about as much body, for the same neck and abdomen.
+        TriangleMesh own = skin(body(PatientStructure.Source.SCAN));
+        double ratio = MeshMeasure.signedVolume(skin) / MeshMeasure.signedVolume(own);
+        assertThat(ratio).isCloseTo(1, within(0.25));
+    }
+
+    @Test
+    void theSkinOfAScanStaysUnlessItEndsBelowTheRibs() {
+        PatientBody whole = body(PatientStructure.Source.SCAN);
+        assertThat(SkinEnvelope.complete(whole)).isSameAs(whole);
+        TriangleMesh own = skin(whole);
+        double cut = own.bounds()[2] + 0.5 * (own.bounds()[5] - own.bounds()[2]);
+        double[] p = own.positions().clone();
+        for (int z = 2; z < p.length; z += 3) {
+            p[z] = Math.min(p[z], cut);
+        }
+        List<PatientStructure> abdomen = whole.structures().stream()
+                .map(s -> s.structure().kind() == StructureKind.SKIN
+                        ? s.withStructure(s.structure().withMesh(own.withPositions(p)))
+                        : s)
+                .toList();
+        TriangleMesh grown = skin(SkinEnvelope.complete(new PatientBody("body", abdomen, List.of(), List.of())));
+        assertThat(grown.bounds()[5]).isGreaterThan(own.bounds()[5] - 60);
+        double waist = own.bounds()[3] - own.bounds()[0];
+        assertThat(grown.bounds()[3] - grown.bounds()[0]).isCloseTo(waist, within(0.15 * waist));
+    }
+}
