@@ -109,7 +109,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         double[] sample = new double[SECTORS * layers];
         for (int k = 0; k < sample.length; k++) {
             double azimuth = azimuth(k % SECTORS);
-            double z = bottom + k / SECTORS * LAYER_MM;
+            int layer = k / SECTORS;
+            double z = bottom + layer * LAYER_MM;
             boolean found =
                     tree.nearestAlongRay(axisX, axisY, z, StrictMath.sin(azimuth), StrictMath.cos(azimuth), 0, hit);
             double cover = hit.triangle >= firstOfSpine ? SPINE_COVER_MM : 0;
