@@ -1,9 +1,13 @@
 package org.phrenic.ui.access;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.function.BooleanSupplier;
 import javax.swing.SwingUtilities;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.LiveAttempt;
 import org.phrenic.access.plan.LiveRehearsal;
@@ -11,6 +15,7 @@ import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.simulation.live.StepListener;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -40,33 +45,29 @@ final class AttemptRunner implements AutoCloseable {
      */
     void start(RehearsalBody body, TargetAccess about, RehearsalPlan plan, boolean played, Optional<double[]> entry) {
         BooleanSupplier current = work.notDiscardedSince();
-        LiveRehearsal watching = new LiveRehearsal(
-                session.live(),
-                body.simulatedScene(),
-                body.frame(),
-                plan,
-                about.target(),
-                played ? Optional.of(about.map()) : Optional.empty(),
-                new LiveRehearsal.Listener() {
-                    @Override
-                    public void refused(String sentence) {
-                        SwingUtilities.invokeLater(() -> session.refuse(sentence));
-                    }
+        LiveRehearsal.Listener listener = new LiveRehearsal.Listener() {
+            @Override
+            public void refused(String sentence) {
+                SwingUtilities.invokeLater(() -> session.refuse(sentence));
+            }
 
-                    @Override
-                    public void finished(LiveAttempt attempt) {
-                        SwingUtilities.invokeLater(() -> {
-                            if (current.getAsBoolean()) {
-                                publishReport(body, about, played ? plan : attempt.toPlan(plan), attempt);
-                                controller.onAttemptEnded(played);
-                            }
-                        });
+            @Override
+            public void finished(LiveAttempt attempt) {
+                SwingUtilities.invokeLater(() -> {
+                    if (current.getAsBoolean()) {
+                        publishReport(body, about, played ? plan : attempt.toPlan(plan), attempt);
+                        controller.onAttemptEnded(played);
                     }
                 });
+            }
+        };
+        Optional<AccessMap> map = played ? Optional.of(about.map()) : Optional.empty();
+        LiveRehearsal watching = new LiveRehearsal(
+                session.live(), body.simulatedScene(), body.frame(), plan, about.target(), map, listener);
         SectionUpdater feed = new SectionUpdater(
                 sectionThread, body.scene().surfaces(), body.scene().newFrame().get(), (along, across) -> {
                     if (current.getAsBoolean()) {
-                        controller.fire(listener -> listener.onSections(along, across));
+                        controller.fire(l -> l.onSections(along, across));
                     }
                 });
         entry.ifPresent(watching::enterAt);
@@ -80,17 +81,13 @@ final class AttemptRunner implements AutoCloseable {
 
     /** Composes the report in the background; it is never discarded. */
     private void publishReport(RehearsalBody body, TargetAccess about, RehearsalPlan done, LiveAttempt attempt) {
-        work.runAlways(
-                () -> new Rehearsal(
-                        done,
-                        body.scene().surfaces(),
-                        about,
-                        Rehearsal.plannedPath(done, about, body.planningScene()),
-                        attempt.record(),
-                        attempt.snapshots(),
-                        attempt.stateHash()),
-                controller::onReport,
-                session::refuse);
+        Callable<Rehearsal> report = () -> {
+            Optional<PathOverBreath> path = Rehearsal.plannedPath(done, about, body.planningScene());
+            List<Surface> surfaces = body.scene().surfaces();
+            return new Rehearsal(
+                    done, surfaces, about, path, attempt.record(), attempt.snapshots(), attempt.stateHash());
+        };
+        work.runAlways(report, controller::onReport, session::refuse);
     }
 
     void detach() {

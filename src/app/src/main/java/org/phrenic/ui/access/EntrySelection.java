@@ -1,6 +1,8 @@
 package org.phrenic.ui.access;
 
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
@@ -43,33 +45,24 @@ public final class EntrySelection {
         TargetAccess about = rehearsal.study().orElseThrow();
         RehearsalPlan plan = rehearsal.plan().orElseThrow();
         RehearsalBody body = rehearsal.body.orElseThrow();
-        work.run(
-                () -> PathOverBreath.of(
-                        body.planningScene(),
-                        about.map().cycle(),
-                        onSkinRest,
-                        about.target(),
-                        plan.needle(),
-                        plan.avoided()),
-                found -> {
-                    advice = Optional.of(PathAdvice.of(found));
-                    rehearsal.fireState();
-                },
-                session::refuse);
+        Callable<PathOverBreath> analysis = () -> PathOverBreath.of(
+                body.planningScene(), about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided());
+        Consumer<PathOverBreath> show = found -> {
+            advice = Optional.of(PathAdvice.of(found));
+            rehearsal.fireState();
+        };
+        work.run(analysis, show, session::refuse);
     }
 
     /** Selects the best entry of the map: over the breath, or at end-expiration. */
     public void selectBest(boolean atEndExpiration) {
         if (rehearsal.stage() == RehearsalStage.READY) {
-            TargetAccess study = rehearsal.study().orElseThrow();
-            Optional<Integer> best = atEndExpiration
-                    ? study.map().bestAt(0, AccessMap.SUFFICIENT_MARGIN_MM)
-                    : study.map().best(AccessMap.SUFFICIENT_MARGIN_MM);
-            if (best.isPresent()) {
-                select(study.map().pointAtRest(best.get()));
-            } else {
-                session.note("No place on the skin has a free path to this target.");
-            }
+            AccessMap map = rehearsal.study().orElseThrow().map();
+            double margin = AccessMap.SUFFICIENT_MARGIN_MM;
+            (atEndExpiration ? map.bestAt(0, margin) : map.best(margin))
+                    .ifPresentOrElse(
+                            vertex -> select(map.pointAtRest(vertex)),
+                            () -> session.note("No place on the skin has a free path to this target."));
         }
     }
 

@@ -52,16 +52,15 @@ public final class NeedleController {
 
     /** Moves the tip to a depth, mm; a needle outside of the body is placed on the skin first. */
     public void moveTo(double depthMm) {
-        if (rehearsal.usableNeedle().isPresent()
-                && rehearsal.entrySelection().entry().isEmpty()) {
-            session.note("Choose an entry first (E), or take the best path (B).");
-        } else if (canMove()) {
-            commandedDepthMm =
-                    Math.max(0, Math.min(rehearsal.plan().orElseThrow().needle().lengthMm(), depthMm));
+        if (canMove()) {
+            double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
+            commandedDepthMm = Math.max(0, Math.min(lengthMm, depthMm));
             if (commandedDepthMm > 0
                     || rehearsal.state().filter(NeedleState::placed).isPresent()) {
                 command(needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
             }
+        } else if (rehearsal.usableNeedle().isPresent()) {
+            session.note("Choose an entry first (E), or take the best path (B).");
         }
     }
 
@@ -109,10 +108,9 @@ public final class NeedleController {
     }
 
     public void lookAlong() {
-        rehearsal
-                .state()
-                .filter(NeedleState::hasNeedle)
-                .ifPresent(now -> view.setCamera(view.camera()
-                        .lookingAlong(Vectors.normalize(Vectors.subtract(now.tip(), now.hub())), now.target())));
+        rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(now -> {
+            double[] direction = Vectors.normalize(Vectors.subtract(now.tip(), now.hub()));
+            view.setCamera(view.camera().lookingAlong(direction, now.target()));
+        });
     }
 }

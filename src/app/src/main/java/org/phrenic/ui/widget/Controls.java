@@ -1,5 +1,6 @@
 package org.phrenic.ui.widget;
 
+import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -8,7 +9,9 @@ import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
 
 /** Makes controls of one style; each has a tooltip and an accessible name. */
 public final class Controls {
@@ -24,6 +27,15 @@ public final class Controls {
 
     public static JButton button(String text, String tip, Runnable action) {
         return withAction(describe(new JButton(text), text.replace("...", ""), tip), action);
+    }
+
+    /** A panel of components in a MigLayout with these constraints of the layout and of its columns. */
+    public static JPanel panel(String layout, String columns, Component... parts) {
+        JPanel panel = new JPanel(new MigLayout(layout, columns));
+        for (Component part : parts) {
+            panel.add(part, "wmin 0");
+        }
+        return panel;
     }
 
     /** A flat button with an icon, as in a tool bar. */

@@ -17,6 +17,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.JTableHeader;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.access.AttemptReportWriter;
@@ -35,26 +36,14 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private static final List<Column> COLUMNS = List.of(
             new Column("", "Number of the attempt", 22, null),
             new Column("Exercise", "What is rehearsed", 92, r -> r.plan().title()),
-            new Column(
-                    "Result",
-                    "Hit or missed",
-                    58,
-                    r -> sample(r, s -> r.record().hit() ? "hit" : "missed")),
-            new Column(
+            column("Result", "Hit or missed", 58, r -> sample(r, s -> r.hit() ? "hit" : "missed")),
+            column(
                     "mm off",
                     "Distance between tip and middle of the target at the last sample, mm",
                     56,
                     r -> sample(r, s -> oneDecimal(s.distanceMm()))),
-            new Column(
-                    "s",
-                    "Time from the first contact with the skin, s",
-                    44,
-                    r -> oneDecimal(r.record().timeS())),
-            new Column(
-                    "no-go s",
-                    "Time in no-go structures, s",
-                    60,
-                    r -> oneDecimal(r.record().inNoGoS())));
+            column("s", "Time from the first contact with the skin, s", 44, r -> oneDecimal(r.timeS())),
+            column("no-go s", "Time in no-go structures, s", 60, r -> oneDecimal(r.inNoGoS())));
 
     private final transient Session session;
     private final transient AttemptReportWriter writer;
@@ -91,9 +80,8 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         placeholder.setTextIfChanged(
                 "An attempt ends when the needle is out again after a sample. Its report card is shown here.");
         save.setEnabled(false);
-        JPanel buttons = new JPanel(new MigLayout("insets 0, gap 6", "[grow, fill, sg][grow, fill, sg]"));
-        buttons.add(Controls.button("Retry", "The same target again, from the start (R)", rehearsal::retry));
-        buttons.add(save);
+        JButton retry = Controls.button("Retry", "The same target again, from the start (R)", rehearsal::retry);
+        JPanel buttons = Controls.panel("insets 0, gap 6", "[grow, fill, sg][grow, fill, sg]", retry, save);
         JPanel body = new ScrollablePanel(
                 new MigLayout("insets 8 10 8 10, gap 6 8, fillx, hidemode 3, wrap 1", "[grow, fill]"));
         body.add(placeholder, "wmin 0");
@@ -118,8 +106,12 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         return scroll;
     }
 
-    private static String sample(Rehearsal rehearsal, Function<TargetingError, String> text) {
-        List<TargetingError> samples = rehearsal.record().samples();
+    private static Column column(String name, String tip, int width, Function<AttemptRecord, String> text) {
+        return new Column(name, tip, width, r -> text.apply(r.record()));
+    }
+
+    private static String sample(AttemptRecord record, Function<TargetingError, String> text) {
+        List<TargetingError> samples = record.samples();
         return samples.isEmpty() ? "-" : text.apply(samples.get(samples.size() - 1));
     }
 

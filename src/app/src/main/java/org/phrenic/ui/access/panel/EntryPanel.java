@@ -4,7 +4,6 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.simulation.live.RunStatus;
@@ -48,13 +47,11 @@ final class EntryPanel extends AccessPanel {
     }
 
     private void showLegend() {
-        Optional<TargetAccess> study = rehearsal.study();
-        if (study.isPresent()) {
-            AccessMap.Counts counts = study.get().map().counts();
-            legend.setPercentages(percent(counts.free(), counts), percent(counts.part(), counts));
-        } else {
-            legend.setPercentages(-1, -1);
-        }
+        Optional<AccessMap.Counts> counts =
+                rehearsal.study().map(study -> study.map().counts());
+        counts.ifPresentOrElse(
+                c -> legend.setPercentages(percent(c.free(), c), percent(c.part(), c)),
+                () -> legend.setPercentages(-1, -1));
     }
 
     private static long percent(int points, AccessMap.Counts counts) {
@@ -97,8 +94,8 @@ final class EntryPanel extends AccessPanel {
                     ? "nothing near"
                     : NumberFormats.text("%.1f mm from %s", state.marginMm(), state.nearest());
             boolean close = state.marginMm() < AccessMap.SUFFICIENT_MARGIN_MM;
-            currentAdvice.setAdvice(
-                    close ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE, "Now free: " + margin, "");
+            PathAdvice.Level level = close ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE;
+            currentAdvice.setAdvice(level, "Now free: " + margin, "");
         }
     }
 }

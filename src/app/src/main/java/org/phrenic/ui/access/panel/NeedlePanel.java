@@ -101,9 +101,8 @@ final class NeedlePanel extends AccessPanel {
         Optional<NeedleState> placed = state.filter(NeedleState::placed);
         depthText.setText(placed.map(s -> NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.aimedDepthMm()))
                 .orElse("Not in the body"));
-        error.setTextIfChanged(state.flatMap(NeedleState::targetingError)
-                .map(NeedlePanel::text)
-                .orElse("Tip to target: -"));
+        Optional<String> distance = state.flatMap(NeedleState::targetingError).map(NeedlePanel::text);
+        error.setTextIfChanged(distance.orElse("Tip to target: -"));
         if (!depth.getValueIsAdjusting()) {
             updating = true;
             depth.setValue((int) Math.round(state.map(NeedleState::depthMm).orElse(0.0)));

@@ -8,6 +8,7 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.ScrollablePanel;
 
 /** The clinician's controls in the order of use: exercise, breath, target, entry, needle. */
@@ -26,8 +27,6 @@ public final class RehearsalDock extends JPanel {
         add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
         JLabel notice = new JLabel(Disclaimer.TEXT);
         notice.putClientProperty("FlatLaf.styleClass", "small");
-        JPanel foot = new JPanel(new MigLayout("insets 4 10 6 10", "[grow, fill, 0::]"));
-        foot.add(notice, "wmin 0");
-        add(foot, BorderLayout.SOUTH);
+        add(Controls.panel("insets 4 10 6 10", "[grow, fill, 0::]", notice), BorderLayout.SOUTH);
     }
 }

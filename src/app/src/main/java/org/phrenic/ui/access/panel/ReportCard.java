@@ -74,12 +74,9 @@ public final class ReportCard extends JPanel {
     private static List<String> goals(Rehearsal rehearsal) {
         List<String> lines = new ArrayList<>();
         for (Goals.GoalResult o : rehearsal.plan().goals().evaluate(rehearsal.record())) {
-            String mark = o.reached() ? "\u2713 " : "\u2717 ";
-            lines.add(
-                    o.goal().equals("hit")
-                            ? mark + "target hit"
-                            : mark + o.label() + " " + number(o.limit()) + ": "
-                                    + (Double.isFinite(o.value()) ? number(o.value()) : "no sample"));
+            String value = Double.isFinite(o.value()) ? number(o.value()) : "no sample";
+            String measure = o.label() + " " + number(o.limit()) + ": " + value;
+            lines.add((o.reached() ? "\u2713 " : "\u2717 ") + (o.goal().equals("hit") ? "target hit" : measure));
         }
         return lines;
     }
@@ -108,10 +105,11 @@ public final class ReportCard extends JPanel {
     }
 
     private static void addEvent(AttemptRecord r, AttemptEvent.Kind kind, String name, List<String> lines) {
-        r.first(kind)
-                .ifPresent(e -> lines.add(NumberFormats.text(
-                        "%s at %.1f s, breath %d, %s, %.0f mm deep",
-                        name, e.timeS(), e.breath(), e.label().name().toLowerCase(Locale.ROOT), e.depthMm())));
+        r.first(kind).ifPresent(e -> {
+            String phase = e.label().name().toLowerCase(Locale.ROOT);
+            String format = "%s at %.1f s, breath %d, %s, %.0f mm deep";
+            lines.add(NumberFormats.text(format, name, e.timeS(), e.breath(), phase, e.depthMm()));
+        });
     }
 
     private static String number(double value) {

@@ -1,5 +1,6 @@
 package org.phrenic.ui.access.panel;
 
+import java.util.List;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.plan.NeedleState;
@@ -21,7 +22,7 @@ public final class SectionDock extends JPanel implements RehearsalController.Lis
         super(new MigLayout("insets 0, gap 0 2, wrap 1", "[grow, fill, 0::]", "[grow, fill, 0::][grow, fill, 0::]"));
         this.rehearsal = rehearsal;
         setName("sections");
-        for (SectionView view : new SectionView[] {along, across}) {
+        for (SectionView view : List.of(along, across)) {
             add(view, "hmin 80");
             view.addMouseWheelListener(e -> rehearsal.needle().wheelTurned(e));
         }
@@ -40,8 +41,7 @@ public final class SectionDock extends JPanel implements RehearsalController.Lis
     @Override
     public void onState() {
         if (rehearsal.state().filter(NeedleState::hasNeedle).isEmpty()) {
-            along.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT);
-            across.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT);
+            List.of(along, across).forEach(view -> view.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT));
         }
     }
 

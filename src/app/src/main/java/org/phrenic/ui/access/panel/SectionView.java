@@ -26,6 +26,7 @@ import org.phrenic.ui.widget.Theme;
 public final class SectionView extends JPanel {
     private static final int MARGIN = 8;
     private static final double CROSS_ARM_MM = 6;
+    private static final double NEEDLE_BEYOND_SKIN = 60;
     private static final Color TARGET = new Color(0xf2c500);
     private static final Color NEEDLE = Theme.colour(0x1f4e79, 0x9cc9f2);
     private static final Color BACKGROUND = Theme.colour(0xf2f5f7, 0x1d2226);
@@ -102,7 +103,7 @@ public final class SectionView extends JPanel {
                 g.setColor(fillColour(part.kind(), colour));
                 g.fill(shape);
             }
-            g.setColor(sheet ? colour : outlineColour(colour));
+            g.setColor(sheet ? colour : Theme.isDark() ? colour.brighter() : colour.darker());
             g.setStroke(new BasicStroke(sheet ? 2f : 1f));
             g.draw(shape);
         }
@@ -115,17 +116,11 @@ public final class SectionView extends JPanel {
     }
 
     private static Color fillColour(StructureKind kind, Color colour) {
-        int alpha =
-                switch (kind) {
-                    case SKIN -> Theme.isDark() ? 46 : 60;
-                    case LUNG -> 130;
-                    default -> 225;
-                };
-        return Theme.withAlpha(colour, alpha);
-    }
-
-    private static Color outlineColour(Color colour) {
-        return Theme.isDark() ? colour.brighter() : colour.darker();
+        return switch (kind) {
+            case SKIN -> Theme.withAlpha(colour, Theme.isDark() ? 46 : 60);
+            case LUNG -> Theme.withAlpha(colour, 130);
+            default -> Theme.withAlpha(colour, 225);
+        };
     }
 
     private static void paintTarget(Graphics2D g, BodySection s, AffineTransform toPixels, double scale) {
@@ -149,13 +144,10 @@ public final class SectionView extends JPanel {
         g.setStroke(new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {6, 4}, 0));
         g.draw(new Line2D.Double(p[0], p[1], p[4], p[5]));
         if (placed) {
-            double beyond = 60;
-            double length = Math.hypot(p[4] - p[0], p[5] - p[1]);
-            double hx = p[0] - beyond * (p[4] - p[0]) / length;
-            double hy = p[1] - beyond * (p[5] - p[1]) / length;
+            double share = NEEDLE_BEYOND_SKIN / Math.hypot(p[4] - p[0], p[5] - p[1]);
             g.setColor(NEEDLE);
             g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            g.draw(new Line2D.Double(hx, hy, p[2], p[3]));
+            g.draw(new Line2D.Double(p[0] - share * (p[4] - p[0]), p[1] - share * (p[5] - p[1]), p[2], p[3]));
         }
     }
 
@@ -163,11 +155,8 @@ public final class SectionView extends JPanel {
         double[] at = new double[2];
         toPixels.transform(s.tip(), 0, at, 0, 1);
         double reach = CROSS_ARM_MM * scale;
-        Path2D cross = new Path2D.Double();
-        cross.moveTo(at[0] - reach, at[1]);
-        cross.lineTo(at[0] + reach, at[1]);
-        cross.moveTo(at[0], at[1] - reach);
-        cross.lineTo(at[0], at[1] + reach);
+        Path2D cross = new Path2D.Double(new Line2D.Double(at[0] - reach, at[1], at[0] + reach, at[1]));
+        cross.append(new Line2D.Double(at[0], at[1] - reach, at[0], at[1] + reach), false);
         g.setStroke(new BasicStroke(4f));
         g.setColor(BACKGROUND);
         g.draw(cross);

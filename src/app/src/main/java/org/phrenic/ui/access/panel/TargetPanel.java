@@ -9,6 +9,7 @@ import javax.swing.JSpinner;
 import javax.swing.JToggleButton;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.TargetMotion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
@@ -88,11 +89,10 @@ final class TargetPanel extends AccessPanel {
             directions.setTextIfChanged(" ");
             return;
         }
-        double[] range = study.get().map().motion().rangeMm();
+        TargetMotion moves = study.get().map().motion();
+        double[] range = moves.rangeMm();
         double diameter = study.get().target().diameterMm();
-        motion.setTextIfChanged(NumberFormats.text(
-                "The target moves %.0f mm with the breath",
-                study.get().map().motion().excursionMm()));
+        motion.setTextIfChanged(NumberFormats.text("The target moves %.0f mm with the breath", moves.excursionMm()));
         directions.setTextIfChanged(NumberFormats.text(
                 "%.0f up-down, %.0f front-back, %.0f sideways; %.0f mm wide", range[2], range[1], range[0], diameter));
         size.setValue((int) Math.round(diameter));
