@@ -25,8 +25,8 @@ public final class BreathCycle {
         List<BreathMoment> moments = new ArrayList<>();
         Frame frame = surfaces.newFrame();
         for (int i = 0; i < phases; i++) {
-            while (!isDue(
-                    simulation.time() - start, simulation.stepper().dt(), simulation.breathDurationS(), i, phases)) {
+            double dt = simulation.stepper().dt();
+            while (!isDue(simulation.time() - start, dt, simulation.breathDurationS(), i, phases)) {
                 simulation.step();
             }
             surfaces.capture(frame);

@@ -33,14 +33,10 @@ public final class SkinPoint {
         tree.closest(local[0], local[1], local[2], hit);
         double distance = Math.sqrt(hit.distanceSquared);
         if (distance > TOLERANCE_MM) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin",
-                    place[0],
-                    place[1],
-                    place[2],
-                    distance,
-                    tree.isInside(local[0], local[1], local[2]) ? "inside the body" : "off the skin"));
+            String side = tree.isInside(local[0], local[1], local[2]) ? "inside the body" : "off the skin";
+            String format = "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin";
+            throw new BadInputException(
+                    String.format(Locale.ROOT, format, place[0], place[1], place[2], distance, side));
         }
         triangle = hit.triangle;
         weights = new double[] {hit.weightA, hit.weightB, hit.weightC};

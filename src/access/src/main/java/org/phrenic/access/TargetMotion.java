@@ -1,7 +1,7 @@
 package org.phrenic.access;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.Vectors;
 
@@ -21,13 +21,12 @@ public record TargetMotion(List<double[]> positions) {
 
     /** Range of motion along x, y and z (left, posterior, superior), mm. */
     public double[] rangeMm() {
-        return IntStream.range(0, 3)
-                .mapToDouble(axis -> coordinates(axis).max().orElse(0)
-                        - coordinates(axis).min().orElse(0))
-                .toArray();
+        return IntStream.range(0, 3).mapToDouble(this::range).toArray();
     }
 
-    private DoubleStream coordinates(int axis) {
-        return positions.stream().mapToDouble(p -> p[axis]);
+    private double range(int axis) {
+        DoubleSummaryStatistics all =
+                positions.stream().mapToDouble(p -> p[axis]).summaryStatistics();
+        return positions.isEmpty() ? 0 : all.getMax() - all.getMin();
     }
 }

@@ -159,25 +159,24 @@ final class AttemptLog {
     }
 
     List<String> warnings(Optional<PathAnalysis> needle, double pullMm) {
-        List<String> warnings =
-                new ArrayList<>(needle.map(n -> n.reasons(avoided)).orElse(List.of()));
+        List<String> warnings = new ArrayList<>();
+        needle.ifPresent(n -> warnings.addAll(n.reasons(avoided)));
         if (pullMm > AttemptRecord.PULL_WARNING_MM) {
-            warnings.add(String.format(
-                    Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));
+            String format = "the moving liver pulls the capsule %.0f mm aside of the needle";
+            warnings.add(String.format(Locale.ROOT, format, pullMm));
         }
         return warnings;
     }
 
     AttemptRecord record(TargetLesion target, Needle needle) {
+        double beganS = events.isEmpty() ? Double.NaN : events.get(0).timeS();
         return new AttemptRecord(
                 target,
                 needle,
                 Set.copyOf(avoided),
                 List.copyOf(samples),
                 List.copyOf(events),
-                events.isEmpty()
-                        ? 0
-                        : (Double.isNaN(endS) ? timeS : endS) - events.get(0).timeS(),
+                events.isEmpty() ? 0 : (Double.isNaN(endS) ? timeS : endS) - beganS,
                 insideS + (Double.isNaN(insideSinceS) ? 0 : timeS - insideSinceS),
                 tipTravelMm,
                 inNoGoS,

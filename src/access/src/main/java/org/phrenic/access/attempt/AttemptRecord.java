@@ -1,6 +1,5 @@
 package org.phrenic.access.attempt;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -108,8 +107,7 @@ public record AttemptRecord(
                 .with(
                         "closest",
                         closest.stream()
-                                .sorted(Comparator.comparingDouble(Approach::distanceMm)
-                                        .thenComparing(Approach::name))
+                                .sorted(Approach.NEAREST_FIRST)
                                 .map(Approach::toMap)
                                 .toList())
                 .with("events", events.stream().map(AttemptEvent::toMap).toList())

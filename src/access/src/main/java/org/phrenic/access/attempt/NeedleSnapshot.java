@@ -9,7 +9,6 @@ import org.phrenic.simulation.observe.Frame;
  * @param name name such as "sample"
  * @param frame private copy of the frame of the body
  * @param hub hub of the needle
- * @param entry entry point on the skin
  * @param target centre of the target
  */
 public record NeedleSnapshot(
@@ -17,7 +16,6 @@ public record NeedleSnapshot(
         Frame frame,
         RespiratoryPhase label,
         double[] hub,
-        double[] entry,
         double[] tip,
         double[] target,
         double targetRadiusMm) {}

@@ -27,15 +27,9 @@ public final class NeedleSnapshots {
 
     private void add(String name, NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
         NeedleShaft shaft = needle.shaft();
+        double radiusMm = needle.target().radiusMm();
         snapshots.add(new NeedleSnapshot(
-                name,
-                frame.copy(),
-                label,
-                needle.hubNow(),
-                shaft.entry(),
-                shaft.tip(),
-                needle.targetNow(),
-                needle.target().radiusMm()));
+                name, frame.copy(), label, needle.hubNow(), shaft.tip(), needle.targetNow(), radiusMm));
     }
 
     public List<NeedleSnapshot> all() {

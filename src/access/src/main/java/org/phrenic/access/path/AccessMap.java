@@ -21,6 +21,7 @@ import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.simulation.observe.Frame;
 
 /**
  * Accessibility map of a target: from which skin points, and at which moments of the breath, a straight path reaches
@@ -110,9 +111,8 @@ public final class AccessMap {
         List<MovingStructure> structures = anatomy.structures();
         for (int m = 0; m < cycle.size(); m++) {
             int moment = m;
-            workers.run(
-                    structures.size(),
-                    i -> structures.get(i).update(cycle.get(moment).frame()));
+            Frame frame = cycle.get(m).frame();
+            workers.run(structures.size(), i -> structures.get(i).update(frame));
             map.targets[m] = tissue.position(centre);
             TriangleMesh skin = map.skin.withPositions(anatomy.skin().positions());
             double[] normals = MeshMeasure.vertexNormals(skin);
@@ -256,8 +256,7 @@ public final class AccessMap {
      * @return empty if no path is ever free
      */
     public Optional<Integer> best(double sufficientMm) {
-        int longest = Math.max(
-                1, IntStream.range(0, size()).map(this::freeMoments).max().orElse(0));
+        int longest = IntStream.range(0, size()).map(this::freeMoments).reduce(1, Math::max);
         return shortest(v -> freeMoments(v) == longest, this::marginMm, sufficientMm);
     }
 
@@ -267,13 +266,10 @@ public final class AccessMap {
     }
 
     private Optional<Integer> shortest(IntPredicate allowed, IntToDoubleFunction margin, double sufficientMm) {
-        double largest = IntStream.range(0, size())
-                .filter(allowed)
-                .mapToDouble(margin)
-                .max()
-                .orElse(0);
-        return IntStream.range(0, size())
-                .filter(v -> allowed.test(v) && margin.applyAsDouble(v) >= Math.min(largest, sufficientMm))
+        int[] candidates = IntStream.range(0, size()).filter(allowed).toArray();
+        double largest = IntStream.of(candidates).mapToDouble(margin).max().orElse(0);
+        return IntStream.of(candidates)
+                .filter(v -> margin.applyAsDouble(v) >= Math.min(largest, sufficientMm))
                 .boxed()
                 .min(Comparator.comparingDouble(this::lengthMm));
     }

@@ -1,6 +1,7 @@
 package org.phrenic.access.path;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.Map;
 import org.phrenic.document.OrderedValues;
 
@@ -13,6 +14,10 @@ import org.phrenic.document.OrderedValues;
  * @param depthMm depth of the nearest point along the path, mm
  */
 public record Approach(String name, String label, double distanceMm, double depthMm) {
+    /** The order by distance; equal distances by name. */
+    public static final Comparator<Approach> NEAREST_FIRST =
+            Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name);
+
     /** Merges approaches into a map that keeps the smallest distance for each structure. */
     public static void merge(Map<String, Approach> closest, Collection<Approach> approaches) {
         approaches.forEach(a -> closest.merge(a.name, a, (x, y) -> y.distanceMm < x.distanceMm ? y : x));

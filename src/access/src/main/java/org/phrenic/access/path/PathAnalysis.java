@@ -41,9 +41,7 @@ public record PathAnalysis(
      */
     public List<String> reasons(Set<NoGoZone> avoided) {
         List<String> reasons = new ArrayList<>();
-        if (touches(NoGoZone.LUNG, avoided)) {
-            reasons.add("crosses lung");
-        }
+        addIfTouched(reasons, NoGoZone.LUNG, avoided, "crosses lung");
         if (avoided.contains(NoGoZone.BONE)) {
             approaches.stream()
                     .filter(a -> a.distanceMm() == 0)
@@ -51,23 +49,20 @@ public record PathAnalysis(
                     .filter(label -> label.contains("rib") || label.contains("cartilage"))
                     .forEach(label -> reasons.add("crosses " + label));
         }
-        if (reasons.isEmpty() && touches(NoGoZone.BONE, avoided)) {
-            reasons.add("touches bone");
+        if (reasons.isEmpty()) {
+            addIfTouched(reasons, NoGoZone.BONE, avoided, "touches bone");
         }
-        if (touches(NoGoZone.VESSELS, avoided)) {
-            reasons.add("runs close below " + costalGrooveRib + ", where its vessels and nerve are");
-        }
-        if (touches(NoGoZone.PLEURA, avoided)) {
-            reasons.add("crosses the pleural recess");
-        }
-        if (touches(NoGoZone.ORGAN, avoided)) {
-            reasons.add("crosses another organ");
-        }
+        String vessels = "runs close below " + costalGrooveRib + ", where its vessels and nerve are";
+        addIfTouched(reasons, NoGoZone.VESSELS, avoided, vessels);
+        addIfTouched(reasons, NoGoZone.PLEURA, avoided, "crosses the pleural recess");
+        addIfTouched(reasons, NoGoZone.ORGAN, avoided, "crosses another organ");
         return reasons;
     }
 
-    private boolean touches(NoGoZone zone, Set<NoGoZone> avoided) {
-        return noGo.contains(zone) && avoided.contains(zone);
+    private void addIfTouched(List<String> reasons, NoGoZone zone, Set<NoGoZone> avoided, String reason) {
+        if (noGo.contains(zone) && avoided.contains(zone)) {
+            reasons.add(reason);
+        }
     }
 
     public Map<String, Object> toMap() {

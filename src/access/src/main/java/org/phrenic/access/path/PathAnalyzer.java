@@ -67,7 +67,7 @@ public final class PathAnalyzer {
                 }
             }
         }
-        approaches.sort(Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name));
+        approaches.sort(Approach.NEAREST_FIRST);
         double wallDepth = chestWallDepth(entry, end);
         recess(pleuralDepth(entry, end), wallDepth, crossings).ifPresent(crossings::add);
         crossings.sort(Comparator.comparingDouble(Crossing::fromMm).thenComparing(Crossing::name));

@@ -71,17 +71,15 @@ public record PathOverBreath(
     }
 
     public Map<String, Object> toMap() {
+        List<OrderedValues> moments =
+                IntStream.range(0, analyses.size()).mapToObj(this::momentMap).toList();
         return new OrderedValues()
                 .with("moments", analyses.size())
                 .with("free_moments", freeMoments())
                 .with("target_moves_mm", motion.excursionMm())
                 .with("target_range_lr_ap_si_mm", motion.rangeMm())
                 .with("at_end_expiration", analyses.get(0).toMap())
-                .with(
-                        "over_the_breath",
-                        IntStream.range(0, analyses.size())
-                                .mapToObj(this::momentMap)
-                                .toList());
+                .with("over_the_breath", moments);
     }
 
     private OrderedValues momentMap(int m) {

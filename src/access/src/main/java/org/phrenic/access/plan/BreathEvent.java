@@ -39,11 +39,10 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
         Matcher m = TEXT.matcher(text.strip());
         for (Kind kind : Kind.values()) {
             if (m.matches() && kind.label().equals(m.group(1))) {
+                String number = m.group(2);
                 return new BreathEvent(
                         kind,
-                        m.group(2) == null
-                                ? OptionalInt.empty()
-                                : OptionalInt.of(Math.max(1, Integer.parseInt(m.group(2)))));
+                        number == null ? OptionalInt.empty() : OptionalInt.of(Math.max(1, Integer.parseInt(number))));
             }
         }
         throw new IllegalArgumentException("found '" + text + "', expected seconds or one of "

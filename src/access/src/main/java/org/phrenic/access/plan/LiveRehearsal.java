@@ -117,26 +117,21 @@ public final class LiveRehearsal implements StepListener {
         before = phase;
         breathBefore = breath;
         if (done) {
-            listener.finished(new LiveAttempt(
-                    player == null ? steps.stepsUntil(timeS) : plan.steps(),
-                    target,
-                    needle.record(),
-                    snapshots.all(),
-                    timeS,
-                    run.commandHash()));
+            List<PlanStep> taken = player == null ? steps.stepsUntil(timeS) : plan.steps();
+            listener.finished(
+                    new LiveAttempt(taken, target, needle.record(), snapshots.all(), timeS, run.commandHash()));
             over = true;
         }
         if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
             describedNs = System.nanoTime();
-            state = describe(breath);
+            state = describe();
         }
     }
 
     private void begin() {
         needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
         snapshots = new NeedleSnapshots();
-        player = map.map(known -> new PlanPlayer(plan, needle, known, this::hold))
-                .orElse(null);
+        player = map.isPresent() ? new PlanPlayer(plan, needle, map.get(), this::hold) : null;
         holdAt = Optional.empty();
         before = RespiratoryPhase.PAUSE;
         breathBefore = 1;
@@ -261,7 +256,7 @@ public final class LiveRehearsal implements StepListener {
         });
     }
 
-    private NeedleState describe(int breath) {
+    private NeedleState describe() {
         NeedleShaft shaft = needle.shaft();
         double[] centre = needle.targetNow();
         boolean placed = shaft.isPlaced();
@@ -278,7 +273,6 @@ public final class LiveRehearsal implements StepListener {
         double depth = placed ? shaft.depth() : 0;
         return new NeedleState(
                 timeS,
-                breath,
                 phase,
                 centre,
                 target.radiusMm(),
@@ -291,14 +285,12 @@ public final class LiveRehearsal implements StepListener {
                 shaft.isTipAnchored(),
                 needle.isMoving(),
                 placed ? Optional.of(needle.targetingError()) : Optional.empty(),
-                path,
                 path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),
                 margin.mm(),
                 anatomy.labelOf(margin.nearest()),
                 placed ? needle.warnings() : List.of(),
                 needle.record().samples().size(),
-                holdAt.map(BreathEvent::text).orElse(""),
-                player != null);
+                holdAt.map(BreathEvent::text).orElse(""));
     }
 
     /** The current state; null before the first frame. */

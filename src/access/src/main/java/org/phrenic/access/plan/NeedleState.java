@@ -3,13 +3,11 @@ package org.phrenic.access.plan;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.access.attempt.TargetingError;
-import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /**
  * State of a live rehearsal at one frame, for display. Positions are LPS, mm. Arrays are read-only.
  *
- * @param breath number of the breath, starting at 1
  * @param target centre of the target
  * @param entry entry point of the needle, or the chosen entry point; empty if none is chosen
  * @param placed whether the needle is on or in the body
@@ -18,18 +16,16 @@ import org.phrenic.breathing.RespiratoryPhase;
  * @param depthMm depth of the tip below the skin, mm
  * @param aimedDepthMm depth of the target along the needle, mm; before placement, measured from the entry point
  * @param targetingError targeting error; empty before placement
- * @param path path from the skin to the target, or to the aimed depth of a placed needle; empty without an entry point
- * @param reasons reasons why the path is not free, as text; empty if it is free
+ * @param reasons reasons why the path from the skin to the target, or to the aimed depth of a placed needle, is not
+ *     free, as text; empty if it is free
  * @param marginMm margin of the path to the avoided zones, mm; 0 if it is not free
  * @param nearest label of the structure that limits the margin; empty if there is none
  * @param warnings warnings about the needle in the body, as text
  * @param samples samples taken so far
  * @param pendingHold event at which a requested breath hold will start, as text; empty if there is none
- * @param playback whether a plan is being played
  */
 public record NeedleState(
         double timeS,
-        int breath,
         RespiratoryPhase label,
         double[] target,
         double targetRadiusMm,
@@ -42,14 +38,12 @@ public record NeedleState(
         boolean inLiver,
         boolean moving,
         Optional<TargetingError> targetingError,
-        Optional<PathAnalysis> path,
         List<String> reasons,
         double marginMm,
         String nearest,
         List<String> warnings,
         int samples,
-        String pendingHold,
-        boolean playback) {
+        String pendingHold) {
     /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.IntercostalSpace;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
@@ -54,15 +55,9 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
                 : free < moments
                         ? "Free in " + Math.round(100.0 * free / moments) + " % of the breath"
                         : close ? "Free over the whole breath, but close" : "Free over the whole breath";
-        String margin = tightest < 0
-                ? ""
-                : margin(path.marginsMm()[tightest], path.analyses().get(tightest));
-        return new PathAdvice(
-                level,
-                headline,
-                List.copyOf(reasons),
-                margin,
-                way(path.analyses().get(0)));
+        List<PathAnalysis> analyses = path.analyses();
+        String margin = tightest < 0 ? "" : margin(path.marginsMm()[tightest], analyses.get(tightest));
+        return new PathAdvice(level, headline, List.copyOf(reasons), margin, way(analyses.get(0)));
     }
 
     /** Text such as "8.3 mm from right lung". */
@@ -70,12 +65,10 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
             return "nothing to be avoided within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
         }
-        boolean groove = path.approaches().isEmpty()
-                || path.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM
-                        < path.approaches().get(0).distanceMm() - 1;
-        String nearest = groove
-                ? "the vessels below " + path.costalGrooveRib()
-                : path.approaches().get(0).label();
+        Approach first = path.approaches().isEmpty() ? null : path.approaches().get(0);
+        double grooveMm = path.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM;
+        boolean groove = first == null || grooveMm < first.distanceMm() - 1;
+        String nearest = groove ? "the vessels below " + path.costalGrooveRib() : first.label();
         return String.format(Locale.ROOT, "%.1f mm from %s", marginMm, nearest);
     }
 

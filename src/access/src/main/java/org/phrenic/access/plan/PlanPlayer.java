@@ -55,13 +55,11 @@ public final class PlanPlayer {
     private boolean isDone(PlanStep step, RespiratoryPhase phase, int breath) {
         try {
             if (needle.timeS() > plan.timeoutS()) {
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
-                        "found it not done after %.0f s%s, expected it sooner (give_up_after_s)",
-                        plan.timeoutS(),
-                        step instanceof PlanStep.WaitFor wait
-                                ? ", there was no " + wait.event().text()
-                                : ""));
+                String format = "found it not done after %.0f s%s, expected it sooner (give_up_after_s)";
+                String missed = step instanceof PlanStep.WaitFor w
+                        ? ", there was no " + w.event().text()
+                        : "";
+                throw new BadInputException(String.format(Locale.ROOT, format, plan.timeoutS(), missed));
             }
             boolean first = !begun;
             if (first) {
@@ -84,9 +82,8 @@ public final class PlanPlayer {
         if (step instanceof PlanStep.HoldBreath hold) {
             breathing.hold(hold.held(), hold.place());
         } else if (step instanceof PlanStep.Place place) {
-            double[] entry = entry(place, map);
             double[] aim = point(place.aim());
-            needle.placeAtRest(entry, aim);
+            needle.placeAtRest(entry(place, map), aim);
             aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         } else if (step instanceof PlanStep.Redirect redirect) {
             double[] aim = point(redirect.aim());

@@ -97,28 +97,23 @@ final class PlanStepYaml {
         if (!isText(map, "entry")) {
             return Optional.of(point(map, "entry"));
         }
-        if (!List.of(BEST, BEST_AT_REST).contains(map.text("entry"))) {
-            throw map.bad(
-                    "entry",
-                    "found '" + map.text("entry") + "', expected '" + BEST + "', '" + BEST_AT_REST
-                            + "' or three numbers in mm");
-        }
+        requireChoice(map, "entry", BEST, BEST_AT_REST);
         return Optional.empty();
+    }
+
+    private static void requireChoice(YamlMap map, String key, String one, String other) {
+        String found = map.text(key, one);
+        if (!found.equals(one) && !found.equals(other)) {
+            throw map.bad(key, "found '" + found + "', expected '" + one + "', '" + other + "' or three numbers in mm");
+        }
     }
 
     private static PlanStep.Aim aim(YamlMap map) {
         if (map.has("aim") && !isText(map, "aim")) {
             return new PlanStep.Aim(Optional.of(point(map, "aim")), false);
         }
-        return switch (map.text("aim", AIM)) {
-            case AIM -> PlanStep.Aim.TARGET;
-            case AIM_AT_REST -> PlanStep.Aim.TARGET_AT_REST;
-            default ->
-                throw map.bad(
-                        "aim",
-                        "found '" + map.text("aim")
-                                + "', expected 'target', 'target-at-end-expiration' or three numbers in mm");
-        };
+        requireChoice(map, "aim", AIM, AIM_AT_REST);
+        return map.text("aim", AIM).equals(AIM) ? PlanStep.Aim.TARGET : PlanStep.Aim.TARGET_AT_REST;
     }
 
     private static boolean isText(YamlMap map, String key) {
@@ -143,15 +138,8 @@ final class PlanStepYaml {
             return Map.of("hold_breath", hold.held());
         } else if (step instanceof PlanStep.Place place) {
             Object best = place.atEndExpiration() ? BEST_AT_REST : BEST;
-            return Map.of(
-                    "place",
-                    new OrderedValues()
-                            .with(
-                                    "entry",
-                                    place.entryRest().isPresent()
-                                            ? place.entryRest().get()
-                                            : best)
-                            .with("aim", toPlain(place.aim())));
+            Object entry = place.entryRest().isPresent() ? place.entryRest().get() : best;
+            return Map.of("place", new OrderedValues().with("entry", entry).with("aim", toPlain(place.aim())));
         } else if (step instanceof PlanStep.Redirect redirect) {
             return Map.of("redirect", Map.of("aim", toPlain(redirect.aim())));
         } else if (step instanceof PlanStep.Advance advance) {

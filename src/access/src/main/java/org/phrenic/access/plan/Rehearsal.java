@@ -72,13 +72,10 @@ public record Rehearsal(
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.moments());
             long begun = System.nanoTime();
             TargetAccess access = TargetAccess.of(anatomy, cycle, target, plan.needle(), plan.avoided(), workers);
-            progress.note(String.format(
-                    Locale.ROOT,
-                    "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
-                    access.map().size(),
-                    access.map().counts().inReach(),
-                    cycle.size(),
-                    1e-9 * (System.nanoTime() - begun)));
+            String note = "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.";
+            int reached = access.map().counts().inReach();
+            double tookS = 1e-9 * (System.nanoTime() - begun);
+            progress.note(String.format(Locale.ROOT, note, access.map().size(), reached, cycle.size(), tookS));
             Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();
@@ -100,14 +97,12 @@ public record Rehearsal(
             NeedleSnapshots snapshots,
             SimulationRun.Progress progress) {
         NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());
-        PlanPlayer player = new PlanPlayer(
-                plan,
-                needle,
-                access.map(),
-                (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held)));
+        PlanPlayer.Breathing breathing =
+                (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held));
+        PlanPlayer player = new PlanPlayer(plan, needle, access.map(), breathing);
         Frame frame = surfaces.newFrame();
-        long stepsPerFrame =
-                Math.max(1, Math.round(FRAME_INTERVAL_S / simulation.stepper().dt()));
+        double dt = simulation.stepper().dt();
+        long stepsPerFrame = Math.max(1, Math.round(FRAME_INTERVAL_S / dt));
         boolean done = false;
         long begun = System.nanoTime();
         while (!done) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -12,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
@@ -162,10 +160,8 @@ public record RehearsalPlan(
         YamlMap target = yaml.map("target");
         target.requireOnly(List.of("rest_mm", "seed", "diameter_mm"));
         if (target.has("rest_mm") == target.has("seed")) {
-            throw yaml.bad(
-                    "target",
-                    "found " + (target.has("seed") ? "both" : "neither")
-                            + " of rest_mm and seed, expected one of them");
+            String found = target.has("seed") ? "both" : "neither";
+            throw yaml.bad("target", "found " + found + " of rest_mm and seed, expected one of them");
         }
         if (target.has("rest_mm") && !target.has("diameter_mm")) {
             throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
@@ -184,15 +180,13 @@ public record RehearsalPlan(
     }
 
     private static Scenario scenario(YamlMap yaml, Path file) {
-        Path folder = file.toAbsolutePath().getParent();
-        Scenario base =
-                yaml.has("scenario") ? Scenario.read(folder.resolve(yaml.text("scenario"))) : Scenario.defaults();
+        Scenario base = yaml.has("scenario")
+                ? Scenario.read(file.toAbsolutePath().resolveSibling(yaml.text("scenario")))
+                : Scenario.defaults();
         YamlMap set = yaml.mapOrEmpty("set");
-        List<Assignment> assignments = new ArrayList<>();
-        for (String key : set.keys()) {
-            assignments.add(Assignment.read(file + ": set " + key, key, set.text(key)));
-        }
-        return base.with(assignments);
+        return base.with(set.keys().stream()
+                .map(key -> Assignment.read(file + ": set " + key, key, set.text(key)))
+                .toList());
     }
 
     private static Needle needle(YamlMap yaml) {
@@ -211,17 +205,13 @@ public record RehearsalPlan(
         if (!yaml.has("avoid")) {
             return NoGoZone.defaults();
         }
+        List<String> known = Arrays.stream(NoGoZone.values()).map(NoGoZone::key).toList();
         Set<NoGoZone> avoided = EnumSet.noneOf(NoGoZone.class);
         for (String name : yaml.texts("avoid")) {
-            avoided.add(Arrays.stream(NoGoZone.values())
-                    .filter(zone -> zone.key().equals(name))
-                    .findFirst()
-                    .orElseThrow(() -> yaml.bad(
-                            "avoid",
-                            "found '" + name + "', expected "
-                                    + Arrays.stream(NoGoZone.values())
-                                            .map(NoGoZone::key)
-                                            .collect(Collectors.joining(", ")))));
+            if (!known.contains(name)) {
+                throw yaml.bad("avoid", "found '" + name + "', expected " + String.join(", ", known));
+            }
+            avoided.add(NoGoZone.values()[known.indexOf(name)]);
         }
         return avoided;
     }
@@ -233,24 +223,12 @@ public record RehearsalPlan(
 
     /** Returns a copy with a target at a fixed position and other steps, which last until {@code lastS}. */
     RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
-        double timeout = Math.max(timeoutS, Math.ceil(lastS + 1));
-        return copy(scenario, TargetSpec.of(target), timeout, List.copyOf(other));
+        return copy(scenario, TargetSpec.of(target), Math.max(timeoutS, Math.ceil(lastS + 1)), List.copyOf(other));
     }
 
-    private RehearsalPlan copy(Scenario other, TargetSpec target, double timeout, List<PlanStep> otherSteps) {
+    private RehearsalPlan copy(Scenario breath, TargetSpec lesion, double limitS, List<PlanStep> done) {
         return new RehearsalPlan(
-                title,
-                description,
-                difficulty,
-                other,
-                target,
-                needle,
-                avoided,
-                moments,
-                timeout,
-                goals,
-                otherSteps,
-                file);
+                title, description, difficulty, breath, lesion, needle, avoided, moments, limitS, goals, done, file);
     }
 
     /**
@@ -263,11 +241,10 @@ public record RehearsalPlan(
         if (!difficulty.isEmpty()) {
             map.put("difficulty", difficulty);
         }
+        OrderedValues tube = new OrderedValues().with("gauge", needle.gauge()).with("length_mm", needle.lengthMm());
         return map.with("scenario", scenarioFile)
                 .with("target", targetSpec.toMap())
-                .with(
-                        "needle",
-                        new OrderedValues().with("gauge", needle.gauge()).with("length_mm", needle.lengthMm()))
+                .with("needle", tube)
                 .with("avoid", avoided.stream().sorted().map(NoGoZone::key).toList())
                 .with("phases", moments)
                 .with("give_up_after_s", timeoutS)

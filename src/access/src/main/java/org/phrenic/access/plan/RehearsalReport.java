@@ -5,11 +5,14 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
+import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.PleuralReflection;
+import org.phrenic.access.TargetMotion;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
@@ -44,11 +47,7 @@ public final class RehearsalReport {
         OrderedValues map = new OrderedValues()
                 .with("title", plan.title())
                 .with("done", rehearsal.goalsReached())
-                .with(
-                        "goals",
-                        plan.goals().evaluate(record).stream()
-                                .map(Goals.GoalResult::toMap)
-                                .toList())
+                .with("goals", maps(plan.goals().evaluate(record), Goals.GoalResult::toMap))
                 .with("attempt", record.toMap());
         rehearsal.path().ifPresent(path -> map.put("path", path.toMap()));
         return map.with("access", access())
@@ -76,11 +75,11 @@ public final class RehearsalReport {
             }
             access.put("best", best);
         });
-        return access.with(
-                "by_space",
-                rehearsal.targetAccess().bySpace().stream()
-                        .map(TargetAccess.SpaceCount::toMap)
-                        .toList());
+        return access.with("by_space", maps(rehearsal.targetAccess().bySpace(), TargetAccess.SpaceCount::toMap));
+    }
+
+    private static <T> List<Map<String, Object>> maps(List<T> items, Function<T, Map<String, Object>> values) {
+        return items.stream().map(values).toList();
     }
 
     /** Definitions of the terms in the report, and the limitations of this body. */
@@ -113,13 +112,9 @@ public final class RehearsalReport {
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);
         rehearsal.path().ifPresent(path -> path(document, path));
         accessTable(document);
-        figure(
-                document,
-                "Where on the skin the target can be reached by a straight path, in per cent of a breath.",
-                mapPictures);
-        document.section("What the words mean");
-        document.points(definitions().toArray(String[]::new));
-        return document;
+        String caption = "Where on the skin the target can be reached by a straight path, in per cent of a breath.";
+        figure(document, caption, mapPictures);
+        return document.section("What the words mean").points(definitions().toArray(String[]::new));
     }
 
     private static void figure(ReportDocument document, String caption, List<Picture> pictures) {
@@ -135,11 +130,13 @@ public final class RehearsalReport {
         TargetingError last = record.samples().get(record.samples().size() - 1);
         return (record.hit() ? "Hit" : "Missed") + ": the tip was " + mm(last.distanceMm())
                 + " mm from the middle of a target of " + mm(rehearsal.target().diameterMm()) + " mm ("
-                + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)."
-                + rehearsal
-                        .path()
-                        .map(p -> " The target moves " + mm(p.motion().excursionMm()) + " mm in a breath.")
-                        .orElse("");
+                + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)." + motion();
+    }
+
+    private String motion() {
+        Optional<TargetMotion> motion = rehearsal.path().map(PathOverBreath::motion);
+        return motion.map(m -> " The target moves " + mm(m.excursionMm()) + " mm in a breath.")
+                .orElse("");
     }
 
     private void goals(ReportDocument document) {
@@ -163,11 +160,9 @@ public final class RehearsalReport {
     private void attempt(ReportDocument document) {
         document.section("The attempt");
         List<List<String>> rows = new ArrayList<>();
-        rows.add(List.of(
-                "Attempts, redirections, contacts with the skin",
-                record.count(AttemptEvent.Kind.SKIN_PUNCTURE)
-                        + ", " + record.count(AttemptEvent.Kind.REDIRECTION) + ", "
-                        + record.count(AttemptEvent.Kind.SKIN_CONTACT)));
+        String counts = record.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", "
+                + record.count(AttemptEvent.Kind.REDIRECTION) + ", " + record.count(AttemptEvent.Kind.SKIN_CONTACT);
+        rows.add(List.of("Attempts, redirections, contacts with the skin", counts));
         rows.add(List.of("Time from the first contact, s", number(record.timeS())));
         rows.add(List.of("Time in the body, s", number(record.insideS())));
         rows.add(List.of("Way of the tip by hand, mm", number(record.tipTravelMm())));
@@ -182,15 +177,12 @@ public final class RehearsalReport {
         rows.add(List.of("Capsule pulled aside at most, mm", number(record.capsulePullMm()) + warning));
         rows.add(List.of("Needle turned by the liver at most, degrees", number(record.rotationByLiverDeg())));
         document.table("", List.of(Column.text("Measure"), Column.number("Value")), rows);
+        List<Column> columns = new ArrayList<>(List.of(Column.text("Event")));
+        List.of("Depth, mm", "Time, s", "Breath", "Phase").forEach(name -> columns.add(Column.number(name)));
+        columns.add(Column.text("Breathing"));
         document.table(
                 "In order",
-                List.of(
-                        Column.text("Event"),
-                        Column.number("Depth, mm"),
-                        Column.number("Time, s"),
-                        Column.number("Breath"),
-                        Column.number("Phase"),
-                        Column.text("Breathing")),
+                columns,
                 record.events().stream().map(RehearsalReport::row).toList());
         document.table(
                 "Closest approaches of the needle",
@@ -204,13 +196,9 @@ public final class RehearsalReport {
 
     private static List<String> row(AttemptEvent e) {
         String kind = e.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
-        return List.of(
-                (kind + " " + e.structure()).strip(),
-                mm(e.depthMm()),
-                number(e.timeS()),
-                "" + e.breath(),
-                number(e.phase()),
-                e.label().name().toLowerCase(Locale.ROOT));
+        String name = (kind + " " + e.structure()).strip();
+        String breathing = e.label().name().toLowerCase(Locale.ROOT);
+        return List.of(name, mm(e.depthMm()), number(e.timeS()), "" + e.breath(), number(e.phase()), breathing);
     }
 
     private static void path(ReportDocument document, PathOverBreath path) {
@@ -224,6 +212,14 @@ public final class RehearsalReport {
                         .collect(Collectors.joining(", "))
                 + ". Free at " + path.freeMoments() + " of "
                 + path.analyses().size() + " moments.");
+        List<List<String>> rows = new ArrayList<>();
+        for (int m = 0; m < path.analyses().size(); m++) {
+            BreathMoment moment = path.cycle().get(m);
+            String reasons = String.join(", ", path.analyses().get(m).reasons(path.avoided()));
+            String phase = moment.label().name().toLowerCase(Locale.ROOT);
+            String free = reasons.isEmpty() ? "free" : reasons;
+            rows.add(List.of(number(moment.timeS()), phase, free, mm(path.marginsMm()[m])));
+        }
         document.table(
                 "",
                 List.of(
@@ -231,16 +227,7 @@ public final class RehearsalReport {
                         Column.text("Breathing"),
                         Column.text("Path"),
                         Column.number("Margin, mm")),
-                IntStream.range(0, path.analyses().size())
-                        .mapToObj(m -> List.of(
-                                number(path.cycle().get(m).timeS()),
-                                path.cycle().get(m).label().name().toLowerCase(Locale.ROOT),
-                                path.isFree(m)
-                                        ? "free"
-                                        : String.join(
-                                                ", ", path.analyses().get(m).reasons(path.avoided())),
-                                mm(path.marginsMm()[m])))
-                        .toList());
+                rows);
     }
 
     private void accessTable(ReportDocument document) {
