@@ -67,11 +67,8 @@ final class CurveLegend extends ScrollablePanel {
         time.setText(sample < 0 ? "-" : NumberFormats.fixedDecimals(ring.time(sample), 2) + " s");
         rows.forEach((curve, row) -> {
             double value = sample < 0 ? Double.NaN : ring.value(curve.index(), sample);
-            row.value.setText(
-                    Double.isNaN(value)
-                            ? "-"
-                            : NumberFormats.fixedDecimals(value, curve.decimals())
-                                    + NumberFormats.unitSuffix(curve.unit()));
+            String text = NumberFormats.fixedDecimals(value, curve.decimals());
+            row.value.setText(Double.isNaN(value) ? "-" : text + NumberFormats.unitSuffix(curve.unit()));
         });
     }
 

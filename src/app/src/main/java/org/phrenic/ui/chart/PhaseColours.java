@@ -4,9 +4,11 @@ import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
@@ -33,12 +35,8 @@ public final class PhaseColours {
 
     /** The phase of a status label; a pause if there is none of that name. */
     public static RespiratoryPhase parseLabel(String label) {
-        for (RespiratoryPhase phase : RespiratoryPhase.values()) {
-            if (phase.name().equalsIgnoreCase(label)) {
-                return phase;
-            }
-        }
-        return RespiratoryPhase.PAUSE;
+        Stream<RespiratoryPhase> all = Arrays.stream(RespiratoryPhase.values());
+        return all.filter(p -> p.name().equalsIgnoreCase(label)).findFirst().orElse(RespiratoryPhase.PAUSE);
     }
 
     /** Paints a band of a phase, with its name where there is room. */

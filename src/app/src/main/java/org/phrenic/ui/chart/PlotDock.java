@@ -1,7 +1,6 @@
 package org.phrenic.ui.chart;
 
 import java.awt.BorderLayout;
-import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -14,6 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.jfree.chart.JFreeChart;
+import org.jfree.data.Range;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.scene.export.PngFile;
 import org.phrenic.simulation.live.LiveScene;
@@ -83,19 +83,17 @@ public final class PlotDock extends JPanel implements Session.Listener {
         timeSpan.setToolTipText("Range of simulated time that is drawn");
         timeSpan.addActionListener(e -> followLatest());
         resetZoom.setEnabled(false);
-        JButton csv = Controls.button(
-                "CSV...",
-                "Save all recorded samples with the columns of observables.csv",
-                () -> save("Save samples", "observables.csv", this::saveCsv));
-        JButton png = Controls.button(
-                "PNG...",
-                "Save the plot as a picture of twice its size",
-                () -> save("Save plot", "plot.png", this::savePng));
         tools.add(label);
         tools.add(timeSpan);
         tools.add(resetZoom);
-        tools.add(csv);
-        tools.add(png);
+        tools.add(Controls.button(
+                "CSV...",
+                "Save all recorded samples with the columns of observables.csv",
+                () -> save("Save samples", "observables.csv", this::saveCsv)));
+        tools.add(Controls.button(
+                "PNG...",
+                "Save the plot as a picture of twice its size",
+                () -> save("Save plot", "plot.png", this::savePng)));
         return tools;
     }
 
@@ -150,8 +148,8 @@ public final class PlotDock extends JPanel implements Session.Listener {
 
     public void draw() {
         if (frozen) {
-            chart.update(
-                    ring, chart.timeAxis().getLowerBound(), chart.timeAxis().getUpperBound());
+            Range shown = chart.timeAxis().getRange();
+            chart.update(ring, shown.getLowerBound(), shown.getUpperBound());
             return;
         }
         double last = ring.size() == 0 ? 0 : ring.time(ring.size() - 1);
@@ -204,9 +202,8 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private void savePng(Path file) {
         int width = Math.max(panel.getWidth(), 400);
         int height = Math.max(panel.getHeight(), 200);
-        BufferedImage picture =
-                chart.chart().createBufferedImage(PNG_SCALE * width, PNG_SCALE * height, width, height, null);
-        PngFile.write(file, picture);
+        PngFile.write(
+                file, chart.chart().createBufferedImage(PNG_SCALE * width, PNG_SCALE * height, width, height, null));
     }
 
     @Override

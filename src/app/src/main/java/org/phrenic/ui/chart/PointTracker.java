@@ -61,11 +61,8 @@ final class PointTracker {
         int sample = ring.nearest(frame.timeS());
         for (Track track : tracks) {
             if (track != null) {
-                Surface surface = scene.surfaces().get(track.surface);
-                ring.set(
-                        track.curve.index(),
-                        sample,
-                        heightMm(surface, track.surface, track.vertex) - track.startHeightMm);
+                double heightMm = heightMm(scene.surfaces().get(track.surface), track.surface, track.vertex);
+                ring.set(track.curve.index(), sample, heightMm - track.startHeightMm);
             }
         }
     }
@@ -77,11 +74,8 @@ final class PointTracker {
             case STILL -> rest[3 * vertex + 2];
             case DEFORMING -> frame.positions(index)[3 * vertex + 2];
             case RIGID -> {
-                float[] pose = frame.pose(index);
-                yield pose[8] * rest[3 * vertex]
-                        + pose[9] * rest[3 * vertex + 1]
-                        + pose[10] * rest[3 * vertex + 2]
-                        + pose[11];
+                float[] r = frame.pose(index);
+                yield r[8] * rest[3 * vertex] + r[9] * rest[3 * vertex + 1] + r[10] * rest[3 * vertex + 2] + r[11];
             }
         };
     }

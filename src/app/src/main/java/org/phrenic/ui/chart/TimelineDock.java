@@ -1,6 +1,8 @@
 package org.phrenic.ui.chart;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -45,13 +47,10 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         if (history == null || history.frames() == 0) {
             return;
         }
-        int nearest = 0;
-        for (int i = 1; i < history.frames(); i++) {
-            if (Math.abs(history.frameTime(i) - wanted) < Math.abs(history.frameTime(nearest) - wanted)) {
-                nearest = i;
-            }
-        }
-        session.showHistoryFrame(nearest);
+        IntStream.range(0, history.frames())
+                .boxed()
+                .min(Comparator.comparingDouble(i -> Math.abs(history.frameTime(i) - wanted)))
+                .ifPresent(session::showHistoryFrame);
     }
 
     /** Goes a number of frames on; beyond the last it returns to the present. */
@@ -106,13 +105,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         double to = Math.max(history.frameTime(frames - 1), scrubbing ? 0 : now);
         double shown = scrubbing ? history.frameTime(session.historyFrame().getAsInt()) : now;
         bar.setTimeline(from, to, shown, PhaseBands.of(ring, from, to));
-        time.setText(
-                scrubbing
-                        ? NumberFormats.text("%.2f s, recorded", shown)
-                        : NumberFormats.text("%.2f s, %s", shown, liveStateText()));
-    }
-
-    private String liveStateText() {
-        return session.live().isPlaying() ? "live" : "paused";
+        String state = scrubbing ? "recorded" : session.live().isPlaying() ? "live" : "paused";
+        time.setText(NumberFormats.text("%.2f s, %s", shown, state));
     }
 }

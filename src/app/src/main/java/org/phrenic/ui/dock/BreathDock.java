@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -15,7 +16,6 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.breathing.BreathingTraceReader;
-import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
@@ -50,18 +50,16 @@ public final class BreathDock extends SessionDock {
     private final JLabel trace = new JLabel("Breath by preset");
     private final JButton removeTrace =
             Controls.iconButton(Icons.CLOSE, "Remove the recorded trace", this::removeTrace);
-    private final transient List<SliderRow> rows = new ArrayList<>();
+    private final transient List<SliderRow> rows;
 
     public BreathDock(Session session) {
         super(session);
         body.add(phasePanel());
         body.add(presetButtons());
-        for (Parameter p :
-                List.of(Breathing.RATE, Breathing.DEPTH, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE)) {
-            SliderRow row = new SliderRow(session, p);
-            rows.add(row);
-            body.add(row);
-        }
+        rows = Stream.of(Breathing.RATE, Breathing.DEPTH, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE)
+                .map(parameter -> new SliderRow(session, parameter))
+                .toList();
+        rows.forEach(body::add);
         body.add(trace());
         follow();
     }
@@ -125,8 +123,8 @@ public final class BreathDock extends SessionDock {
                 list.add(Assignment.of("window", parameter, next.defaultOf(parameter)));
             }
         }
-        EditName change =
-                new EditName("Breathing", ChoiceRow.displayName(scenario.preset()), ChoiceRow.displayName(name));
+        String before = ChoiceRow.displayName(scenario.preset());
+        EditName change = new EditName("Breathing", before, ChoiceRow.displayName(name));
         if (scenario.trace().isPresent()) {
             session.open(change, scenario.without(Breathing.TRACE).with(list));
         } else {
@@ -176,9 +174,8 @@ public final class BreathDock extends SessionDock {
         }
         bar.setPhase(history, status);
         int number = (int) (history.values(history.size() - 1)[BREATH] + 1);
-        RespiratoryPhase phase = PhaseColours.parseLabel(status.phaseLabel());
-        breath.setText(
-                "Breath " + number + ", " + PhaseColours.displayName(phase).toLowerCase(Locale.ROOT));
+        String phase = PhaseColours.parseLabel(status.phaseLabel()).name();
+        breath.setText("Breath " + number + ", " + phase.toLowerCase(Locale.ROOT));
     }
 
     JToggleButton presetButton(String name) {

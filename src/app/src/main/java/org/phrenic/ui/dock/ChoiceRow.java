@@ -1,13 +1,9 @@
 package org.phrenic.ui.dock;
 
-import java.awt.Component;
 import java.util.List;
 import java.util.function.BiConsumer;
 import javax.swing.DefaultComboBoxModel;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
-import javax.swing.JList;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.widget.Controls;
@@ -27,7 +23,7 @@ final class ChoiceRow extends SettingRow {
         super(choice, details(choice));
         this.choice = choice;
         comboBox.setModel(new DefaultComboBoxModel<>(options.toArray(String[]::new)));
-        comboBox.setRenderer(new OptionRenderer());
+        comboBox.setRenderer(Controls.renderer(option -> displayName(String.valueOf(option))));
         comboBox.setPrototypeDisplayValue("backward-euler");
         comboBox.addActionListener(e -> {
             String now = (String) comboBox.getSelectedItem();
@@ -86,15 +82,5 @@ final class ChoiceRow extends SettingRow {
             case "hold-inspiration" -> "Hold at inspiration";
             default -> Controls.capitalise(option).replace('-', ' ');
         };
-    }
-
-    private static final class OptionRenderer extends DefaultListCellRenderer {
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean selected, boolean focused) {
-            JLabel label = (JLabel) super.getListCellRendererComponent(list, value, index, selected, focused);
-            label.setText(displayName(String.valueOf(value)));
-            return label;
-        }
     }
 }

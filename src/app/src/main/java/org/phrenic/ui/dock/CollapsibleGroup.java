@@ -57,17 +57,13 @@ final class CollapsibleGroup extends JPanel {
         if (shownScenario == null) {
             return;
         }
-        boolean searching = !shownSearch.isBlank();
-        boolean any = false;
-        for (SettingRow row : rows) {
-            boolean there = row.applies(shownScenario) && row.matches(shownSearch);
-            if (there) {
-                row.show(shownScenario);
-            }
-            any |= there;
-            row.setVisible(there && (searching || expanded));
-        }
+        List<SettingRow> matching = rows.stream()
+                .filter(row -> row.applies(shownScenario) && row.matches(shownSearch))
+                .toList();
+        matching.forEach(row -> row.show(shownScenario));
+        boolean open = expanded || !shownSearch.isBlank();
+        rows.forEach(row -> row.setVisible(open && matching.contains(row)));
         updateHeading();
-        setVisible(any);
+        setVisible(!matching.isEmpty());
     }
 }

@@ -16,6 +16,7 @@ import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
+import org.phrenic.scene.style.ColourMap;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.scene.style.Transparency;
@@ -37,6 +38,9 @@ import org.phrenic.ui.widget.ScrollablePanel;
  */
 public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
+    private static final ColourField[] FIELDS = {
+        ColourField.NONE, ColourField.DISPLACEMENT, ColourField.STRAIN, ColourField.DISTANCE
+    };
 
     private record StructureItem(String structure, String name) {
         @Override
@@ -73,12 +77,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
     private final transient Session session;
     private final transient AppearanceModel appearance;
     private final transient Supplier<Optional<Path>> chooser;
-    private final JComboBox<String> field = Controls.describe(
-            new JComboBox<>(new String[] {
-                "No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label(), "Distance to a surface"
-            }),
-            "Colours show",
-            "What the colours show");
+    private final JComboBox<ColourField> field =
+            Controls.describe(new JComboBox<>(FIELDS), "Colours show", "What the colours show");
     private final JButton reference;
     private final JComboBox<StructureItem> structure = Controls.describe(
             new JComboBox<>(), "Coloured structure", "Structure that carries the colours and the shape at rest");
@@ -155,6 +155,11 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         Controls.describe(reference, "Surface to measure from", reference.getToolTipText());
         reference.setVisible(false);
         structure.addActionListener(e -> applyColours());
+        field.setRenderer(Controls.renderer(shown -> switch ((ColourField) shown) {
+            case NONE -> "No colours";
+            case DISTANCE -> "Distance to a surface";
+            default -> ((ColourField) shown).label();
+        }));
         field.addActionListener(e -> onFieldSelected());
         minimum.addActionListener(e -> applyColours());
         maximum.addActionListener(e -> applyColours());
@@ -188,17 +193,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         }
     }
 
-    private ColourField selectedField() {
-        return switch (field.getSelectedIndex()) {
-            case 1 -> ColourField.DISPLACEMENT;
-            case 2 -> ColourField.STRAIN;
-            case 3 -> ColourField.DISTANCE;
-            default -> ColourField.NONE;
-        };
-    }
-
     private void onFieldSelected() {
-        ColourField selected = selectedField();
+        ColourField selected = (ColourField) field.getSelectedItem();
         boolean strain = selected == ColourField.STRAIN;
         minimum.setText(strain ? "-30" : "0");
         maximum.setText(strain ? "30" : "20");
@@ -235,24 +231,22 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         if (chosen == null) {
             return;
         }
-        ColourField selected = selectedField();
+        ColourField selected = (ColourField) field.getSelectedItem();
         boolean unmeasured =
                 selected == ColourField.DISTANCE && appearance.reference().isEmpty();
         ColourField shown = unmeasured ? ColourField.NONE : selected;
         Optional<ColourScale> scale = scale(shown);
         minimum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         maximum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
-        scale.ifPresent(
-                colours -> appearance.changeStyle(style -> style.withField(shown, chosen.structure(), colours)));
+        scale.ifPresent(s -> appearance.changeStyle(style -> style.withField(shown, chosen.structure(), s)));
     }
 
     private Optional<ColourScale> scale(ColourField shown) {
         try {
             double from = Double.parseDouble(minimum.getText().strip());
             double to = Double.parseDouble(maximum.getText().strip());
-            ColourScale scale =
-                    shown == ColourField.STRAIN ? ColourScale.diverging(1, "%") : ColourScale.sequential(1, "mm");
-            return Optional.of(scale.withRange(from, to));
+            ColourMap map = shown == ColourField.STRAIN ? ColourMap.COOL_WARM : ColourMap.VIRIDIS;
+            return Optional.of(new ColourScale(map, from, to, shown == ColourField.STRAIN ? "%" : "mm"));
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }

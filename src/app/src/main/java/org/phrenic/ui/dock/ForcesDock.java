@@ -44,8 +44,7 @@ public final class ForcesDock extends SessionDock {
         for (Setting<?> choice : SWITCHES) {
             JCheckBox box = new JCheckBox(choice.label());
             box.setToolTipText(SettingRow.tip(choice.description(), "key " + choice.key()));
-            box.addActionListener(
-                    e -> change(choice, String.valueOf(!box.isSelected()), String.valueOf(box.isSelected())));
+            box.addActionListener(e -> change(choice, "" + !box.isSelected(), "" + box.isSelected()));
             boxes.put(choice, box);
             JLabel when = new JLabel(choice.isLive() ? "" : "reloads");
             when.setEnabled(false);

@@ -52,9 +52,7 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
         shownGroups = appearance.groups();
         removeAll();
         rows.clear();
-        for (AppearanceModel.Group group : shownGroups) {
-            addRow(group);
-        }
+        shownGroups.forEach(this::addRow);
         JButton reset = Controls.button("As in an atlas", "The default appearance of all organs", appearance::reset);
         add(reset, "gaptop 6, growx 0, alignx left");
         refresh();
@@ -97,18 +95,16 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
     }
 
     private void pickColour(AppearanceModel.Group group) {
-        Color now = colour(group);
-        Color picked = JColorChooser.showDialog(this, "Colour of " + group.label(), now, false);
+        Color picked = JColorChooser.showDialog(this, "Colour of " + group.label(), colour(group), false);
         if (picked != null) {
-            float[] rgb = picked.getRGBColorComponents(null);
-            change(group, look -> look.withRgb(rgb));
+            change(group, look -> look.withRgb(picked.getRGBColorComponents(null)));
         }
     }
 
     private Color colour(AppearanceModel.Group group) {
         return appearance
                 .appearance(group)
-                .map(look -> new Color(look.rgb()[0], look.rgb()[1], look.rgb()[2]))
+                .map(look -> new Color(look.packedRgb()))
                 .orElse(Color.GRAY);
     }
 

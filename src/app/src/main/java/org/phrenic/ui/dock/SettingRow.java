@@ -29,9 +29,8 @@ abstract class SettingRow extends JPanel {
         super(new MigLayout("insets 2 10 3 6, fillx, hidemode 3, gapy 0", COLUMNS));
         this.setting = setting;
         String key = setting.key();
-        searchText = (setting.label() + " " + key + " " + key.replace('_', ' ') + " " + setting.description() + " "
-                        + details)
-                .toLowerCase(Locale.ROOT);
+        String words = String.join(" ", setting.label(), key, key.replace('_', ' '), setting.description(), details);
+        searchText = words.toLowerCase(Locale.ROOT);
         tip = tip(setting.description(), details);
         label = new JLabel(setting.label());
         label.setToolTipText(tip);
@@ -74,7 +73,7 @@ abstract class SettingRow extends JPanel {
     }
 
     private void showMessage() {
-        String sentence = inputMessage.isEmpty() ? hint : inputMessage;
+        String sentence = message();
         if (!sentence.isEmpty()) {
             boolean isWarning = !inputMessage.isEmpty() || hintIsWarning;
             message.setForeground(isWarning ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);

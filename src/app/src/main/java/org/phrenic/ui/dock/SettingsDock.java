@@ -16,6 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
@@ -119,10 +120,9 @@ public final class SettingsDock extends JPanel {
             Scenario stored = store.load(name);
             EditName change = EditName.of("Settings '" + name + "'");
             // Settings that differ in live parameters alone change without reloading the scene.
-            session.scenario()
-                    .liveChangesTo(stored, "window")
-                    .ifPresentOrElse(
-                            list -> session.changeSeparately(change, list), () -> session.open(change, stored));
+            Optional<List<Assignment>> live = session.scenario().liveChangesTo(stored, "window");
+            live.ifPresentOrElse(
+                    changes -> session.changeSeparately(change, changes), () -> session.open(change, stored));
         });
     }
 

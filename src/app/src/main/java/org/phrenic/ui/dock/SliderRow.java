@@ -46,10 +46,10 @@ final class SliderRow extends SettingRow {
         this.session = session;
         this.setting = setting;
         unit = setting.unit();
-        double physical = Scenario.defaults().get(setting);
-        double usual = Double.isNaN(physical)
-                ? Scenario.defaults().withMaterial(Materials.PAPER).get(setting)
-                : physical;
+        double usual = Scenario.defaults().get(setting);
+        if (Double.isNaN(usual)) {
+            usual = Scenario.defaults().withMaterial(Materials.PAPER).get(setting);
+        }
         scale = SliderScale.of(setting.minimum(), setting.maximum(), usual);
         slider.setMinimumSize(new Dimension(40, slider.getPreferredSize().height));
         slider.getAccessibleContext().setAccessibleName(setting.label());
@@ -102,9 +102,8 @@ final class SliderRow extends SettingRow {
         }
         double typed = number.getAsDouble();
         double taken = Math.max(scale.minimum(), Math.min(scale.maximum(), typed));
-        String message = NumberFormats.withUnit(typed, unit) + " is out of range; "
-                + (taken < typed ? "the largest, " : "the smallest, ") + NumberFormats.withUnit(taken, unit)
-                + ", is taken.";
+        String end = (taken < typed ? "the largest, " : "the smallest, ") + NumberFormats.withUnit(taken, unit);
+        String message = NumberFormats.withUnit(typed, unit) + " is out of range; " + end + ", is taken.";
         take(taken, taken == typed ? "" : message);
     }
 

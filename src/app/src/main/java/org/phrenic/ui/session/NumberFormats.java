@@ -30,18 +30,15 @@ public final class NumberFormats {
         if (!Double.isFinite(value)) {
             return "-";
         }
-        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
-        double size = Math.abs(rounded.doubleValue());
+        MathContext rounding = new MathContext(digits, RoundingMode.HALF_EVEN);
+        BigDecimal plain = new BigDecimal(value).round(rounding).stripTrailingZeros();
+        double size = Math.abs(plain.doubleValue());
         if (size == 0) {
             return "0";
         }
-        return size < MIN_PLAIN || size >= MAX_PLAIN
-                ? scientific(rounded)
-                : rounded.stripTrailingZeros().toPlainString();
-    }
-
-    private static String scientific(BigDecimal value) {
-        BigDecimal plain = value.stripTrailingZeros();
+        if (size >= MIN_PLAIN && size < MAX_PLAIN) {
+            return plain.toPlainString();
+        }
         int exponent = plain.precision() - plain.scale() - 1;
         return plain.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
     }

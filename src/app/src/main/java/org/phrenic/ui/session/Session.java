@@ -201,11 +201,6 @@ public final class Session implements AutoCloseable {
         live.setSpeed(factor);
     }
 
-    /** The speed that the user wants. */
-    public double speed() {
-        return speed;
-    }
-
     /** Goes back to the speed that the user wants. */
     public void restoreSpeed() {
         live.setSpeed(speed);

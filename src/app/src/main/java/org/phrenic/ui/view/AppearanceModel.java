@@ -121,12 +121,8 @@ public final class AppearanceModel {
     }
 
     private void apply(Group group, UnaryOperator<Appearance> change) {
-        for (Surface surface : surfaces) {
-            Optional<Appearance> before = group.contains(surface) ? style.appearance(surface.name()) : Optional.empty();
-            if (before.isPresent()) {
-                style = style.withAppearance(surface.name(), change.apply(before.get()));
-            }
-        }
+        List<Surface> members = surfaces.stream().filter(group::contains).toList();
+        style = style.withAppearances(members, (surface, look) -> change.apply(look));
     }
 
     /** Changes the style apart from the structures. */

@@ -150,18 +150,18 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Draws the present frame at any size; {@code done} gets it on the render thread. */
     void snapshot(Camera camera, SceneStyle style, int width, int height, Consumer<BufferedImage> done) {
-        update(() -> tasks.add(gl -> {
+        runTask(gl -> {
             if (renderer != null) {
-                done.accept(gl.render(
-                        renderer, frame, camera, NeedleMarkers.apply(shownMarks, renderer, style), width, height));
+                SceneStyle marked = NeedleMarkers.apply(shownMarks, renderer, style);
+                done.accept(gl.render(renderer, frame, camera, marked, width, height));
             }
-        }));
+        });
     }
 
     /** Picks the surface under a pixel; {@code done} gets the result on the render thread. */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
-        update(() -> tasks.add(gl -> {
+        runTask(gl -> {
             if (scene != null && scene.id() == at.scene().id()) {
                 if (picker == null) {
                     picker = new Picker(scene.surfaces());
@@ -169,7 +169,7 @@ public final class RenderLoop implements AutoCloseable {
                 double[] sight = at.camera().ray(px, py, at.width(), at.height());
                 done.accept(picker.pick(frame, sight, opacity));
             }
-        }));
+        });
     }
 
     private void update(Runnable what) {
@@ -273,9 +273,8 @@ public final class RenderLoop implements AutoCloseable {
             return false;
         }
         if (wanted.style().field() == ColourField.DISTANCE) {
-            wanted.reference()
-                    .ifPresent(field ->
-                            colourByDistance(field, wanted.style().colouring().structure()));
+            String structure = wanted.style().colouring().structure();
+            wanted.reference().ifPresent(field -> colourByDistance(field, structure));
         }
         if (!wanted.accessColours().equals(shownAccess)) {
             shownAccess = wanted.accessColours();
@@ -286,8 +285,9 @@ public final class RenderLoop implements AutoCloseable {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);
         });
-        listener.onFrame(
-                new RenderedFrame(canvas, wanted, frame.step(), timeText(wanted), shownMarks, renderer.statistics()));
+        String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
+        String time = Annotations.timestamp(frame.timeS(), phase);
+        listener.onFrame(new RenderedFrame(canvas, wanted, frame.step(), time, shownMarks, renderer.statistics()));
         return true;
     }
 
@@ -297,11 +297,6 @@ public final class RenderLoop implements AutoCloseable {
             field.upload(renderer, frame, structure);
             shownDistances = now;
         }
-    }
-
-    private String timeText(Request wanted) {
-        return Annotations.timestamp(
-                frame.timeS(), wanted.historyFrame() < 0 ? live.status().phaseLabel() : "recorded");
     }
 
     private boolean takeHistoryFrame(int index) {

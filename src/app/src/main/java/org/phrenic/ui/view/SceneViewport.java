@@ -9,6 +9,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import org.phrenic.scene.annotate.Annotations;
@@ -169,17 +170,20 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     /** A click: for the tool if it is picking, else it names the structure. */
     void click(int x, int y, boolean twice) {
         if (tool.isPresent() && tool.get().isPicking() && scene != null) {
-            MouseTool awaiting = tool.get();
-            double scale = scale();
-            renderLoop.pick(
-                    x * scale,
-                    y * scale,
-                    request(),
-                    awaiting::pickOpacity,
-                    found -> SwingUtilities.invokeLater(() -> awaiting.picked(found)));
+            pick(x, y, tool.get()::pickOpacity, tool.get()::picked);
         } else {
             pick(x, y, twice);
         }
+    }
+
+    private void pick(int x, int y, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
+        double scale = scale();
+        renderLoop.pick(
+                x * scale,
+                y * scale,
+                request(),
+                opacity,
+                found -> SwingUtilities.invokeLater(() -> done.accept(found)));
     }
 
     /** Names the structure under a pixel; {@code turnAbout} makes it the centre of rotation. */
@@ -187,23 +191,17 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         if (scene == null) {
             return;
         }
-        double scale = scale();
         SceneStyle seen = appearance.style();
-        renderLoop.pick(
-                x * scale,
-                y * scale,
-                request(),
-                surface -> AppearanceModel.opacity(seen, surface),
-                found -> SwingUtilities.invokeLater(() -> {
-                    picked = found;
-                    pickListener.accept(found.map(pick -> pick.displayName() + "   " + pick.positionText())
-                            .orElse(""));
-                    appearance.changeStyle(style -> style.withHighlighted(
-                            found.map(PickResult::surface).map(Surface::name).orElse("")));
-                    if (turnAbout) {
-                        found.ifPresent(pick -> setCamera(camera.withTarget(pick.x(), pick.y(), pick.z())));
-                    }
-                }));
+        pick(x, y, surface -> AppearanceModel.opacity(seen, surface), found -> {
+            picked = found;
+            pickListener.accept(
+                    found.map(p -> p.displayName() + "   " + p.positionText()).orElse(""));
+            String name = found.map(p -> p.surface().name()).orElse("");
+            appearance.changeStyle(style -> style.withHighlighted(name));
+            if (turnAbout) {
+                found.ifPresent(p -> setCamera(camera.withTarget(p.x(), p.y(), p.z())));
+            }
+        });
     }
 
     /** Draws an image with annotations; {@code done} gets it on the render thread. */

@@ -4,13 +4,17 @@ import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.util.function.Function;
 import javax.swing.AbstractButton;
+import javax.swing.DefaultListCellRenderer;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
+import javax.swing.ListCellRenderer;
 import net.miginfocom.swing.MigLayout;
 
 /** Makes controls of one style; each has a tooltip and an accessible name. */
@@ -36,6 +40,17 @@ public final class Controls {
             panel.add(part, "wmin 0");
         }
         return panel;
+    }
+
+    /** A renderer of lists that shows the text of each value. */
+    public static ListCellRenderer<Object> renderer(Function<Object, String> text) {
+        return new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> list, Object value, int index, boolean selected, boolean focused) {
+                return super.getListCellRendererComponent(list, text.apply(value), index, selected, focused);
+            }
+        };
     }
 
     /** A flat button with an icon, as in a tool bar. */

@@ -68,23 +68,17 @@ public record SliderScale(double minimum, double maximum, double firstPositive) 
             int first = firstLogPosition();
             double share = (place - first) / (double) (POSITIONS - first);
             double ratio = Math.pow(maximum / firstPositive, 1.0 / (POSITIONS - first));
-            return round(
-                    firstPositive * Math.pow(maximum / firstPositive, share),
-                    ratio < FINE_RATIO ? FINE_DIGITS : DIGITS);
+            BigDecimal value = new BigDecimal(firstPositive * Math.pow(maximum / firstPositive, share));
+            return value.round(ratio < FINE_RATIO ? FINE_DIGITS : DIGITS).doubleValue();
         }
         double step = (maximum - minimum) / POSITIONS;
         int decimals = (int) -Math.floor(Math.log10(step));
-        return new BigDecimal(minimum + place * step)
-                .setScale(decimals, RoundingMode.HALF_EVEN)
-                .doubleValue();
+        BigDecimal value = new BigDecimal(minimum + place * step);
+        return value.setScale(decimals, RoundingMode.HALF_EVEN).doubleValue();
     }
 
     private int firstLogPosition() {
         return firstPositive > minimum ? 1 : 0;
-    }
-
-    private static double round(double value, MathContext digits) {
-        return new BigDecimal(value).round(digits).doubleValue();
     }
 
     private static int clamp(long place) {

@@ -26,9 +26,8 @@ public final class CopyCommandAction extends AbstractAction {
         super("Copy as command");
         this.session = session;
         this.clipboard = clipboard;
-        putValue(
-                SHORT_DESCRIPTION,
-                "Puts the line on the clipboard that gives the same numbers, same state_sha256, without a window");
+        String tip = "Puts the line on the clipboard that gives the same numbers, same state_sha256, without a window";
+        putValue(SHORT_DESCRIPTION, tip);
     }
 
     @Override

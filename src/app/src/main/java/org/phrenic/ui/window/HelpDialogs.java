@@ -102,10 +102,9 @@ final class HelpDialogs {
         content.add(wrappedText("It implements and extends " + CITATION), "wmin 0");
         content.add(wrappedText("Apache License 2.0. It uses:"), "wmin 0, gapbottom 0");
         content.add(scroll, "gapbottom 8");
-        content.add(
-                wrappedText("Java " + Runtime.version()
-                        + graphics.map(g -> "; " + g).orElse("")),
-                "wmin 0");
+        String platform =
+                "Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("");
+        content.add(wrappedText(platform), "wmin 0");
         return closable(owner, "About Phrenic", content, new Dimension(620, 560));
     }
 
@@ -134,11 +133,9 @@ final class HelpDialogs {
         dialog.getContentPane().add(content);
         dialog.getContentPane().add(foot, BorderLayout.SOUTH);
         dialog.getRootPane().setDefaultButton(button);
+        KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
         dialog.getRootPane()
-                .registerKeyboardAction(
-                        e -> dialog.setVisible(false),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+                .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.setSize(size);
         dialog.setLocationRelativeTo(owner);
         return dialog;

@@ -80,18 +80,15 @@ public final class MessageBanner extends JPanel {
     }
 
     private void applyColours() {
-        Color ink =
-                switch (kind) {
-                    case NOTE -> Theme.NOTE_TEXT;
-                    case REFUSED -> Theme.WARNING_TEXT;
-                    case DIVERGED -> Theme.ALARM_TEXT;
-                };
-        setBackground(
-                switch (kind) {
-                    case NOTE -> Theme.NOTE_BACKGROUND;
-                    case REFUSED -> Theme.WARNING_BACKGROUND;
-                    case DIVERGED -> Theme.ALARM_BACKGROUND;
-                });
+        switch (kind) {
+            case NOTE -> applyColours(Theme.NOTE_BACKGROUND, Theme.NOTE_TEXT);
+            case REFUSED -> applyColours(Theme.WARNING_BACKGROUND, Theme.WARNING_TEXT);
+            case DIVERGED -> applyColours(Theme.ALARM_BACKGROUND, Theme.ALARM_TEXT);
+        }
+    }
+
+    private void applyColours(Color background, Color ink) {
+        setBackground(background);
         text.setForeground(ink);
         close.setForeground(ink);
         setBorder(BorderFactory.createMatteBorder(0, 3, 0, 0, ink));

@@ -53,10 +53,7 @@ final class StatusBar extends JPanel {
         set("phase", s.phaseLabel());
         set("time", String.format(Locale.ROOT, "t %.2f s", s.timeS()));
         set("step", "step " + withThousands(s.step()));
-        set(
-                "dt",
-                String.format(Locale.ROOT, "dt %s ms", trimmed(1000 * s.dtS()))
-                        + (s.substeps() > 1 ? " / " + s.substeps() : ""));
+        set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));
         set("steps", withThousands(Math.round(s.stepsPerS())) + " steps/s");
         set("realtime", String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()));
         JLabel dt = fields.get("dt");
@@ -86,8 +83,7 @@ final class StatusBar extends JPanel {
     }
 
     private static String trimmed(double value) {
-        String text = String.format(Locale.ROOT, "%.3f", value);
-        return text.replaceFirst("\\.?0+$", "");
+        return String.format(Locale.ROOT, "%.3f", value).replaceFirst("\\.?0+$", "");
     }
 
     private static String withThousands(long value) {

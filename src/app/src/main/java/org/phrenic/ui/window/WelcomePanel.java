@@ -24,12 +24,8 @@ final class WelcomePanel extends JPanel {
         JLabel notice = new JLabel(Disclaimer.TEXT);
         notice.setName("notice");
         notice.setFont(notice.getFont().deriveFont(Font.BOLD));
-        add(
-                button(
-                        Workspace.CLINICIAN,
-                        "A needle to a target in a liver that moves with the breath, without terms of physics",
-                        showWorkspace),
-                "wmin 0");
+        String tip = "A needle to a target in a liver that moves with the breath, without terms of physics";
+        add(button(Workspace.CLINICIAN, tip, showWorkspace), "wmin 0");
         add(button(Workspace.RESEARCHER, "Every parameter, force and plot", showWorkspace), "wmin 0");
         add(Controls.iconButton(Icons.CLOSE, "Close this card", dismiss), "aligny top, wrap");
         add(Controls.secondaryLabel("Needle, target, exercises, report card"), "gapx 2, wmin 0");

@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
-import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -110,12 +109,9 @@ public final class WindowSnapshot {
             content.paint(g);
             g.dispose();
         });
-        return new FigureImage(
-                "fig2-interface",
-                "The window: organs to choose at the left, the breathing thorax in the middle, parameters with sliders"
-                        + " at the right, plots and timeline below",
-                "",
-                image);
+        String altText = "The window: organs to choose at the left, the breathing thorax in the middle, parameters with"
+                + " sliders at the right, plots and timeline below";
+        return new FigureImage("fig2-interface", altText, "", image);
     }
 
     /**
@@ -160,9 +156,9 @@ public final class WindowSnapshot {
         try {
             SwingUtilities.invokeAndWait(what);
         } catch (InvocationTargetException e) {
-            String reason = Optional.ofNullable(e.getCause().getMessage())
-                    .orElse(e.getCause().toString());
-            throw new NoGraphicsException("The window's parts cannot be painted here: " + reason, e.getCause());
+            Throwable cause = e.getCause();
+            String reason = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+            throw new NoGraphicsException("The window's parts cannot be painted here: " + reason, cause);
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             throw new NoGraphicsException("The window was not painted: it was interrupted", stopped);

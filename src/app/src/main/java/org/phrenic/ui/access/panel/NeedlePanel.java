@@ -1,12 +1,9 @@
 package org.phrenic.ui.access.panel;
 
-import java.awt.Component;
 import java.util.Optional;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
@@ -57,7 +54,7 @@ final class NeedlePanel extends AccessPanel {
         JComboBox<Double> speed = Controls.describe(
                 new JComboBox<>(SPEEDS_MM_PER_S), "Speed of the needle", "How fast the needle moves, mm per second");
         speed.setSelectedItem(50.0);
-        speed.setRenderer(new SpeedRenderer());
+        speed.setRenderer(Controls.renderer(mmPerS -> NumberFormats.text("%.0f mm/s", mmPerS)));
         speed.addActionListener(e -> needle.setSpeedMmPerS((Double) speed.getSelectedItem()));
         depth.addChangeListener(e -> {
             if (!updating) {
@@ -69,15 +66,6 @@ final class NeedlePanel extends AccessPanel {
         first.add(speed);
         addAll(first, depth, row(insert, withdraw, toTarget), error, row(aim, sample, remove));
         follow(session);
-    }
-
-    private static final class SpeedRenderer extends DefaultListCellRenderer {
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean selected, boolean focus) {
-            String text = NumberFormats.text("%.0f mm/s", value);
-            return super.getListCellRendererComponent(list, text, index, selected, focus);
-        }
     }
 
     @Override
