@@ -1,6 +1,7 @@
 package org.phrenic.ui.dock;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
@@ -38,9 +39,8 @@ import org.phrenic.ui.widget.ScrollablePanel;
  */
 public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
-    private static final ColourField[] FIELDS = {
-        ColourField.NONE, ColourField.DISPLACEMENT, ColourField.STRAIN, ColourField.DISTANCE
-    };
+    private static final List<ColourField> FIELDS =
+            List.of(ColourField.NONE, ColourField.DISPLACEMENT, ColourField.STRAIN, ColourField.DISTANCE);
 
     private record StructureItem(String structure, String name) {
         @Override
@@ -77,8 +77,12 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
     private final transient Session session;
     private final transient AppearanceModel appearance;
     private final transient Supplier<Optional<Path>> chooser;
-    private final JComboBox<ColourField> field =
-            Controls.describe(new JComboBox<>(FIELDS), "Colours show", "What the colours show");
+    private final JComboBox<String> field = Controls.describe(
+            new JComboBox<>(new String[] {
+                "No colours", ColourField.DISPLACEMENT.label(), ColourField.STRAIN.label(), "Distance to a surface"
+            }),
+            "Colours show",
+            "What the colours show");
     private final JButton reference;
     private final JComboBox<StructureItem> structure = Controls.describe(
             new JComboBox<>(), "Coloured structure", "Structure that carries the colours and the shape at rest");
@@ -102,9 +106,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         super(new MigLayout("insets 6 8 8 8, gap 6 3, wrap 1, novisualpadding", "[grow, fill]", ""));
         this.session = session;
         this.appearance = appearance;
-        this.chooser = chooser == null
-                ? () -> FileDialogs.open(this, "Surface to measure from", MeshFiles.READABLE.toArray(new String[0]))
-                : chooser;
+        String[] readable = MeshFiles.READABLE.toArray(String[]::new);
+        this.chooser = chooser == null ? () -> FileDialogs.open(this, "Surface to measure from", readable) : chooser;
         reference = Controls.button(
                 "Surface...",
                 "Surface from which distances are measured, such as the same organ in a scan (LPS, mm)",
@@ -155,11 +158,6 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         Controls.describe(reference, "Surface to measure from", reference.getToolTipText());
         reference.setVisible(false);
         structure.addActionListener(e -> applyColours());
-        field.setRenderer(Controls.renderer(shown -> switch ((ColourField) shown) {
-            case NONE -> "No colours";
-            case DISTANCE -> "Distance to a surface";
-            default -> ((ColourField) shown).label();
-        }));
         field.addActionListener(e -> onFieldSelected());
         minimum.addActionListener(e -> applyColours());
         maximum.addActionListener(e -> applyColours());
@@ -193,8 +191,12 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         }
     }
 
+    private ColourField selectedField() {
+        return FIELDS.get(field.getSelectedIndex());
+    }
+
     private void onFieldSelected() {
-        ColourField selected = (ColourField) field.getSelectedItem();
+        ColourField selected = selectedField();
         boolean strain = selected == ColourField.STRAIN;
         minimum.setText(strain ? "-30" : "0");
         maximum.setText(strain ? "30" : "20");
@@ -231,10 +233,9 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         if (chosen == null) {
             return;
         }
-        ColourField selected = (ColourField) field.getSelectedItem();
-        boolean unmeasured =
-                selected == ColourField.DISTANCE && appearance.reference().isEmpty();
-        ColourField shown = unmeasured ? ColourField.NONE : selected;
+        boolean unmeasured = selectedField() == ColourField.DISTANCE
+                && appearance.reference().isEmpty();
+        ColourField shown = unmeasured ? ColourField.NONE : selectedField();
         Optional<ColourScale> scale = scale(shown);
         minimum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         maximum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
