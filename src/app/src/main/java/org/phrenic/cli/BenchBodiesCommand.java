@@ -4,13 +4,16 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -18,9 +21,11 @@ import org.phrenic.scene.BodyThumbnails;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.body.BodyCase;
+import org.phrenic.study.body.BodyCut;
 import org.phrenic.study.body.BodyReport;
 import org.phrenic.study.body.BodyStudy;
 import org.phrenic.study.body.BreathDepth;
+import org.phrenic.study.body.CutBodies;
 import org.phrenic.study.body.RandomBodies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -63,6 +68,20 @@ final class BenchBodiesCommand extends ReportingCommand {
     @Option(names = "--extremes", description = "Heavy bodies, high livers, barrel chests.")
     private boolean extremes;
 
+    @Option(
+            names = "--cuts",
+            paramLabel = "NAME,...",
+            description = "Instead of each body, bodies imported from simulated scans of it: all, or some of "
+                    + "whole, abdomen, bones, lungs, lungs-liver, right-side, cut-ends, ribs-10, ribs-20, ribs-30, "
+                    + "dropped, slices-5, oblique, turned. Needs --out.")
+    private String cuts;
+
+    @Option(
+            names = "--complete",
+            paramLabel = "BODY",
+            description = "Completes the bodies of --cuts (default ${DEFAULT-VALUE}).")
+    private String complete = "virtual/adult-female";
+
     @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
     private String resolution = "low";
 
@@ -95,8 +114,9 @@ final class BenchBodiesCommand extends ReportingCommand {
     public Integer call() throws NoGraphicsException {
         if (out != null) {
             ReportFolder.requireWritable(out);
-        } else if (pictures) {
-            throw new ParameterException(commandLine(), "found --pictures without --out, expected both");
+        } else if (pictures || cuts != null) {
+            throw new ParameterException(
+                    commandLine(), "found " + (pictures ? "--pictures" : "--cuts") + " without --out, expected both");
         }
         Scenario scenario = scenario();
         BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
@@ -150,6 +170,9 @@ final class BenchBodiesCommand extends ReportingCommand {
         if (!random.equals("0")) {
             given.addAll(List.of("--random", random, "--seed", seed));
         }
+        if (cuts != null) {
+            given.addAll(List.of("--cuts", cuts, "--complete", complete));
+        }
         given.addAll(List.of("--resolution", resolution));
         settings.forEach(s -> given.addAll(List.of("--set", s)));
         return given;
@@ -166,7 +189,7 @@ final class BenchBodiesCommand extends ReportingCommand {
         List<BodyCase> cases = new ArrayList<>();
         for (String body : bodies) {
             Scenario on = scenario.with(List.of(Assignment.read(body, "anatomy", body)));
-            cases.add(new BodyCase(body, "as it is", () -> SimulationRun.loadThorax(on)));
+            cases.add(new BodyCase(body, "as it is", 1, () -> SimulationRun.loadThorax(on)));
         }
         if (extremes) {
             cases.addAll(RandomBodies.extremes(scenario));
@@ -178,7 +201,25 @@ final class BenchBodiesCommand extends ReportingCommand {
         if (cases.isEmpty()) {
             throw new ParameterException(commandLine(), "found no body, expected BODY, --random or --extremes");
         }
-        return cases;
+        return cuts == null
+                ? cases
+                : cases.stream().flatMap(source -> scans(source).stream()).toList();
+    }
+
+    private List<BodyCase> scans(BodyCase source) {
+        Scenario with = Scenario.defaults().with(List.of(Assignment.read("--complete", "anatomy", complete)));
+        List<BodyCut> wanted = cuts.equals("all")
+                ? List.of(BodyCut.values())
+                : OptionValues.split(cuts).stream().map(BenchBodiesCommand::cut).toList();
+        return CutBodies.of(source, wanted, () -> SimulationRun.loadThorax(with), out.resolve("scans"));
+    }
+
+    private static BodyCut cut(String label) {
+        return Arrays.stream(BodyCut.values())
+                .filter(c -> c.label().equals(label))
+                .findFirst()
+                .orElseThrow(() -> new BadInputException("--cuts: found '" + label + "', expected all or "
+                        + Arrays.stream(BodyCut.values()).map(BodyCut::label).collect(Collectors.joining(", "))));
     }
 
     private static String table(List<List<String>> rows) {

@@ -8,6 +8,7 @@ import org.phrenic.anatomy.Thorax;
  *
  * @param name name in the report
  * @param origin how the body was made, one phrase
+ * @param height height of the body relative to an adult's; the wanted excursion of the domes goes with it
  * @param thorax loads or makes the body; throws an exception with one sentence if that is not possible
  */
-public record BodyCase(String name, String origin, Supplier<Thorax> thorax) {}
+public record BodyCase(String name, String origin, double height, Supplier<Thorax> thorax) {}

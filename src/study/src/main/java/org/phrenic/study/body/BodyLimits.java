@@ -23,11 +23,18 @@ public final class BodyLimits {
     /** Depth of an organ's vertex on the wrong side of the diaphragm, mm. */
     public static final double THROUGH_MM = 3;
 
+    /** Distance of the diaphragm at rest outside the inner envelope of the rib cage, greatest, mm. */
+    public static final double OUTSIDE_CAGE_MM = 3;
+
+    /** Distance of the insertion at rest from the costal margin, 95 %, mm. */
+    public static final double INSERTION_MM = 8;
+
     private BodyLimits() {}
 
-    static boolean isExcursion(BreathDepth depth, double mm) {
-        return depth == BreathDepth.QUIET
-                ? mm >= QUIET_LEAST_MM && mm <= QUIET_MOST_MM
-                : mm >= DEEP_LEAST_MM && mm <= DEEP_MOST_MM;
+    /** @param height of the body relative to an adult's */
+    static boolean isExcursion(BreathDepth depth, double height, double mm) {
+        double least = depth == BreathDepth.QUIET ? QUIET_LEAST_MM : DEEP_LEAST_MM;
+        double most = depth == BreathDepth.QUIET ? QUIET_MOST_MM : DEEP_MOST_MM;
+        return mm >= least * Math.min(1, height) && mm <= most * Math.max(1, height);
     }
 }

@@ -26,7 +26,9 @@ public final class BodyReport {
             Column.number("through: rest"),
             Column.number("quiet"),
             Column.number("deep"),
-            Column.number("deepest mm"));
+            Column.number("deepest mm"),
+            Column.number("outside cage mm"),
+            Column.number("insertion mm"));
 
     private final BodyStudy study;
 
@@ -78,6 +80,8 @@ public final class BodyReport {
         row.add(number(body.breaths().stream()
                 .map(b -> Math.max(b.atRest().deepestMm(), b.atInspiration().deepestMm()))
                 .max(Double::compare)));
+        row.add(ReportNumbers.number(body.measure("outside_cage_maximum_mm")));
+        row.add(ReportNumbers.number(body.measure("insertion_to_margin_percentile_95_mm")));
         return row;
     }
 
@@ -98,12 +102,16 @@ public final class BodyReport {
         ReportDocument report = new ReportDocument("Bodies that breathe", summary() + ".");
         report.points(provenance.toArray(String[]::new));
         report.paragraph("One quiet and one deep breath of each body from rest, default numbers, "
-                + ReportNumbers.label(study.scenario().resolution()) + " resolution. Wanted: domes "
+                + ReportNumbers.label(study.scenario().resolution())
+                + " resolution. Wanted, for a body of an adult's height: domes "
                 + range(BodyLimits.QUIET_LEAST_MM, BodyLimits.QUIET_MOST_MM) + " mm (quiet) and "
                 + range(BodyLimits.DEEP_LEAST_MM, BodyLimits.DEEP_MOST_MM) + " mm (deep), return within "
                 + BodyLimits.RETURN_RMS_MM + " mm rms, no organ vertex more than "
                 + ReportNumbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
-                + " inspiration (columns through: number of such vertices).");
+                + " inspiration (columns through: number of such vertices), diaphragm at rest at most "
+                + ReportNumbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
+                + " mm outside the cage, 95 % of its insertion within "
+                + ReportNumbers.trimmed(BodyLimits.INSERTION_MM, 2) + " mm of the costal margin.");
         List<List<String>> table = table();
         report.table("", COLUMNS, table.subList(1, table.size()));
         report.section("How the bodies were made");
@@ -175,6 +183,8 @@ public final class BodyReport {
             one.put("body", body.name());
             one.put("made_of", body.origin());
             one.put("refusal", body.refusal());
+            body.sheet()
+                    .ifPresent(sheet -> sheet.measures().forEach(measure -> one.put(measure.key(), measure.value())));
             for (BreathResult breath : body.breaths()) {
                 Map<String, Object> figures = figures(breath);
                 figures.values().removeIf(v -> v instanceof Double d && !Double.isFinite(d));

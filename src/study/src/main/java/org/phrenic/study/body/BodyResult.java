@@ -1,30 +1,60 @@
 package org.phrenic.study.body;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.patient.diaphragm.SheetQuality;
 
 /**
  * What the check of a body gave.
  *
- * @param name name of the body
- * @param origin how the body was made
+ * @param body what was checked
  * @param refusal why the body cannot be simulated, one sentence; empty if it can
+ * @param sheet quality of the diaphragm at rest; empty after a refusal or if the body lacks what it is measured on
  * @param breaths results in the order of {@link BreathDepth}; empty after a refusal
  */
-public record BodyResult(String name, String origin, String refusal, List<BreathResult> breaths) {
+public record BodyResult(BodyCase body, String refusal, Optional<SheetQuality> sheet, List<BreathResult> breaths) {
     public BodyResult {
         breaths = List.copyOf(breaths);
     }
 
     /** What is beyond the limits, one phrase each. */
     public List<String> faults() {
-        return refusal.isEmpty()
-                ? breaths.stream().flatMap(b -> b.faults().stream()).distinct().toList()
-                : Stream.of(refusal).toList();
+        if (!refusal.isEmpty()) {
+            return List.of(refusal);
+        }
+        List<String> faults = new ArrayList<>();
+        add("outside_cage_maximum_mm", BodyLimits.OUTSIDE_CAGE_MM, "diaphragm outside the cage by", faults);
+        add("insertion_to_margin_percentile_95_mm", BodyLimits.INSERTION_MM, "insertion off the margin by", faults);
+        breaths.forEach(b -> faults.addAll(b.faults(body.height())));
+        return faults;
+    }
+
+    private void add(String measure, double limit, String what, List<String> faults) {
+        double value = measure(measure);
+        if (value > limit) {
+            faults.add(String.format(Locale.ROOT, "%s %.1f mm", what, value));
+        }
+    }
+
+    /** A measure of {@link SheetQuality}; NaN if the sheet was not measured. */
+    double measure(String key) {
+        return sheet.map(quality -> quality.value(key)).orElse(Double.NaN);
     }
 
     /** Whether the body breathes within all limits. */
     public boolean passes() {
         return faults().isEmpty();
+    }
+
+    /** Name of the body. */
+    public String name() {
+        return body.name();
+    }
+
+    /** How the body was made. */
+    public String origin() {
+        return body.origin();
     }
 }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Random;
 import java.util.Set;
+import java.util.SplittableRandom;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -70,7 +70,7 @@ public record BodyVariation(
      * @param number of the body in the series, from 1
      */
     public static BodyVariation random(long seed, int number) {
-        Random random = new Random(seed * 1_000_003L + number);
+        SplittableRandom random = new SplittableRandom(seed * 1_000_003L + number);
         return new BodyVariation(
                 scale(random),
                 scale(random),
@@ -81,7 +81,7 @@ public record BodyVariation(
     }
 
     /** Reciprocal factors are equally likely. */
-    private static double scale(Random random) {
+    private static double scale(SplittableRandom random) {
         return LEAST_SCALE * StrictMath.pow(MOST_SCALE / LEAST_SCALE, random.nextDouble());
     }
 

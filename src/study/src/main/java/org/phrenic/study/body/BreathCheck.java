@@ -2,10 +2,12 @@ package org.phrenic.study.body;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
@@ -36,8 +38,10 @@ final class BreathCheck {
     /** Checks a body; a body that cannot be made or assembled gives a refusal. */
     static BodyResult of(BodyCase body, Scenario scenario, BodyStudy.Witness witness) {
         List<BreathResult> breaths = new ArrayList<>();
+        Optional<SheetQuality> sheet = Optional.empty();
         try {
             Thorax thorax = body.thorax().get();
+            sheet = SheetQuality.of(thorax);
             Scenario quiet = scenario.with("preset=" + BreathDepth.QUIET.preset());
             try (Simulation simulation = Simulation.of(quiet, thorax)) {
                 BreathCheck check = new BreathCheck(body.name(), simulation, witness);
@@ -49,9 +53,9 @@ final class BreathCheck {
                     breaths.add(check.breathe(depth));
                 }
             }
-            return new BodyResult(body.name(), body.origin(), "", breaths);
+            return new BodyResult(body, "", sheet, breaths);
         } catch (BadInputException | IllegalArgumentException | IllegalStateException | DivergenceException e) {
-            return new BodyResult(body.name(), body.origin(), String.valueOf(e.getMessage()), breaths);
+            return new BodyResult(body, String.valueOf(e.getMessage()), sheet, breaths);
         }
     }
 

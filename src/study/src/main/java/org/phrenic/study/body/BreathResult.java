@@ -31,14 +31,18 @@ public record BreathResult(
         return new BreathResult(depth, sentence, Motion.NONE, atRest, OrganCrossing.NONE);
     }
 
-    /** What is beyond the limits, one phrase each; empty if the breath is within all of them. */
-    public List<String> faults() {
+    /**
+     * What is beyond the limits, one phrase each; empty if the breath is within all of them.
+     *
+     * @param height of the body relative to an adult's
+     */
+    public List<String> faults(double height) {
         if (!failure.isEmpty()) {
             return List.of(depth.preset() + ": " + failure);
         }
         List<String> faults = new ArrayList<>();
-        if (!BodyLimits.isExcursion(depth, motion.domeRightMm())
-                || !BodyLimits.isExcursion(depth, motion.domeLeftMm())) {
+        if (!BodyLimits.isExcursion(depth, height, motion.domeRightMm())
+                || !BodyLimits.isExcursion(depth, height, motion.domeLeftMm())) {
             faults.add(String.format(
                     Locale.ROOT,
                     "%s: domes %.1f and %.1f mm",

@@ -50,6 +50,7 @@ public final class RandomBodies {
         return new BodyCase(
                 name,
                 source.substring(source.indexOf('/') + 1) + ", " + variation.description(),
+                variation.scaleZ(),
                 () -> variation.of(SimulationRun.loadThorax(with), name));
     }
 }

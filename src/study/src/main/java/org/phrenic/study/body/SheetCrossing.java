@@ -29,19 +29,29 @@ final class SheetCrossing {
     private static final Pattern ABDOMINAL = Pattern.compile(
             "spleen|stomach|(kidney|adrenal_gland)_[rl]|gallbladder|colon|duodenum|small_bowel|pancreas");
 
+    /** Weight of corners within the faces below which a nearest point lies on the border. */
+    private static final double AT_BORDER = 1e-3;
+
     private record Faces(TriangleTree whole, SurfaceDistance distance, TriangleTree thoracic, TriangleTree abdominal) {}
 
     private final Diaphragm diaphragm;
+    /** Triangles with corners on both faces, and their corners. */
     private final boolean[] onBorder;
+
+    private final boolean[] atBorder;
     private final SegmentProbe probe = new SegmentProbe();
 
     SheetCrossing(Diaphragm diaphragm) {
         this.diaphragm = diaphragm;
         int[] t = diaphragm.sheet().triangles();
         onBorder = new boolean[t.length / 3];
+        atBorder = new boolean[diaphragm.sheet().vertexCount()];
         for (int i = 0; i < onBorder.length; i++) {
             boolean first = diaphragm.isThoracic(t[3 * i]);
             onBorder[i] = first != diaphragm.isThoracic(t[3 * i + 1]) || first != diaphragm.isThoracic(t[3 * i + 2]);
+            for (int corner = 3 * i; corner < 3 * i + 3; corner++) {
+                atBorder[t[corner]] |= onBorder[i];
+            }
         }
     }
 
@@ -129,7 +139,7 @@ final class SheetCrossing {
             faces.whole.closest(points[k], points[k + 1], points[k + 2], hit);
             int t = hit.triangle;
             boolean inside = signed != null && signed[i] < 0;
-            boolean ownSide = t < 0 || onBorder[t] || !inside && diaphragm.isThoracic(corners[3 * t]) == above;
+            boolean ownSide = t < 0 || isAtBorder(hit) || !inside && diaphragm.isThoracic(corners[3 * t]) == above;
             if (!ownSide
                     && (inside || isBehind(points, k, middle, faces.whole))
                     && own.closest(points[k], points[k + 1], points[k + 2], hit)) {
@@ -137,6 +147,16 @@ final class SheetCrossing {
             }
         }
         return depths;
+    }
+
+    /** Whether the nearest point of the sheet lies on its border. */
+    private boolean isAtBorder(TriangleTree.Hit hit) {
+        int[] t = diaphragm.sheet().triangles();
+        int a = 3 * hit.triangle;
+        double inner = (atBorder[t[a]] ? 0 : hit.weightA)
+                + (atBorder[t[a + 1]] ? 0 : hit.weightB)
+                + (atBorder[t[a + 2]] ? 0 : hit.weightC);
+        return inner < AT_BORDER;
     }
 
     /** Whether the segment from the middle of the organ to a point passes the sheet an odd number of times. */

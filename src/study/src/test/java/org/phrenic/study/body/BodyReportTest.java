@@ -3,6 +3,7 @@ package org.phrenic.study.body;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.scenario.Scenario;
@@ -13,10 +14,16 @@ class BodyReportTest {
                 depth, "", new BreathResult.Motion(dome, dome, 500, returned), OrganCrossing.NONE, inspired);
     }
 
+    private static BodyCase body(String name) {
+        return new BodyCase(name, "as it is", 1, () -> {
+            throw new AssertionError("the report loads no body");
+        });
+    }
+
     private static final BodyResult GOOD = new BodyResult(
-            "good",
-            "as it is",
+            body("good"),
             "",
+            Optional.empty(),
             List.of(
                     breath(BreathDepth.QUIET, 15, 0.2, OrganCrossing.NONE),
                     breath(BreathDepth.DEEP, 55, 0.3, OrganCrossing.NONE)));
@@ -25,9 +32,9 @@ class BodyReportTest {
     void limitsAreHeldForEachBreath() {
         assertThat(GOOD.passes()).isTrue();
         BodyResult bad = new BodyResult(
-                "bad",
-                "as it is",
+                body("bad"),
                 "",
+                Optional.empty(),
                 List.of(
                         breath(BreathDepth.QUIET, 7.9, 0.51, OrganCrossing.NONE),
                         breath(BreathDepth.DEEP, 55, Double.NaN, new OrganCrossing(0, 2, 1, 4.5, "spleen"))));
@@ -41,11 +48,11 @@ class BodyReportTest {
 
     @Test
     void refusalsAndDivergencesAreToldInTheTableAndTheSummary() {
-        BodyResult refused = new BodyResult("refused", "as it is", "no ribs, expected some", List.of());
+        BodyResult refused = new BodyResult(body("refused"), "no ribs, expected some", Optional.empty(), List.of());
         BodyResult diverged = new BodyResult(
-                "diverged",
-                "as it is",
+                body("diverged"),
                 "",
+                Optional.empty(),
                 List.of(BreathResult.failed(BreathDepth.QUIET, "it diverged at 0.8 s", OrganCrossing.NONE)));
         BodyReport report = new BodyReport(new BodyStudy(Scenario.defaults(), List.of(GOOD, refused, diverged)));
         assertThat(report.summary())

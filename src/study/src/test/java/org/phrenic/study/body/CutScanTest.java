@@ -1,0 +1,62 @@
+package org.phrenic.study.body;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+class CutScanTest {
+    private static final Thorax MAN =
+            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final int LIVER = 5;
+    private static final int RIGHT_LUNG = 12;
+    private static final int LEFT_LUNG = 10;
+    private static final int LEFT_RIB_7 = 98;
+    private static final LabelGrid WHOLE = CutScan.of(MAN, BodyCut.WHOLE);
+
+    private static int count(LabelGrid grid, int label) {
+        int[] counts = grid.counts();
+        return label < counts.length ? counts[label] : 0;
+    }
+
+    @Test
+    void wholeScanHasTheVolumesOfTheBody() {
+        double liver = MeshMeasure.signedVolume(MAN.find("liver").orElseThrow().mesh());
+        assertThat(count(WHOLE, LIVER) * WHOLE.voxelVolume() / liver).isCloseTo(1, within(0.01));
+        // The same body in an oblique grid: the same volumes.
+        LabelGrid oblique = CutScan.of(MAN, BodyCut.OBLIQUE);
+        assertThat((double) count(oblique, LEFT_RIB_7) / count(WHOLE, LEFT_RIB_7))
+                .isCloseTo(1, within(0.03));
+    }
+
+    @Test
+    void cutsShowWhatTheySay() {
+        LabelGrid bones = CutScan.of(MAN, BodyCut.BONES);
+        assertThat(count(bones, LIVER) + count(bones, RIGHT_LUNG)).isZero();
+        assertThat(count(bones, LEFT_RIB_7)).isPositive();
+        LabelGrid right = CutScan.of(MAN, BodyCut.RIGHT_SIDE);
+        assertThat(count(right, RIGHT_LUNG)).isGreaterThan(count(WHOLE, RIGHT_LUNG) * 9 / 10);
+        assertThat(count(right, LEFT_LUNG) + count(right, LEFT_RIB_7)).isLessThan(count(WHOLE, LEFT_RIB_7));
+        LabelGrid abdomen = CutScan.of(MAN, BodyCut.ABDOMEN);
+        assertThat(count(abdomen, LIVER)).isEqualTo(count(WHOLE, LIVER));
+        assertThat((double) count(abdomen, RIGHT_LUNG) / count(WHOLE, RIGHT_LUNG))
+                .isBetween(0.1, 0.5);
+    }
+
+    /** 20 mm of a rib of 309 mm, whose neck is thinner than its shaft. */
+    @Test
+    void ribsAreShortenedAndBonesAreDamaged() {
+        LabelGrid cut = CutScan.of(MAN, BodyCut.RIBS_20);
+        assertThat((double) count(cut, LEFT_RIB_7) / count(WHOLE, LEFT_RIB_7)).isBetween(0.92, 0.97);
+        LabelGrid dropped = CutScan.of(MAN, BodyCut.DROPPED);
+        assertThat((double) count(dropped, LEFT_RIB_7) / count(WHOLE, LEFT_RIB_7))
+                .isCloseTo(0.95, within(0.02));
+        assertThat(count(dropped, LIVER)).isEqualTo(count(WHOLE, LIVER));
+    }
+}
