@@ -17,7 +17,7 @@ final class IslandProjection {
      * Largest island, in nodes. Larger ones would leave threads idle; a pair of sheet nodes with its link and contacts
      * has five.
      */
-    private static final int MOST_NODES_A_GROUP = 64;
+    private static final int MAX_GROUP_NODES = 64;
 
     private static final int NODES_A_PIECE = 512;
 
@@ -53,7 +53,7 @@ final class IslandProjection {
         List<SeparableConstraint> separable =
                 constraints.stream().map(SeparableConstraint.class::cast).toList();
         ConstraintIslands groups = new ConstraintIslands(separable, nodeCount);
-        return groups.largestSize() > MOST_NODES_A_GROUP
+        return groups.largestSize() > MAX_GROUP_NODES
                 ? Optional.empty()
                 : Optional.of(new IslandProjection(separable, groups));
     }

@@ -3,7 +3,6 @@ package org.phrenic.file;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.util.OptionalDouble;
 
 /**
  * A forward cursor over a file in memory that reads words and lines (text) or typed values (binary). Each read method
@@ -77,6 +76,14 @@ public final class ByteCursor implements InputLocator {
         return word;
     }
 
+    /** Reads a keyword, in upper or lower case. */
+    public void expect(String keyword) {
+        String word = word("'" + keyword + "'");
+        if (!word.equalsIgnoreCase(keyword)) {
+            throw unexpected(word, "'" + keyword + "'");
+        }
+    }
+
     /** The rest of the line without its line break, or null at the end of the file. */
     public String lineOrNull() {
         if (!bytes.hasRemaining()) {
@@ -103,21 +110,14 @@ public final class ByteCursor implements InputLocator {
     /** Reads a finite decimal number from a word. */
     public double number(String what) {
         String word = word(what);
-        OptionalDouble value = Numbers.parse(word);
-        if (value.isEmpty()) {
-            throw badInput("found " + Numbers.quote(word) + ", expected " + what + " as a finite number");
-        }
-        return value.getAsDouble();
+        return Numbers.parse(word).orElseThrow(() -> unexpected(word, what + " as a finite number"));
     }
 
     /** Reads a whole number from a word. */
     long integer(String what) {
         String word = word(what);
-        try {
-            return Long.parseLong(word);
-        } catch (NumberFormatException notWhole) {
-            throw badInput("found " + Numbers.quote(word) + ", expected " + what + " as a whole number");
-        }
+        return Numbers.parseWhole(word, Long.MIN_VALUE, Long.MAX_VALUE)
+                .orElseThrow(() -> unexpected(word, what + " as a whole number"));
     }
 
     /** Reads a count from a word, 0 to {@code Integer.MAX_VALUE}. */
@@ -145,24 +145,20 @@ public final class ByteCursor implements InputLocator {
 
     /** Reads a number of {@code type}, or a word in a text file. A binary value may be NaN. */
     public double readDouble(ScalarType type, String what) {
-        if (!binary) {
-            return number(what);
-        }
-        require(type.size(), what);
-        place = bytes.position();
-        bytes.position(place + type.size());
-        return type.readDouble(bytes, place);
+        return binary ? type.readDouble(bytes, next(type, what)) : number(what);
     }
 
     /** Reads a whole number of {@code type}, or a word in a text file. */
     public long readLong(ScalarType type, String what) {
-        if (!binary) {
-            return integer(what);
-        }
+        return binary ? type.readLong(bytes, next(type, what)) : integer(what);
+    }
+
+    /** Advances past a binary value and returns its place. */
+    private int next(ScalarType type, String what) {
         require(type.size(), what);
         place = bytes.position();
         bytes.position(place + type.size());
-        return type.readLong(bytes, place);
+        return place;
     }
 
     public void skip(long count, String what) {

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 
 /** Reads whole input files and reports failures in one sentence. */
 public final class InputBytes {
-    private static final long LARGEST = Integer.MAX_VALUE - 64;
+    private static final long MAX_BYTES = Integer.MAX_VALUE - 64;
 
     private InputBytes() {}
 
@@ -18,7 +18,7 @@ public final class InputBytes {
      */
     public static byte[] read(Path file) {
         long size = size(file);
-        if (size > LARGEST) {
+        if (size > MAX_BYTES) {
             throw new BadInputException(file + ": found " + size + " bytes, expected less than 2 GiB");
         }
         try {

@@ -11,4 +11,9 @@ public interface InputLocator {
     default BadInputException badInput(String problem) {
         return badInput(location(), problem);
     }
+
+    /** An exception about the word read last. */
+    default BadInputException unexpected(String found, String expected) {
+        return badInput("found " + Numbers.quote(found) + ", expected " + expected);
+    }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.file;
 
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 
 /** Parses and quotes numbers in text files: decimal, finite, independent of the locale. */
 public final class Numbers {
@@ -28,6 +29,16 @@ public final class Numbers {
             return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
         } catch (NumberFormatException notANumber) {
             return OptionalDouble.empty();
+        }
+    }
+
+    /** Parses a decimal whole number from {@code min} to {@code max}; empty if {@code text} is not one. */
+    public static OptionalLong parseWhole(String text, long min, long max) {
+        try {
+            long value = Long.parseLong(text);
+            return value >= min && value <= max ? OptionalLong.of(value) : OptionalLong.empty();
+        } catch (NumberFormatException notWhole) {
+            return OptionalLong.empty();
         }
     }
 

@@ -19,9 +19,9 @@ public final class HarmonicField {
      * Least weight, which keeps the matrix positive definite with obtuse or degenerate triangles; an equilateral pair
      * has 0.58.
      */
-    private static final double LEAST_WEIGHT = 1e-3;
+    private static final double MIN_WEIGHT = 1e-3;
 
-    private static final double MOST_WEIGHT = 1e3;
+    private static final double MAX_WEIGHT = 1e3;
 
     private final TriangleMesh mesh;
     private final double[] values;
@@ -109,7 +109,7 @@ public final class HarmonicField {
             addCotangents(mesh, i, topology.edgeOfSide(), n, weights);
         }
         for (int e = 0; e < weights.length; e++) {
-            weights[e] = Math.max(LEAST_WEIGHT, Math.min(MOST_WEIGHT, weights[e]));
+            weights[e] = Math.max(MIN_WEIGHT, Math.min(MAX_WEIGHT, weights[e]));
         }
         return weights;
     }

@@ -2,7 +2,9 @@ package org.phrenic.engine.equilibrium;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.engine.Constraint;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.math.DisjointSets;
@@ -88,23 +90,17 @@ final class ActiveConstraints implements Constraint.RowConsumer {
 
     /** Number of active rows. */
     int activeCount() {
-        int sum = 0;
-        for (int i = 0; i < count; i++) {
-            sum += active[i] ? 1 : 0;
-        }
-        return sum;
+        return (int) IntStream.range(0, count).filter(i -> active[i]).count();
     }
 
     /** Groups the active rows and factorises each group. */
     void factorise() {
         int[] group = groups();
-        List<Integer> order = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            if (active[i] && group[i] >= 0) {
-                order.add(i);
-            }
-        }
-        order.sort((p, q) -> group[p] != group[q] ? Integer.compare(group[p], group[q]) : Integer.compare(p, q));
+        List<Integer> order = IntStream.range(0, count)
+                .filter(i -> active[i] && group[i] >= 0)
+                .boxed()
+                .sorted(Comparator.comparingInt(i -> group[i]))
+                .toList();
         List<Integer> starts = new ArrayList<>();
         List<Integer> members = new ArrayList<>();
         List<double[]> factors = new ArrayList<>();

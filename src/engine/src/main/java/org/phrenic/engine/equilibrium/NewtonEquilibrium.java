@@ -32,9 +32,9 @@ import org.phrenic.engine.math.DenseVectors;
  * or where a fold snaps through. It then ends at its limit, and the result reports it.
  */
 public final class NewtonEquilibrium {
-    private static final int MOST_ITERATIONS = 80;
-    private static final int MOST_KRYLOV = 3000;
-    private static final int MOST_HALVINGS = 6;
+    private static final int MAX_ITERATIONS = 80;
+    private static final int MAX_KRYLOV = 3000;
+    private static final int MAX_HALVINGS = 6;
     /** Largest displacement in the finite differences of forces, mm. */
     private static final double DIFFERENCE_MM = 1e-3;
     /** Loosest and tightest tolerance of conjugate gradients, as a fraction of the residual. */
@@ -42,14 +42,14 @@ public final class NewtonEquilibrium {
 
     private static final double TIGHTEST = 1e-7;
     private static final double FIRST_SHIFT = 1;
-    private static final double MOST_SHIFT = 1e8;
+    private static final double MAX_SHIFT = 1e8;
     private static final double RAISE = 10;
     private static final double LOWER = 3;
     /** Largest growth factor of the residual in one shifted step. Crossing a fold requires some growth. */
     private static final double GROWTH = 1.5;
 
     /** Distance from the wall below which a contact is initially active, mm. */
-    private static final double NEAR_MM = 0.02;
+    private static final double ACTIVE_GAP_MM = 0.02;
 
     private static final int FIRST_CHOICES = 5;
 
@@ -140,7 +140,7 @@ public final class NewtonEquilibrium {
         system.project(timeS, NO_TIME_S);
         Arrays.fill(system.velocities(), 0);
         rows.collect();
-        int changed = rows.updateActiveSet(NEAR_MM, null, 0);
+        int changed = rows.updateActiveSet(ACTIVE_GAP_MM, null, 0);
         for (int i = 0; i < FIRST_CHOICES && changed > 0; i++) {
             projectPositions();
             evaluateResidual();
@@ -176,14 +176,14 @@ public final class NewtonEquilibrium {
         double norm = evaluateResidual();
         history.add(norm);
         double before = norm;
-        for (int i = 0; i < MOST_ITERATIONS && norm > toleranceMn; i++) {
+        for (int i = 0; i < MAX_ITERATIONS && norm > toleranceMn; i++) {
             double ratio = norm / before;
             double tolerance = Math.max(TIGHTEST, Math.min(LOOSEST, history.size() == 1 ? LOOSEST : ratio * ratio));
             before = norm;
             System.arraycopy(x, 0, kept, 0, x.length);
             double next = Double.NaN;
             while (Double.isNaN(next)) {
-                if (shift > MOST_SHIFT) {
+                if (shift > MAX_SHIFT) {
                     System.arraycopy(kept, 0, x, 0, x.length);
                     evaluateResidual();
                     return false;
@@ -230,7 +230,7 @@ public final class NewtonEquilibrium {
     /** Backtracking line search; returns the residual at the first step that decreases it, else NaN. */
     private double lineSearch(double norm) {
         double alpha = 1;
-        for (int i = 0; i < MOST_HALVINGS; i++) {
+        for (int i = 0; i < MAX_HALVINGS; i++) {
             for (int k = 0; k < x.length; k++) {
                 x[k] = kept[k] + alpha * step[k];
             }
@@ -255,7 +255,7 @@ public final class NewtonEquilibrium {
         double[] left = residual.clone();
         stepSolver.start(left);
         boolean positive =
-                stepSolver.solve(step, left, tolerance * tolerance * DenseVectors.dot(left, left), MOST_KRYLOV);
+                stepSolver.solve(step, left, tolerance * tolerance * DenseVectors.dot(left, left), MAX_KRYLOV);
         krylov += stepSolver.iterations() + (positive ? 0 : 1);
         return positive;
     }

@@ -29,7 +29,7 @@ public record HelicalAxis(
         double slide) {
 
     /** Rotation angle below which a motion is treated as a pure translation, rad: the level of rounding errors. */
-    public static final double SMALLEST_ANGLE = 1e-13;
+    public static final double MIN_ANGLE = 1e-13;
 
     private static final double UNIT_TOLERANCE = 1e-9;
 
@@ -57,15 +57,10 @@ public record HelicalAxis(
             throw new IllegalArgumentException("helical axis: direction (" + direction[0] + ", " + direction[1] + ", "
                     + direction[2] + ") has no length, expected one to turn about");
         }
-        return new HelicalAxis(
-                direction[0] / length,
-                direction[1] / length,
-                direction[2] / length,
-                point[0],
-                point[1],
-                point[2],
-                angle,
-                slide);
+        double x = direction[0] / length;
+        double y = direction[1] / length;
+        double z = direction[2] / length;
+        return new HelicalAxis(x, y, z, point[0], point[1], point[2], angle, slide);
     }
 
     /** The screw of a motion; the point is the one nearest to the origin. See {@link #of(RigidMotion, double[])}. */
@@ -85,7 +80,7 @@ public record HelicalAxis(
         double[] q = quaternion(motion);
         double sine = norm(q[1], q[2], q[3]);
         double angle = 2 * StrictMath.atan2(sine, q[0]);
-        if (angle < SMALLEST_ANGLE) {
+        if (angle < MIN_ANGLE) {
             double shift = norm(v[0], v[1], v[2]);
             return through(shift > 0 ? v : new double[] {0, 0, 1}, reference, 0, shift);
         }
@@ -108,35 +103,10 @@ public record HelicalAxis(
 
     /** A fraction of the motion: {@code fraction} of the angle and of the slide; may be negative or above 1. */
     public RigidMotion motion(double fraction) {
-        double sine = StrictMath.sin(fraction * angle);
-        double half = StrictMath.sin(0.5 * fraction * angle);
-        // 1 - cos without cancellation at small angles
-        double versine = 2 * half * half;
-        double x = directionX;
-        double y = directionY;
-        double z = directionZ;
-        // Rodrigues' formula: R = I + sine K + versine K^2, where K is the cross-product matrix of the direction
-        double[] turn = {
-            -versine * (y * y + z * z),
-            versine * x * y - sine * z,
-            versine * x * z + sine * y,
-            versine * x * y + sine * z,
-            -versine * (x * x + z * z),
-            versine * y * z - sine * x,
-            versine * x * z - sine * y,
-            versine * y * z + sine * x,
-            -versine * (x * x + y * y)
-        };
-        // t = p - R p + slide d = -(R - I) p + slide d; using R - I directly avoids cancellation at small angles
-        double[] t = {
-            fraction * slide * x - (turn[0] * pointX + turn[1] * pointY + turn[2] * pointZ),
-            fraction * slide * y - (turn[3] * pointX + turn[4] * pointY + turn[5] * pointZ),
-            fraction * slide * z - (turn[6] * pointX + turn[7] * pointY + turn[8] * pointZ)
-        };
-        turn[0] += 1;
-        turn[4] += 1;
-        turn[8] += 1;
-        return RigidMotion.of(turn, t);
+        double[] p = new double[HelicalBody.POSE_LENGTH];
+        new HelicalBody(this).pose(fraction, p);
+        return RigidMotion.of(
+                new double[] {p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]}, new double[] {p[3], p[7], p[11]});
     }
 
     /**

@@ -7,34 +7,15 @@ package org.phrenic.engine.kinematics;
  * <p>{@code x(s) = p + Rot(d, s theta) (x0 - p) + s slide d}. The axis is fixed, so the velocity is that of a screw for
  * every {@code s}: {@code v(x) = w x x + v0} with {@code w = theta ds/dt d} and {@code v0 = slide ds/dt d - w x p}.
  * Prescribed nodes therefore get exact velocities without finite differences.
+ *
+ * @param axis axis of the full motion
  */
-public final class HelicalBody {
+public record HelicalBody(HelicalAxis axis) {
     /** Length of a pose array: three rows of {@code [R | t]}. */
     public static final int POSE_LENGTH = 12;
 
     /** Length of a twist array: {@code w} in rad/s, then {@code v0} in mm/s, the velocity of the body at the origin. */
     public static final int TWIST_LENGTH = 6;
-
-    private final double dx;
-    private final double dy;
-    private final double dz;
-    private final double px;
-    private final double py;
-    private final double pz;
-    private final double angle;
-    private final double slide;
-
-    /** Creates a body at rest with the axis of its full motion. */
-    public HelicalBody(HelicalAxis axis) {
-        dx = axis.directionX();
-        dy = axis.directionY();
-        dz = axis.directionZ();
-        px = axis.pointX();
-        py = axis.pointY();
-        pz = axis.pointZ();
-        angle = axis.angle();
-        slide = axis.slide();
-    }
 
     /**
      * Computes the pose of the body at an amplitude.
@@ -43,12 +24,17 @@ public final class HelicalBody {
      * @param pose receives {@value #POSE_LENGTH} numbers, row by row {@code [R | t]}, t in mm
      */
     public void pose(double amplitude, double[] pose) {
-        double turn = amplitude * angle;
+        double dx = axis.directionX();
+        double dy = axis.directionY();
+        double dz = axis.directionZ();
+        double turn = amplitude * axis.angle();
         double sine = StrictMath.sin(turn);
         double half = StrictMath.sin(0.5 * turn);
-        // 1 - cos without cancellation at small angles; s = 0 gives an exact identity.
+        // Rodrigues' formula R = I + sine K + versine K^2 with the cross-product matrix K of the direction. The
+        // versine,
+        // 1 - cos, is without cancellation at small angles; s = 0 gives an exact identity.
         double versine = 2 * half * half;
-        double shift = amplitude * slide;
+        double shift = amplitude * axis.slide();
         row(pose, 0, -versine * (dy * dy + dz * dz), versine * dx * dy - sine * dz, versine * dx * dz + sine * dy);
         row(pose, 4, versine * dx * dy + sine * dz, -versine * (dx * dx + dz * dz), versine * dy * dz - sine * dx);
         row(pose, 8, versine * dx * dz - sine * dy, versine * dy * dz + sine * dx, -versine * (dx * dx + dy * dy));
@@ -67,13 +53,14 @@ public final class HelicalBody {
      * @param twist receives {@value #TWIST_LENGTH} numbers
      */
     public void twist(double rate, double[] twist) {
-        double spin = rate * angle;
-        twist[0] = spin * dx;
-        twist[1] = spin * dy;
-        twist[2] = spin * dz;
-        twist[3] = rate * slide * dx - (twist[1] * pz - twist[2] * py);
-        twist[4] = rate * slide * dy - (twist[2] * px - twist[0] * pz);
-        twist[5] = rate * slide * dz - (twist[0] * py - twist[1] * px);
+        double spin = rate * axis.angle();
+        double shift = rate * axis.slide();
+        twist[0] = spin * axis.directionX();
+        twist[1] = spin * axis.directionY();
+        twist[2] = spin * axis.directionZ();
+        twist[3] = shift * axis.directionX() - (twist[1] * axis.pointZ() - twist[2] * axis.pointY());
+        twist[4] = shift * axis.directionY() - (twist[2] * axis.pointX() - twist[0] * axis.pointZ());
+        twist[5] = shift * axis.directionZ() - (twist[0] * axis.pointY() - twist[1] * axis.pointX());
     }
 
     /**
@@ -99,35 +86,11 @@ public final class HelicalBody {
         }
     }
 
-    /**
-     * Computes velocities of points of the body.
-     *
-     * @param twist twist of the body
-     * @param moved current x, y, z of points, mm
-     * @param from first point to read
-     * @param velocities receives the velocities, mm/s
-     * @param to first point to write
-     * @param count number of points
-     */
-    public static void pointVelocities(
-            double[] twist, double[] moved, int from, double[] velocities, int to, int count) {
-        int i = 3 * from;
-        int o = 3 * to;
-        for (int n = 0; n < count; n++, i += 3, o += 3) {
-            double x = moved[i];
-            double y = moved[i + 1];
-            double z = moved[i + 2];
-            velocities[o] = twist[1] * z - twist[2] * y + twist[3];
-            velocities[o + 1] = twist[2] * x - twist[0] * z + twist[4];
-            velocities[o + 2] = twist[0] * y - twist[1] * x + twist[5];
-        }
-    }
-
     /** Writes a row of {@code R - I} and of the translation {@code -(R - I) p} that keeps the axis fixed. */
     private void row(double[] pose, int at, double x, double y, double z) {
         pose[at] = x;
         pose[at + 1] = y;
         pose[at + 2] = z;
-        pose[at + 3] = -(x * px + y * py + z * pz);
+        pose[at + 3] = -(x * axis.pointX() + y * axis.pointY() + z * axis.pointZ());
     }
 }

@@ -39,7 +39,12 @@ class HelicalBodyTest {
         double[] twist = new double[HelicalBody.TWIST_LENGTH];
         new HelicalBody(AXIS).twist(rate, twist);
         double[] velocities = new double[rest.length];
-        HelicalBody.pointVelocities(twist, moved(s), 0, velocities, 0, 10);
+        double[] moved = moved(s);
+        for (int i = 0; i < rest.length; i += 3) {
+            velocities[i] = twist[1] * moved[i + 2] - twist[2] * moved[i + 1] + twist[3];
+            velocities[i + 1] = twist[2] * moved[i] - twist[0] * moved[i + 2] + twist[4];
+            velocities[i + 2] = twist[0] * moved[i + 1] - twist[1] * moved[i] + twist[5];
+        }
         double[] before = moved(s - rate * dt);
         double[] after = moved(s + rate * dt);
         for (int i = 0; i < rest.length; i++) {

@@ -15,9 +15,9 @@ import org.phrenic.mesh.query.TriangleTree;
  */
 public final class Decimator {
     /** Least cosine between a triangle's normals before and after a collapse: a rotation of 78 degrees. */
-    private static final double LEAST_COSINE = 0.2;
+    private static final double MIN_COSINE = 0.2;
     /** Least {@link MovedTriangle#shapeAfter} of a triangle that a collapse makes thinner. */
-    private static final double LEAST_SHAPE = 0.2;
+    private static final double MIN_SHAPE = 0.2;
     /** Weight of the planes that preserve the boundary, relative to triangle planes. */
     private static final double BOUNDARY = 100;
 
@@ -174,8 +174,8 @@ public final class Decimator {
     private boolean keepsShape(int v, int b, int c, double x, double y, double z) {
         moved.set(mesh.position, v, b, c, x, y, z);
         double shape = moved.shapeAfter();
-        return !(moved.dot < LEAST_COSINE * Math.sqrt(moved.before * moved.after))
-                && !(shape < LEAST_SHAPE && shape < moved.shapeBefore());
+        return !(moved.dot < MIN_COSINE * Math.sqrt(moved.before * moved.after))
+                && !(shape < MIN_SHAPE && shape < moved.shapeBefore());
     }
 
     /** Whether the centroid of triangle (x, y, z), b, c and the midpoint of its edge to b are within the bound. */

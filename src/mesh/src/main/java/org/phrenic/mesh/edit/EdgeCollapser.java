@@ -15,7 +15,7 @@ final class EdgeCollapser {
      * Least shape quality (twice the area over the squared longest edge) that a collapse may produce; 0.87 for an
      * equilateral triangle.
      */
-    private static final double LEAST_SHAPE = 0.15;
+    private static final double MIN_SHAPE = 0.15;
     /** If the {@link #spread} of the ends differs by more than this, the edge collapses into the sharper end. */
     private static final double SHARPER = 0.1;
 
@@ -187,7 +187,7 @@ final class EdgeCollapser {
             double after = moved.shapeAfter();
             // A degenerate triangle has no orientation to preserve.
             double cosine = before < 1e-6 ? 1 : moved.dot / (Math.sqrt(moved.before) * Math.sqrt(moved.after));
-            if (cosine < leastCosine || (leastCosine > ANY_TURN && after < LEAST_SHAPE && after < before)) {
+            if (cosine < leastCosine || (leastCosine > ANY_TURN && after < MIN_SHAPE && after < before)) {
                 return false;
             }
         }

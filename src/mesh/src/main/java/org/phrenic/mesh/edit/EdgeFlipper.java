@@ -9,7 +9,7 @@ import org.phrenic.mesh.Vectors;
  * more sharply than the old edge.
  */
 final class EdgeFlipper {
-    private static final int MOST_PASSES = 5;
+    private static final int MAX_PASSES = 5;
     /** An edge whose triangle normals have a cosine below this (100 degrees) is not flipped. */
     private static final double RIM = -0.17;
     /** Bends below 30 degrees count as flat. */
@@ -27,7 +27,7 @@ final class EdgeFlipper {
 
     int flipAll() {
         int total = 0;
-        for (int pass = 0; pass < MOST_PASSES; pass++) {
+        for (int pass = 0; pass < MAX_PASSES; pass++) {
             int flipped = 0;
             for (int h = 0; h < 3 * mesh.triangleEnd; h++) {
                 if (!mesh.flipChecked[h]) {

@@ -33,11 +33,11 @@ public final class Remesher {
     /** In the final collapses, edges below this fraction of the target length may rotate triangles by any angle. */
     private static final double TINY_AT_END = 0.25;
 
-    private static final int LEAST_VERTICES = 12;
-    private static final int MOST_VERTICES = 20_000_000;
+    private static final int MIN_VERTICES = 12;
+    private static final int MAX_VERTICES = 20_000_000;
     private static final int ROUNDS = 4;
     private static final int FINAL_ROUNDS = 3;
-    private static final int MOST_SWEEPS = 12;
+    private static final int MAX_SWEEPS = 12;
     /** Greatest search distance for the projection onto the original surface, in target lengths. */
     private static final double REACH = 2;
 
@@ -93,8 +93,7 @@ public final class Remesher {
         }
         // A closed surface with F triangles and Euler characteristic chi has V = F / 2 + chi vertices.
         double triangles = MeshMeasure.area(mesh) / (Math.sqrt(3) / 4 * edgeMm * edgeMm);
-        return toVertexCount(
-                mesh, (int) Math.max(LEAST_VERTICES, Math.min(MOST_VERTICES, Math.rint(triangles / 2 + 2))));
+        return toVertexCount(mesh, (int) Math.max(MIN_VERTICES, Math.min(MAX_VERTICES, Math.rint(triangles / 2 + 2))));
     }
 
     private TriangleMesh run() {
@@ -180,7 +179,7 @@ public final class Remesher {
     }
 
     private void splitLong(double longest) {
-        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+        for (int sweep = 0; sweep < MAX_SWEEPS; sweep++) {
             if (splitLongest(longest, Integer.MAX_VALUE) == 0) {
                 return;
             }
@@ -210,7 +209,7 @@ public final class Remesher {
     }
 
     private void collapseShort() {
-        for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+        for (int sweep = 0; sweep < MAX_SWEEPS; sweep++) {
             int before = mesh.vertexCount();
             collapser.collapse(SHORT * length, LONG * length, 4, EdgeCollapser.UP_TO_75_DEG);
             if (before - mesh.vertexCount() <= before / 100) {
@@ -221,7 +220,7 @@ public final class Remesher {
     }
 
     private void meetCount() {
-        for (int sweep = 0; sweep < MOST_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
+        for (int sweep = 0; sweep < MAX_SWEEPS && mesh.vertexCount() != vertices; sweep++) {
             if (mesh.vertexCount() < vertices) {
                 // The threshold falls gradually, so that neighbours of a split edge are split first.
                 splitLongest(length * Math.max(0, 1.2 - 0.1 * sweep), vertices);

@@ -14,7 +14,7 @@ final class VertexRelaxer {
      */
     private static final double SAME_SIDE = -0.17;
 
-    private static final double LEAST_COSINE = 0.2;
+    private static final double MIN_COSINE = 0.2;
 
     private final HalfEdgeMesh mesh;
     private final TriangleTree surface;
@@ -135,7 +135,7 @@ final class VertexRelaxer {
         double[] p = mesh.position;
         for (int i = 0; i < ring.triangles; i++) {
             moved.set(p, ring.vertex, ring.vertices[i], ring.next(i), x, y, z);
-            if (moved.dot < LEAST_COSINE * Math.sqrt(moved.before * moved.after)) {
+            if (moved.dot < MIN_COSINE * Math.sqrt(moved.before * moved.after)) {
                 return false;
             }
         }

@@ -18,7 +18,7 @@ import org.phrenic.mesh.TriangleMesh;
  * filter removes detail at the scale of single edges without shrinking the surface.
  */
 public final class WindowedSincFilter {
-    private static final int MOST_NEWTON_STEPS = 500;
+    private static final int MAX_NEWTON_STEPS = 500;
     /** Same value as in VTK. */
     private static final double NEWTON_TOLERANCE = 1e-3;
     /** Cosine of 15 degrees. A boundary vertex where the boundary turns by more does not move. */
@@ -122,7 +122,7 @@ public final class WindowedSincFilter {
         }
         double angle = StrictMath.acos(1 - passBand / 2);
         double sigma = 0;
-        for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
+        for (int step = 0; step < MAX_NEWTON_STEPS; step++) {
             double[] c = windowed(iterations, angle + sigma, window);
             double value = 0;
             for (int n = 0; n <= iterations; n++) {

@@ -12,16 +12,10 @@ import org.phrenic.mesh.TriangleMesh;
  * and lines are ignored. Coordinates are read in double precision. All vertices keep their order and index, used or
  * not.
  */
-final class ObjReader {
-    private final ByteCursor cursor;
-    private final PolygonSoup soup = new PolygonSoup();
-
-    private ObjReader(String file, byte[] bytes) {
-        this.cursor = new ByteCursor(file, bytes);
-    }
+record ObjReader(ByteCursor cursor, PolygonSoup soup) {
 
     static TriangleMesh read(String file, byte[] bytes) {
-        ObjReader reader = new ObjReader(file, bytes);
+        ObjReader reader = new ObjReader(new ByteCursor(file, bytes), new PolygonSoup());
         reader.readLines();
         return reader.soup.toMesh(file);
     }
@@ -60,9 +54,7 @@ final class ObjReader {
     }
 
     private double coordinate(String word) {
-        return Numbers.parse(word)
-                .orElseThrow(() ->
-                        cursor.badInput("found " + Numbers.quote(word) + ", expected a coordinate as a finite number"));
+        return Numbers.parse(word).orElseThrow(() -> cursor.unexpected(word, "a coordinate as a finite number"));
     }
 
     private void readFace(String[] words) {
@@ -88,13 +80,10 @@ final class ObjReader {
     }
 
     private long index(String corner, String digits) {
-        try {
-            long index = Integer.parseInt(digits);
-            if (index != 0) {
-                return index;
-            }
-        } catch (NumberFormatException notWhole) {
-            // Reported below, like index zero.
+        long index =
+                Numbers.parseWhole(digits, Integer.MIN_VALUE, Integer.MAX_VALUE).orElse(0);
+        if (index != 0) {
+            return index;
         }
         throw cursor.badInput("found face corner " + Numbers.quote(corner)
                 + ", expected vertex indices as v, v/vt, v//vn or v/vt/vn, counted from 1 or backwards from -1");

@@ -37,12 +37,10 @@ record PlyHeader(List<Element> elements) {
     record Element(String name, int count, List<Property> properties) {
         /** Least number of bytes per row. */
         long smallestRow(boolean binary) {
-            long size = 0;
-            for (Property property : properties) {
-                ScalarType first = property.isList() ? property.listCount() : property.type();
-                size += binary ? first.size() : 2;
-            }
-            return size;
+            return properties.stream()
+                    .map(property -> property.isList() ? property.listCount() : property.type())
+                    .mapToLong(first -> binary ? first.size() : 2)
+                    .sum();
         }
     }
 
@@ -80,9 +78,7 @@ record PlyHeader(List<Element> elements) {
                     }
                     return new PlyHeader(elements);
                 }
-                default ->
-                    throw cursor.badInput(
-                            "found " + Numbers.quote(line) + ", expected element, property or end_header");
+                default -> throw cursor.unexpected(line, "element, property or end_header");
             }
         }
     }
@@ -104,17 +100,10 @@ record PlyHeader(List<Element> elements) {
             throw cursor.badInput(
                     "found " + (words.length - 1) + " words after 'element', expected a name and a count");
         }
-        int count = -1;
-        try {
-            count = Integer.parseInt(words[2]);
-        } catch (NumberFormatException notWhole) {
-            // Reported below, like a negative count.
-        }
-        if (count < 0) {
-            throw cursor.badInput("found " + Numbers.quote(words[2]) + ", expected the number of elements '" + words[1]
-                    + "' from 0 to " + Integer.MAX_VALUE);
-        }
-        return new Element(words[1], count, new ArrayList<>());
+        String expected = "the number of elements '" + words[1] + "' from 0 to " + Integer.MAX_VALUE;
+        long count = Numbers.parseWhole(words[2], 0, Integer.MAX_VALUE)
+                .orElseThrow(() -> cursor.unexpected(words[2], expected));
+        return new Element(words[1], (int) count, new ArrayList<>());
     }
 
     private static Property property(ByteCursor cursor, String[] words) {
@@ -124,13 +113,11 @@ record PlyHeader(List<Element> elements) {
         if (words.length == 5 && words[1].equals("list")) {
             ScalarType count = type(cursor, words[2]);
             if (!count.isInteger()) {
-                throw cursor.badInput(
-                        "found " + Numbers.quote(words[2]) + ", expected a whole-number type for a length");
+                throw cursor.unexpected(words[2], "a whole-number type for a length");
             }
             return new Property(words[4], count, type(cursor, words[3]));
         }
-        throw cursor.badInput("found " + Numbers.quote(String.join(" ", words))
-                + ", expected 'property TYPE NAME' or 'property list TYPE TYPE NAME'");
+        throw cursor.unexpected(String.join(" ", words), "'property TYPE NAME' or 'property list TYPE TYPE NAME'");
     }
 
     private static ScalarType type(ByteCursor cursor, String name) {

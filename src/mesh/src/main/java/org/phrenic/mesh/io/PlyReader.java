@@ -10,18 +10,11 @@ import org.phrenic.mesh.io.PlyHeader.Property;
  * Reader of PLY, text or binary in either byte order. It reads x, y, z of {@code vertex} and the index list of
  * {@code face}; other data is skipped.
  */
-final class PlyReader {
+record PlyReader(ByteCursor cursor, PolygonSoup soup) {
     private static final int ABSENT = -1;
 
-    private final ByteCursor cursor;
-    private final PolygonSoup soup = new PolygonSoup();
-
-    private PlyReader(String file, byte[] bytes) {
-        this.cursor = new ByteCursor(file, bytes);
-    }
-
     static TriangleMesh read(String file, byte[] bytes) {
-        PlyReader reader = new PlyReader(file, bytes);
+        PlyReader reader = new PlyReader(new ByteCursor(file, bytes), new PolygonSoup());
         reader.readElements();
         return reader.soup.toMesh(file);
     }

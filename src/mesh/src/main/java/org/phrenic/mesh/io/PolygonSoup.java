@@ -1,7 +1,9 @@
 package org.phrenic.mesh.io;
 
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.ByteCursor;
 import org.phrenic.file.InputLocator;
+import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,6 +29,12 @@ final class PolygonSoup {
             throw source.badInput("found vertex (" + x + ", " + y + ", " + z + "), expected three finite coordinates");
         }
         positions.add(x, y, z);
+    }
+
+    /** Adds the vertex whose coordinates are the next three values. */
+    void vertex(ByteCursor cursor, ScalarType type) {
+        String what = "a coordinate";
+        vertex(cursor, cursor.readDouble(type, what), cursor.readDouble(type, what), cursor.readDouble(type, what));
     }
 
     /** Adds a corner to the polygon that {@link #closePolygon} ends; {@code vertex} counts from 0. */

@@ -5,7 +5,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.phrenic.file.ByteCursor;
-import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshRepair;
@@ -16,21 +15,13 @@ import org.phrenic.mesh.edit.MeshRepair;
  * header of a binary file with "solid". Corners with equal coordinates become one vertex. Normals follow from the
  * corner order and are not read.
  */
-final class StlReader {
+record StlReader(ByteCursor cursor, PolygonSoup soup) {
     private static final int HEADER_BYTES = 80;
     private static final int TRIANGLE_BYTES = 50;
     private static final int PEEKED_BYTES = 1024;
 
-    private final ByteCursor cursor;
-    private final PolygonSoup soup = new PolygonSoup();
-    private int corners;
-
-    private StlReader(String file, byte[] bytes) {
-        this.cursor = new ByteCursor(file, bytes);
-    }
-
     static TriangleMesh read(String file, byte[] bytes) {
-        StlReader reader = new StlReader(file, bytes);
+        StlReader reader = new StlReader(new ByteCursor(file, bytes), new PolygonSoup());
         if (!isBinary(bytes) && isText(bytes)) {
             reader.readText();
         } else {
@@ -68,14 +59,10 @@ final class StlReader {
             throw cursor.badInput("found " + count + " triangles promised and " + cursor.remaining()
                     + " bytes after that, expected " + promised + " bytes");
         }
-        double[] corner = new double[3];
         for (long t = 0; t < count; t++) {
             cursor.skip(12, "a normal");
             for (int c = 0; c < 3; c++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    corner[axis] = cursor.readDouble(ScalarType.FLOAT32, "a coordinate");
-                }
-                soup.vertex(cursor, corner[0], corner[1], corner[2]);
+                soup.vertex(cursor, ScalarType.FLOAT32);
             }
             closeTriangle();
             cursor.skip(2, "the attribute of a triangle");
@@ -83,64 +70,42 @@ final class StlReader {
     }
 
     private void readText() {
-        expect("solid");
-        cursor.lineOrNull();
-        String word = cursor.word("'facet' or 'endsolid'");
-        while (word != null) {
-            switch (word.toLowerCase(Locale.ROOT)) {
-                case "facet" -> readFacet();
-                case "endsolid" -> {
-                    cursor.lineOrNull();
-                    if (!nextSolid()) {
-                        return;
-                    }
-                }
-                default -> throw cursor.badInput("found " + Numbers.quote(word) + ", expected 'facet' or 'endsolid'");
+        for (String word = cursor.word("'solid'"); word != null; word = cursor.wordOrNull()) {
+            if (!word.equalsIgnoreCase("solid")) {
+                throw cursor.unexpected(word, "'solid' or the end of the file");
             }
-            word = cursor.word("'facet' or 'endsolid'");
+            cursor.lineOrNull();
+            String expected = "'facet' or 'endsolid'";
+            for (String next = cursor.word(expected);
+                    !next.equalsIgnoreCase("endsolid");
+                    next = cursor.word(expected)) {
+                if (!next.equalsIgnoreCase("facet")) {
+                    throw cursor.unexpected(next, expected);
+                }
+                readFacet();
+            }
+            cursor.lineOrNull();
         }
-    }
-
-    private boolean nextSolid() {
-        String word = cursor.wordOrNull();
-        if (word == null) {
-            return false;
-        }
-        if (!word.equalsIgnoreCase("solid")) {
-            throw cursor.badInput("found " + Numbers.quote(word) + ", expected 'solid' or the end of the file");
-        }
-        cursor.lineOrNull();
-        return true;
     }
 
     private void readFacet() {
-        expect("normal");
+        cursor.expect("normal");
         for (int axis = 0; axis < 3; axis++) {
             cursor.word("a component of the normal");
         }
-        expect("outer");
-        expect("loop");
+        cursor.expect("outer");
+        cursor.expect("loop");
         for (int c = 0; c < 3; c++) {
-            expect("vertex");
-            double x = cursor.number("a coordinate");
-            double y = cursor.number("a coordinate");
-            double z = cursor.number("a coordinate");
-            soup.vertex(cursor, x, y, z);
+            cursor.expect("vertex");
+            soup.vertex(cursor, ScalarType.FLOAT32);
         }
         closeTriangle();
-        expect("endloop");
-        expect("endfacet");
+        cursor.expect("endloop");
+        cursor.expect("endfacet");
     }
 
     private void closeTriangle() {
-        soup.triangle(cursor, corners, corners + 1, corners + 2);
-        corners += 3;
-    }
-
-    private void expect(String keyword) {
-        String word = cursor.word("'" + keyword + "'");
-        if (!word.equalsIgnoreCase(keyword)) {
-            throw cursor.badInput("found " + Numbers.quote(word) + ", expected '" + keyword + "'");
-        }
+        int corners = soup.vertexCount();
+        soup.triangle(cursor, corners - 3, corners - 2, corners - 1);
     }
 }

@@ -10,18 +10,10 @@ import org.phrenic.file.ScalarType;
  * Reader of the cell sections of a legacy VTK file in both layouts. In the classic layout each cell is its length
  * followed by its points. From version 5.1 a section has OFFSETS and CONNECTIVITY.
  */
-final class VtkCells {
+record VtkCells(ByteCursor cursor, boolean offsetLayout) {
     /** Receives the points of one cell, {@code points[from..to)}. */
     interface Cells {
         void add(InputLocator source, long[] points, int from, int to);
-    }
-
-    private final ByteCursor cursor;
-    private final boolean offsetLayout;
-
-    VtkCells(ByteCursor cursor, boolean offsetLayout) {
-        this.cursor = cursor;
-        this.offsetLayout = offsetLayout;
     }
 
     /** Reads one section. */
@@ -65,27 +57,20 @@ final class VtkCells {
         long offsetsPlace = cursor.location();
         long[] connectivity = array("CONNECTIVITY", connectivityCount);
         if (offsets[0] != 0 || offsets[offsetCount - 1] != connectivityCount) {
-            throw cursor.badInput(
-                    offsetsPlace,
-                    "found offsets from " + offsets[0] + " to " + offsets[offsetCount - 1] + ", expected 0 to "
-                            + connectivityCount);
+            String found = "found offsets from " + offsets[0] + " to " + offsets[offsetCount - 1];
+            throw cursor.badInput(offsetsPlace, found + ", expected 0 to " + connectivityCount);
         }
         for (int c = 0; c + 1 < offsetCount; c++) {
             if (offsets[c + 1] < offsets[c] || offsets[c + 1] > connectivityCount) {
-                throw cursor.badInput(
-                        offsetsPlace,
-                        "found offset " + offsets[c + 1] + " after " + offsets[c]
-                                + ", expected offsets that grow up to " + connectivityCount);
+                String found = "found offset " + offsets[c + 1] + " after " + offsets[c];
+                throw cursor.badInput(offsetsPlace, found + ", expected offsets that grow up to " + connectivityCount);
             }
             out.add(cursor, connectivity, (int) offsets[c], (int) offsets[c + 1]);
         }
     }
 
     private long[] array(String keyword, int count) {
-        String word = cursor.word(keyword);
-        if (!word.equalsIgnoreCase(keyword)) {
-            throw cursor.badInput("found " + Numbers.quote(word) + ", expected " + keyword);
-        }
+        cursor.expect(keyword);
         String typeName = cursor.word("the type of " + keyword);
         ScalarType type = VtkReader.type(cursor, typeName);
         if (!type.isInteger()) {

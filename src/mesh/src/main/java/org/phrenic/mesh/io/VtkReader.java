@@ -32,10 +32,10 @@ final class VtkReader {
     private VtkCells readHeader() {
         String magic = cursor.line("'" + MAGIC + "'");
         if (!magic.toLowerCase(Locale.ROOT).startsWith(MAGIC.toLowerCase(Locale.ROOT))) {
-            throw cursor.badInput("found " + Numbers.quote(magic) + ", expected '" + MAGIC + "x.y'");
+            throw cursor.unexpected(magic, "'" + MAGIC + "x.y'");
         }
         double version = Numbers.parse(magic.substring(MAGIC.length()).trim())
-                .orElseThrow(() -> cursor.badInput("found " + Numbers.quote(magic) + ", expected a version number"));
+                .orElseThrow(() -> cursor.unexpected(magic, "a version number"));
         cursor.line("a title");
         String encoding = cursor.word("ASCII or BINARY");
         switch (encoding.toUpperCase(Locale.ROOT)) {
@@ -44,7 +44,7 @@ final class VtkReader {
                 cursor.lineOrNull();
                 cursor.binary(ByteOrder.BIG_ENDIAN);
             }
-            default -> throw cursor.badInput("found " + Numbers.quote(encoding) + ", expected ASCII or BINARY");
+            default -> throw cursor.unexpected(encoding, "ASCII or BINARY");
         }
         return new VtkCells(cursor, version >= 5.1);
     }
@@ -54,7 +54,7 @@ final class VtkReader {
         for (String word = cursor.wordOrNull(); word != null; word = cursor.wordOrNull()) {
             String keyword = word.toUpperCase(Locale.ROOT);
             if (!datasetSeen && !keyword.equals("DATASET") && !keyword.equals("FIELD") && !keyword.equals("METADATA")) {
-                throw cursor.badInput("found " + Numbers.quote(word) + ", expected DATASET");
+                throw cursor.unexpected(word, "DATASET");
             }
             switch (keyword) {
                 case "DATASET" -> {
@@ -77,8 +77,7 @@ final class VtkReader {
                     return;
                 }
                 default ->
-                    throw cursor.badInput("found " + Numbers.quote(word)
-                            + ", expected POINTS, POLYGONS, TRIANGLE_STRIPS or another section of POLYDATA");
+                    throw cursor.unexpected(word, "POINTS, POLYGONS, TRIANGLE_STRIPS or another section of POLYDATA");
             }
         }
         if (!pointsSeen) {
@@ -96,10 +95,7 @@ final class VtkReader {
         cursor.lineOrNull();
         cursor.requireValues(3L * count, type, count + " points");
         for (int i = 0; i < count; i++) {
-            double x = cursor.readDouble(type, "a coordinate");
-            double y = cursor.readDouble(type, "a coordinate");
-            double z = cursor.readDouble(type, "a coordinate");
-            soup.vertex(cursor, x, y, z);
+            soup.vertex(cursor, type);
         }
     }
 

@@ -16,7 +16,7 @@ import org.phrenic.file.Numbers;
 /** The decoded values of one DataArray of a VTP file, in any of its formats; a location is the index of a value. */
 final class VtpArray implements InputLocator {
     /** Greatest compression ratio of deflate (zlib.net, "Technical details"). */
-    private static final long LARGEST_RATIO = 1032;
+    private static final long MAX_RATIO = 1032;
 
     private final String file;
     private final VtpDocument document;
@@ -44,6 +44,10 @@ final class VtpArray implements InputLocator {
                 file, "line " + array.line() + ", array " + array.name() + ", value " + where, problem);
     }
 
+    private BadInputException bad(int value, String found, String expected) {
+        return badInput(value, "found " + Numbers.quote(found) + ", expected " + expected);
+    }
+
     private BadInputException badArray(String problem) {
         return BadInputException.at(file, "line " + array.line() + ", array " + array.name(), problem);
     }
@@ -53,12 +57,7 @@ final class VtpArray implements InputLocator {
         if (array.format().equals("ascii")) {
             String[] words = words();
             double[] values = new double[words.length];
-            for (int i = 0; i < values.length; i++) {
-                String word = words[i];
-                int at = i;
-                values[i] = Numbers.parse(word)
-                        .orElseThrow(() -> badInput(at, "found " + Numbers.quote(word) + ", expected a finite number"));
-            }
+            Arrays.setAll(values, i -> Numbers.parse(words[i]).orElseThrow(() -> bad(i, words[i], "a finite number")));
             return values;
         }
         ByteBuffer content = content(bytes);
@@ -76,13 +75,8 @@ final class VtpArray implements InputLocator {
         if (array.format().equals("ascii")) {
             String[] words = words();
             long[] values = new long[words.length];
-            for (int i = 0; i < values.length; i++) {
-                try {
-                    values[i] = Long.parseLong(words[i]);
-                } catch (NumberFormatException notWhole) {
-                    throw badInput(i, "found " + Numbers.quote(words[i]) + ", expected a whole number");
-                }
-            }
+            Arrays.setAll(values, i -> Numbers.parseWhole(words[i], Long.MIN_VALUE, Long.MAX_VALUE)
+                    .orElseThrow(() -> bad(i, words[i], "a whole number")));
             return values;
         }
         ByteBuffer content = content(bytes);
@@ -148,7 +142,7 @@ final class VtpArray implements InputLocator {
         }
         boolean sane = blockSize >= 0 && lastSize >= 0 && blockSize <= Integer.MAX_VALUE && lastSize <= blockSize;
         long total = sane ? (lastSize == 0 ? blocks * blockSize : (blocks - 1) * blockSize + lastSize) : -1;
-        if (!sane || total > Integer.MAX_VALUE - 8 || total > LARGEST_RATIO * packedTotal) {
+        if (!sane || total > Integer.MAX_VALUE - 8 || total > MAX_RATIO * packedTotal) {
             throw badArray("found blocks of " + blockSize + " bytes promised from " + packedTotal
                     + " compressed bytes, expected what zlib can pack");
         }

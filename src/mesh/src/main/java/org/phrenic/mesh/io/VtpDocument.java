@@ -121,12 +121,9 @@ final class VtpDocument {
         }
         switch (name) {
             case "Piece" -> {
-                piece = new Piece(
-                        line(),
-                        count("NumberOfPoints"),
-                        count("NumberOfPolys"),
-                        count("NumberOfStrips"),
-                        new LinkedHashMap<>());
+                long polys = count("NumberOfPolys");
+                long strips = count("NumberOfStrips");
+                piece = new Piece(line(), count("NumberOfPoints"), polys, strips, new LinkedHashMap<>());
                 pieces.add(piece);
                 section = "";
             }
@@ -155,19 +152,17 @@ final class VtpDocument {
         order = switch (byteOrder) {
             case "LittleEndian" -> ByteOrder.LITTLE_ENDIAN;
             case "BigEndian" -> ByteOrder.BIG_ENDIAN;
-            default ->
-                throw badInput("found byte_order " + Numbers.quote(byteOrder) + ", expected LittleEndian or BigEndian");
+            default -> throw unexpected("byte_order", byteOrder, "LittleEndian or BigEndian");
         };
         String header = attribute("header_type", "UInt32");
         headerType = switch (header) {
             case "UInt32" -> ScalarType.UINT32;
             case "UInt64" -> ScalarType.UINT64;
-            default -> throw badInput("found header_type " + Numbers.quote(header) + ", expected UInt32 or UInt64");
+            default -> throw unexpected("header_type", header, "UInt32 or UInt64");
         };
         String compressor = attribute("compressor", "");
         if (!compressor.isEmpty() && !compressor.equals("vtkZLibDataCompressor")) {
-            throw badInput(
-                    "found compressor " + Numbers.quote(compressor) + ", expected vtkZLibDataCompressor or none");
+            throw unexpected("compressor", compressor, "vtkZLibDataCompressor or none");
         }
         compressed = !compressor.isEmpty();
     }
@@ -183,10 +178,10 @@ final class VtpDocument {
         ScalarType type = Arrays.stream(ScalarType.values())
                 .filter(t -> t.name().equalsIgnoreCase(typeName))
                 .findFirst()
-                .orElseThrow(() -> badInput("found type " + Numbers.quote(typeName) + ", expected Int8 to Float64"));
+                .orElseThrow(() -> unexpected("type", typeName, "Int8 to Float64"));
         String format = attribute("format", "ascii");
         if (!format.equals("ascii") && !format.equals("binary") && !format.equals("appended")) {
-            throw badInput("found format " + Numbers.quote(format) + ", expected ascii, binary or appended");
+            throw unexpected("format", format, "ascii, binary or appended");
         }
         long offset = format.equals("appended") ? count("offset") : 0;
         piece.arrays().put(key, new DataArray(key, type, format, offset, ownText(), line));
@@ -236,19 +231,16 @@ final class VtpDocument {
 
     private long count(String name) {
         String text = attribute(name, "0");
-        try {
-            long count = Long.parseLong(text);
-            if (count >= 0) {
-                return count;
-            }
-        } catch (NumberFormatException notWhole) {
-            // Reported below, like a negative count.
-        }
-        throw badInput("found " + name + " " + Numbers.quote(text) + ", expected a whole number, 0 or more");
+        return Numbers.parseWhole(text, 0, Long.MAX_VALUE)
+                .orElseThrow(() -> unexpected(name, text, "a whole number, 0 or more"));
     }
 
     private int line() {
         return xml.getLocation().getLineNumber();
+    }
+
+    private BadInputException unexpected(String attribute, String found, String expected) {
+        return badInput("found " + attribute + " " + Numbers.quote(found) + ", expected " + expected);
     }
 
     private BadInputException badInput(String problem) {

@@ -37,9 +37,8 @@ final class VtpReader {
         VtpArray array = array(piece, "Points");
         double[] values = array.doubles(bytes);
         if (values.length % 3 != 0 || values.length / 3 != piece.points()) {
-            throw badPiece(
-                    piece,
-                    "found " + values.length + " coordinates, expected 3 for each of " + piece.points() + " points");
+            String found = "found " + values.length + " coordinates";
+            throw badPiece(piece, found + ", expected 3 for each of " + piece.points() + " points");
         }
         for (int i = 0; i < values.length; i += 3) {
             array.setIndex(i);
@@ -56,10 +55,8 @@ final class VtpReader {
         long[] offsets = offsetArray.longs(bytes);
         long[] corners = cornerArray.longs(bytes);
         if (offsets.length != cells || offsets[offsets.length - 1] != corners.length) {
-            throw badPiece(
-                    piece,
-                    "found " + offsets.length + " offsets into " + corners.length + " corners of " + section
-                            + ", expected " + cells + " offsets up to the last corner");
+            String found = "found " + offsets.length + " offsets into " + corners.length + " corners of " + section;
+            throw badPiece(piece, found + ", expected " + cells + " offsets up to the last corner");
         }
         for (int i = 0; i < corners.length; i++) {
             if (corners[i] < 0 || corners[i] >= piece.points()) {

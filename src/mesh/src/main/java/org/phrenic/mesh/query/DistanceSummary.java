@@ -17,7 +17,6 @@ import org.phrenic.engine.math.ArgSort;
  */
 public record DistanceSummary(
         int points, double mean, double deviation, double rms, double median, double percentile95, double maximum) {
-    private static final double MOST = 0.95;
 
     /** Summary of no distances: all values are 0. */
     public static final DistanceSummary NONE = new DistanceSummary(0, 0, 0, 0, 0, 0, 0);
@@ -58,7 +57,7 @@ public record DistanceSummary(
                 Math.sqrt(spread / total),
                 Math.sqrt(squares / total),
                 quantile(d, w, total, 0.5),
-                quantile(d, w, total, MOST),
+                quantile(d, w, total, 0.95),
                 d[d.length - 1]);
     }
 

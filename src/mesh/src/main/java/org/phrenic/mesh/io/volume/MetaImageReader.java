@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -42,18 +43,15 @@ final class MetaImageReader {
         int[] sizes = header.integers("dimsize");
         int last = dimensions == 4 && sizes.length == 4 ? sizes[3] : 1;
         if ((dimensions != 3 && dimensions != 4) || last != 1) {
-            throw header.badInput(
-                    "ndims",
-                    "found " + dimensions + " dimensions" + (last > 1 ? " with " + last + " volumes" : "")
-                            + ", expected 3");
+            String volumes = last > 1 ? " with " + last + " volumes" : "";
+            throw header.badInput("ndims", "found " + dimensions + " dimensions" + volumes + ", expected 3");
         }
         if (sizes.length != dimensions) {
             throw header.badInput("dimsize", "found " + sizes.length + " numbers, expected " + dimensions);
         }
-        if (header.has("elementnumberofchannels") && header.integers("elementnumberofchannels")[0] != 1) {
-            throw header.badInput(
-                    "elementnumberofchannels",
-                    "found " + header.text("elementnumberofchannels") + " values a voxel, expected 1");
+        String channels = "elementnumberofchannels";
+        if (header.has(channels) && header.integers(channels)[0] != 1) {
+            throw header.badInput(channels, "found " + header.text(channels) + " values a voxel, expected 1");
         }
         if (!flag("binarydata", true)) {
             throw header.badInput("binarydata", "found False, expected binary data");
@@ -109,7 +107,7 @@ final class MetaImageReader {
         return switch (word) {
             case "true", "1" -> true;
             case "false", "0" -> false;
-            default -> throw header.badInput(key, "found " + Numbers.quote(word) + ", expected True or False");
+            default -> throw header.unexpected(key, word, "True or False");
         };
     }
 
@@ -126,9 +124,7 @@ final class MetaImageReader {
             case "MET_ULONG_LONG" -> ScalarType.UINT64;
             case "MET_FLOAT" -> ScalarType.FLOAT32;
             case "MET_DOUBLE" -> ScalarType.FLOAT64;
-            default ->
-                throw header.badInput(
-                        "elementtype", "found " + Numbers.quote(type) + ", expected MET_UCHAR, MET_SHORT or alike");
+            default -> throw header.unexpected("elementtype", type, "MET_UCHAR, MET_SHORT or alike");
         };
     }
 
@@ -154,8 +150,7 @@ final class MetaImageReader {
                 steps[axis][row] = spacing[axis] * direction;
             }
         }
-        return new VolumeAxes(
-                steps, origin.length == 0 ? new double[3] : new double[] {origin[0], origin[1], origin[2]});
+        return new VolumeAxes(steps, Arrays.copyOf(origin, 3));
     }
 
     /** The numbers of the first of these keys that is present; empty if none is. */

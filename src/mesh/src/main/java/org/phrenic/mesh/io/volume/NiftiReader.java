@@ -30,7 +30,7 @@ final class NiftiReader {
     private static final int HEADER_OF_NIFTI_2 = 540;
     private static final int GZIP_MAGIC = 0x1f8b;
     /** Greatest number of extension bytes that are searched for names. */
-    private static final int LARGEST_EXTENSION = 1 << 24;
+    private static final int MAX_EXTENSION = 1 << 24;
 
     private static final Pattern LABEL =
             Pattern.compile("<Label\\s+Key=\"(\\d{1,5})\"[^>]*>\\s*(?:<!\\[CDATA\\[(.*?)]]>|([^<]*))\\s*</Label>");
@@ -69,13 +69,12 @@ final class NiftiReader {
     }
 
     private LabelVolume volume(InputStream in, long size, boolean packed) throws IOException {
-        String magic = new String(magicBytes(), StandardCharsets.ISO_8859_1);
+        String magic = new String(header.array(), 344, 3, StandardCharsets.ISO_8859_1);
+        if (magic.equals("ni1")) {
+            throw bad(344, "found the header of a pair .hdr and .img, expected one .nii file");
+        }
         if (!magic.equals("n+1")) {
-            throw bad(
-                    344,
-                    magic.equals("ni1")
-                            ? "found the header of a pair .hdr and .img, expected one .nii file"
-                            : "found no 'n+1', expected a NIfTI-1 file");
+            throw bad(344, "found no 'n+1', expected a NIfTI-1 file");
         }
         float slope = header.getFloat(112);
         boolean scaled = slope != 0 && Float.isFinite(slope);
@@ -92,12 +91,6 @@ final class NiftiReader {
         return new LabelVolume(grid, names, notes);
     }
 
-    private byte[] magicBytes() {
-        byte[] magic = new byte[3];
-        header.get(344, magic);
-        return magic;
-    }
-
     private int[] sizes() {
         int dimensions = header.getShort(40);
         int more = 1;
@@ -105,10 +98,8 @@ final class NiftiReader {
             more = Math.max(more, header.getShort(40 + 2 * d));
         }
         if (dimensions < 3 || dimensions > 7 || more > 1) {
-            throw bad(
-                    40,
-                    "found " + dimensions + " dimensions" + (more > 1 ? " with " + more + " volumes" : "")
-                            + ", expected 3");
+            String volumes = more > 1 ? " with " + more + " volumes" : "";
+            throw bad(40, "found " + dimensions + " dimensions" + volumes + ", expected 3");
         }
         return new int[] {header.getShort(42), header.getShort(44), header.getShort(46)};
     }
@@ -187,7 +178,7 @@ final class NiftiReader {
 
     private Map<Integer, String> names(InputStream in, int length) throws IOException {
         Map<Integer, String> names = new TreeMap<>();
-        byte[] extension = in.readNBytes(Math.min(length, LARGEST_EXTENSION));
+        byte[] extension = in.readNBytes(Math.min(length, MAX_EXTENSION));
         in.skipNBytes(length - extension.length);
         Matcher label = LABEL.matcher(new String(extension, StandardCharsets.UTF_8));
         while (label.find()) {

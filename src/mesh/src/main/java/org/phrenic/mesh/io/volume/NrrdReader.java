@@ -98,8 +98,8 @@ final class NrrdReader {
         int[] all = header.integers("sizes");
         int dimensions = header.integers("dimension")[0];
         if (all.length != dimensions) {
-            throw header.badInput(
-                    "sizes", "found " + all.length + " numbers, expected " + dimensions + " as in 'dimension'");
+            String expected = ", expected " + dimensions + " as in 'dimension'";
+            throw header.badInput("sizes", "found " + all.length + " numbers" + expected);
         }
         if (dimensions == 4) {
             axes = spatialAxes(all);
@@ -125,10 +125,8 @@ final class NrrdReader {
         }
         int apart = other < 0 ? 3 : other;
         if (sizes[apart] != 1) {
-            throw header.badInput(
-                    "dimension",
-                    "found 4 dimensions with " + sizes[apart]
-                            + " volumes or layers of overlapping segments, expected 3 (export one layer)");
+            String layers = sizes[apart] + " volumes or layers of overlapping segments";
+            throw header.badInput("dimension", "found 4 dimensions with " + layers + ", expected 3 (export one layer)");
         }
         return Arrays.stream(new int[] {0, 1, 2, 3}).filter(a -> a != apart).toArray();
     }
@@ -152,8 +150,7 @@ final class NrrdReader {
             case "ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t" -> ScalarType.UINT64;
             case "float" -> ScalarType.FLOAT32;
             case "double" -> ScalarType.FLOAT64;
-            default ->
-                throw header.badInput("type", "found " + Numbers.quote(type) + ", expected whole numbers or real ones");
+            default -> throw header.unexpected("type", type, "whole numbers or real ones");
         };
     }
 
@@ -207,10 +204,8 @@ final class NrrdReader {
                 yield given;
             }
             default ->
-                throw header.badInput(
-                        "space",
-                        "found " + Numbers.quote(space) + ", expected left-posterior-superior,"
-                                + " right-anterior-superior or left-anterior-superior");
+                throw header.unexpected(
+                        "space", space, "left-posterior-superior, right-anterior-superior or left-anterior-superior");
         };
     }
 
@@ -221,8 +216,7 @@ final class NrrdReader {
             vectors.add(vector.group(1) == null ? "none" : vector.group(1));
         }
         if (vectors.isEmpty()) {
-            throw header.badInput(
-                    key, "found " + Numbers.quote(header.text(key)) + ", expected vectors such as (1,0,0)");
+            throw header.unexpected(key, header.text(key), "vectors such as (1,0,0)");
         }
         return vectors;
     }
@@ -242,7 +236,7 @@ final class NrrdReader {
         return switch (encoding) {
             case "raw" -> false;
             case "gzip", "gz" -> true;
-            default -> throw header.badInput("encoding", "found " + Numbers.quote(encoding) + ", expected raw or gzip");
+            default -> throw header.unexpected("encoding", encoding, "raw or gzip");
         };
     }
 

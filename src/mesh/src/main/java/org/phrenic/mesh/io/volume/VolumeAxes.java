@@ -3,24 +3,17 @@ package org.phrenic.mesh.io.volume;
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
 
-/** Position of the voxels of a volume: one step vector per grid direction and the centre of the first voxel, mm. */
-final class VolumeAxes {
+/**
+ * Position of the voxels of a volume, mm.
+ *
+ * @param steps vectors between neighbouring voxels along columns, rows and slices
+ * @param origin centre of the first voxel
+ */
+record VolumeAxes(double[][] steps, double[] origin) {
     /** Tolerance of a right angle: half a degree, because files round directions to six digits or fewer. */
     private static final double RIGHT_ANGLE = 0.0087;
 
     private static final String[] DIRECTIONS = {"columns", "rows", "slices"};
-
-    private final double[][] steps;
-    private final double[] origin;
-
-    /**
-     * @param steps vectors between neighbouring voxels along columns, rows and slices
-     * @param origin centre of the first voxel
-     */
-    VolumeAxes(double[][] steps, double[] origin) {
-        this.steps = steps;
-        this.origin = origin;
-    }
 
     /** Axes parallel to x, y and z with these spacings. */
     static VolumeAxes axisAligned(double dx, double dy, double dz) {
@@ -78,14 +71,10 @@ final class VolumeAxes {
                 cosine += steps[one][row] * steps[other][row] / (length[one] * length[other]);
             }
             if (Math.abs(cosine) > RIGHT_ANGLE) {
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
-                        "%s: found %s and %s at an angle of %.1f deg, expected right angles"
-                                + " (resample the sheared volume first)",
-                        file,
-                        DIRECTIONS[one],
-                        DIRECTIONS[other],
-                        Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))))));
+                double angle = Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+                String found = ": found " + DIRECTIONS[one] + " and " + DIRECTIONS[other];
+                throw new BadInputException(file + found + String.format(Locale.ROOT, " at an angle of %.1f deg", angle)
+                        + ", expected right angles (resample the sheared volume first)");
             }
         }
         return affine;

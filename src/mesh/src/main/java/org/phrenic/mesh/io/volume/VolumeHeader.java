@@ -10,14 +10,13 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
 /** The "key = value" or "key: value" lines of a volume header, by lower-case key, each with its line number. */
 final class VolumeHeader {
-    private static final int LONGEST_LINE = 1 << 20;
+    private static final int MAX_LINE = 1 << 20;
 
     private final String file;
     private final Map<String, String> values = new TreeMap<>();
@@ -38,7 +37,7 @@ final class VolumeHeader {
         line++;
         while (c >= 0 && c != '\n') {
             text.write(c);
-            if (text.size() > LONGEST_LINE) {
+            if (text.size() > MAX_LINE) {
                 throw badInput("found a line without end, expected a text header");
             }
             c = in.read();
@@ -76,15 +75,10 @@ final class VolumeHeader {
     /** Whole numbers separated by spaces. */
     int[] integers(String key) {
         String[] words = text(key).split("\\s+", -1);
-        int[] numbers = new int[words.length];
-        for (int i = 0; i < words.length; i++) {
-            try {
-                numbers[i] = Integer.parseInt(words[i]);
-            } catch (NumberFormatException none) {
-                throw badInput(key, "found " + Numbers.quote(words[i]) + ", expected a whole number");
-            }
-        }
-        return numbers;
+        return Arrays.stream(words)
+                .mapToInt(word -> (int) Numbers.parseWhole(word, Integer.MIN_VALUE, Integer.MAX_VALUE)
+                        .orElseThrow(() -> unexpected(key, word, "a whole number")))
+                .toArray();
     }
 
     /**
@@ -103,18 +97,14 @@ final class VolumeHeader {
     }
 
     double number(String key, String word) {
-        OptionalDouble value = Numbers.parse(word);
-        if (value.isEmpty()) {
-            throw badInput(key, "found " + Numbers.quote(word) + ", expected a number");
-        }
-        return value.getAsDouble();
+        return Numbers.parse(word).orElseThrow(() -> unexpected(key, word, "a number"));
     }
 
     /** The single file beside the header that a key names. */
     Path fileBeside(Path headerFile, String key) {
         String name = text(key);
         if (name.toUpperCase(Locale.ROOT).startsWith("LIST") || name.contains("%")) {
-            throw badInput(key, "found " + Numbers.quote(name) + ", expected one file");
+            throw unexpected(key, name, "one file");
         }
         try {
             Path beside = headerFile.resolveSibling(name);
@@ -130,6 +120,10 @@ final class VolumeHeader {
     /** An exception about the value of a key. */
     BadInputException badInput(String key, String problem) {
         return BadInputException.at(file, "line " + lines.getOrDefault(key, line) + ", key '" + key + "'", problem);
+    }
+
+    BadInputException unexpected(String key, String found, String expected) {
+        return badInput(key, "found " + Numbers.quote(found) + ", expected " + expected);
     }
 
     /** An exception about the line read last. */

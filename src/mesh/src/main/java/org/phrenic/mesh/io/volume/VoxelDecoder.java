@@ -6,7 +6,6 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.ScalarType;
@@ -24,16 +23,16 @@ import org.phrenic.mesh.voxel.LabelGrid;
 record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
     private static final int CHUNK = 1 << 15;
     /** Greatest compression ratio of deflate. */
-    private static final long MOST_PACKED = 1032;
+    private static final long MAX_RATIO = 1032;
 
-    private static final long MOST_VOXELS = Integer.MAX_VALUE - 8;
+    private static final long MAX_VOXELS = Integer.MAX_VALUE - 8;
     /**
      * Initial capacity in labels. It grows with the data read, so that a damaged header cannot allocate too much
      * memory.
      */
-    private static final int FIRST_ROOM = 1 << 22;
+    private static final int INITIAL_CAPACITY = 1 << 22;
     /** Greatest fraction of the Java heap for one label volume; growing an array needs both copies for a short time. */
-    private static final double MOST_OF_MEMORY = 0.5;
+    private static final double MAX_MEMORY = 0.5;
 
     /** A decoder for stored values that are labels. */
     VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order) {
@@ -62,12 +61,12 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
             }
         }
         // This first comparison is needed because the product of three sizes below 2^31 can overflow a long.
-        if ((long) sizes[0] * sizes[1] > MOST_VOXELS || voxels() > MOST_VOXELS) {
+        if ((long) sizes[0] * sizes[1] > MAX_VOXELS || voxels() > MAX_VOXELS) {
             throw new BadInputException(
                     file + ": found a size of " + shown(sizes) + " voxels, expected less than 2^31 in all");
         }
         long needed = bytes();
-        if (needed > available * (packed ? MOST_PACKED : 1)) {
+        if (needed > available * (packed ? MAX_RATIO : 1)) {
             throw new BadInputException(file + ": found " + available + " bytes of voxels, expected "
                     + (packed ? "enough for " : "") + needed + " for " + shown(sizes) + " of " + type.size()
                     + (type.size() == 1 ? " byte" : " bytes"));
@@ -78,14 +77,10 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     /** Rejects more labels than fit into memory. */
     private void checkMemory(String file) {
         long memory = Runtime.getRuntime().maxMemory();
-        if (voxels() > MOST_OF_MEMORY * memory) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "%s: found a size of %s voxels, expected no more than fit into half of Java's memory,"
-                            + " which is %d MB (java -Xmx8g gives it 8 GB)",
-                    file,
-                    shown(sizes),
-                    memory >> 20));
+        if (voxels() > MAX_MEMORY * memory) {
+            throw new BadInputException(file + ": found a size of " + shown(sizes) + " voxels, expected no more than"
+                    + " fit into half of Java's memory, which is " + (memory >> 20)
+                    + " MB (java -Xmx8g gives it 8 GB)");
         }
     }
 
@@ -101,7 +96,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
      */
     LabelGrid decode(String file, InputStream in, double[] affine) {
         int count = (int) voxels();
-        byte[] small = new byte[Math.min(count, FIRST_ROOM)];
+        byte[] small = new byte[Math.min(count, INITIAL_CAPACITY)];
         short[] large = new short[0];
         byte[] chunk = new byte[CHUNK * type.size()];
         ByteBuffer buffer = ByteBuffer.wrap(chunk).order(order);
@@ -178,18 +173,14 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
                 : slope * type.readDouble(from, n * type.size()) + intercept;
         int label = (int) value;
         if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
-            int voxel = first + n;
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "%s: voxel (%d, %d, %d): found %s, expected a label, a whole number from 0 to %d",
+            int i = (first + n) % sizes[0];
+            int row = (first + n) / sizes[0];
+            boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
+            String found = whole ? Long.toString((long) value) : Double.toString(value);
+            throw BadInputException.at(
                     file,
-                    voxel % sizes[0],
-                    voxel / sizes[0] % sizes[1],
-                    voxel / sizes[0] / sizes[1],
-                    value == Math.rint(value) && Math.abs(value) < 1e15
-                            ? Long.toString((long) value)
-                            : Double.toString(value),
-                    LabelGrid.MAX_LABEL));
+                    "voxel (" + i + ", " + row % sizes[1] + ", " + row / sizes[1] + ")",
+                    "found " + found + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL);
         }
         return label;
     }
