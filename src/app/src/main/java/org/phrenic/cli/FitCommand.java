@@ -158,7 +158,8 @@ final class FitCommand extends ReportingCommand {
         print(report.values(), () -> {
             String distances = TextTable.of(FitReport.DISTANCES, report.distances());
             String tuned = TextTable.of(FitReport.PARAMETERS, report.parameters());
-            return withDisclaimer(String.join("\n", distances, tuned, report.summary()));
+            String limits = String.join("\n", report.limits());
+            return withDisclaimer(String.join("\n", distances, tuned, report.summary(), limits));
         });
         return ExitCode.SUCCESS;
     }

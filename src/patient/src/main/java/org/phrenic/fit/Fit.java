@@ -15,6 +15,7 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.Evaluation;
 import org.phrenic.fit.search.FitJournal;
 import org.phrenic.fit.search.FitParameter;
@@ -76,10 +77,7 @@ public final class Fit {
                             this::evaluate,
                             (count, best) -> progress.evaluated(count, settings.maxEvaluations(), best, initial))
                     .run(first.hasGradient() ? this::candidates : null);
-            double[] values =
-                    new SearchSpace(setup.parameters()).values(found.best().point());
-            List<FitResult.Effect> effects = setup.options().sensitivity() ? effects(values) : List.of();
-            return result(first, values, initial, found, effects, begun);
+            return result(first, initial, found, begun);
         } finally {
             objectives.forEach(FitObjective::close);
         }
@@ -118,19 +116,26 @@ public final class Fit {
                         objective -> new ReweightedGaussNewton(objective, model).minimize(radius * t[0], t[1]))));
     }
 
-    /** Computes the effect of moving each parameter alone, in both directions. */
-    private List<FitResult.Effect> effects(double[] values) {
+    /**
+     * Computes the effect of moving each parameter alone, in both directions: on the linear model of the search if it
+     * has one, otherwise with a breath each.
+     */
+    private List<FitResult.Effect> effects(double[] values, double bestMm, LinearShapeModel model) {
         List<Supplier<Double>> jobs = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
             FitParameter p = setup.parameters().get(i);
             for (int side = -1; side <= 1; side += 2) {
-                double to = p.toUnit(values[i]) + side * SENSITIVITY_STEP;
+                int moving = i;
+                double step = side * SENSITIVITY_STEP;
+                double to = p.toUnit(values[i]) + step;
                 double[] moved = values.clone();
                 moved[i] = p.fromUnit(to);
-                jobs.add(() -> to >= 0 && to <= 1 ? evaluate(moved).value() : Double.NaN);
+                Supplier<Double> mean = () -> model == null
+                        ? evaluate(moved).value()
+                        : withObjective(o -> bestMm + change(o, model, moving, step));
+                jobs.add(() -> to >= 0 && to <= 1 ? mean.get() : Double.NaN);
             }
         }
-        progress.note("Moving each parameter to both sides");
         List<Double> means = parallel(jobs.stream());
         return IntStream.range(0, values.length)
                 .mapToObj(i -> {
@@ -141,21 +146,51 @@ public final class Fit {
                 .toList();
     }
 
-    private FitResult result(
-            FitObjective objective,
-            double[] values,
-            double initialMm,
-            FitSearch.Result found,
-            List<FitResult.Effect> effects,
-            long begunNs) {
+    /** Change of the objective with a step from the centre of a linear model, mm. */
+    private static double change(FitObjective objective, LinearShapeModel model, int parameter, double step) {
+        double[] shape = new double[model.length()];
+        double[] point = model.centre().clone();
+        model.predict(point, shape);
+        double before = objective.meanMm(shape);
+        point[parameter] += step;
+        model.predict(point, shape);
+        return objective.meanMm(shape) - before;
+    }
+
+    /**
+     * Simulates the best breath up to its observation. A breath that fails after the time to which the search simulates
+     * is left for the next best.
+     */
+    private double[] bestBreath(InspiratoryHold breath, FitSearch.Result found) {
+        String failure = "";
+        for (Evaluation e : found.fromBest()) {
+            double[] values = new SearchSpace(setup.parameters()).values(e.point());
+            String reason = e.drive() > 0 ? breath.breatheIn(values) : e.failure();
+            if (reason.isEmpty()) {
+                return values;
+            }
+            failure = failure.isEmpty() ? reason : failure;
+        }
+        throw new BadInputException("fit: found no breath of this body that does not fail among "
+                + found.trials().size() + ", also with less drive, expected one; the first: " + failure);
+    }
+
+    private List<String> warnings(FitSearch.Result found) {
+        int needed = 1 + setup.parameters().size();
+        int count = found.trials().size();
+        return count <= needed && found.isCutShort()
+                ? List.of("Only " + count + (count == 1 ? " breath was" : " breaths were") + " simulated: the first and"
+                        + " what each of " + (needed - 1) + " parameters does take " + needed
+                        + ", so hardly anything was searched; expected --evaluations of " + 3 * needed + " or more.")
+                : List.of();
+    }
+
+    private FitResult result(FitObjective objective, double initialMm, FitSearch.Result found, long begunNs) {
         InspiratoryHold breath = objective.breath();
+        double[] values = bestBreath(breath, found);
+        double bestMm = objective.currentMm();
+        String hash = breath.stateHash();
         Scenario scenario = InspiratoryHold.scenario(setup.base(), setup.parameters(), values);
-        List<String> hashes = parallel(Stream.of(
-                () -> {
-                    breath.breatheIn(values);
-                    return breath.stateHash();
-                },
-                () -> stateHash(scenario)));
         boolean held = setup.options().holdOutHalf();
         List<FitResult.TargetResult> targets = objective.distances().stream()
                 .map(d -> new FitResult.TargetResult(
@@ -168,20 +203,26 @@ public final class Fit {
                 .toList();
         Map<String, Double> observed = new LinkedHashMap<>();
         Observation.COLUMNS.forEach(column -> observed.put(column, breath.observed(column)));
+        List<String> warnings = warnings(found);
+        warnings.forEach(progress::note);
+        List<FitResult.Effect> effects =
+                setup.options().sensitivity() ? effects(values, bestMm, found.model()) : List.of();
         int count = evaluations.get();
         return new FitResult(
                 setup,
                 values,
-                found.best().value(),
+                bestMm,
                 initialMm,
                 found.trials().get(0).value(),
                 targets,
                 effects,
                 observed,
                 scenario,
-                hashes.get(0).equals(hashes.get(1)),
+                hash.equals(stateHash(scenario)),
                 found.trials().stream().mapToDouble(Evaluation::value).toArray(),
                 found.ended(),
+                FailedBreaths.of(found.trials()),
+                warnings,
                 count == 0 ? Double.NaN : cpuNs.get() * 1e-9 / count,
                 (System.nanoTime() - begunNs) * 1e-9);
     }

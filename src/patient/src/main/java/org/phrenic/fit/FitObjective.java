@@ -12,9 +12,6 @@ import org.phrenic.fit.search.Evaluation;
  * <p>Must be used by one thread at a time.
  */
 final class FitObjective implements AutoCloseable {
-    /** Objective value if the simulation diverges, mm. It is larger than any regular value. */
-    private static final double DIVERGED_MM = 1000;
-
     private final FitHalf half;
     private final InspiratoryHold breath;
     private final List<TargetDistance> distances;
@@ -69,8 +66,9 @@ final class FitObjective implements AutoCloseable {
 
     /** Simulates the breath with the given parameter values. */
     Evaluation evaluate(double[] values) {
-        if (!breath.breatheIn(values)) {
-            return new Evaluation(values, DIVERGED_MM);
+        String failure = breath.breatheIn(values, InspiratoryHold.SEARCHED_AT_S);
+        if (!failure.isEmpty()) {
+            return Evaluation.failed(values, failure);
         }
         float[] shape = new float[length];
         double mean = 0;
@@ -82,6 +80,26 @@ final class FitObjective implements AutoCloseable {
             }
         }
         return new Evaluation(values, mean, shape);
+    }
+
+    /** Objective value of the current state of the body, mm. */
+    double currentMm() {
+        double sum = 0;
+        for (int i = 0; i < weights.length; i++) {
+            sum += weights[i] * weighted.get(i).mean(weighted.get(i).positions(breath), half);
+        }
+        return sum;
+    }
+
+    /** Objective value of a shape, mm. */
+    double meanMm(double[] shape) {
+        double sum = 0;
+        for (int i = 0; i < weights.length; i++) {
+            double[] part = Arrays.copyOfRange(
+                    shape, offsets[i], offsets[i] + weighted.get(i).length());
+            sum += weights[i] * weighted.get(i).mean(part, half);
+        }
+        return sum;
     }
 
     /** Visits every weighted distance of a shape. Vertices are given as indices into the shape. */

@@ -21,6 +21,9 @@ import org.phrenic.mesh.query.DistanceSummary;
 
 /** The result of a fit as tables, as a document and as JSON values. */
 public record FitReport(FitResult result) {
+    /** A parameter nearer to a bound than this is at the bound; a fraction of the range. */
+    private static final double AT_BOUND = 1e-6;
+
     /** Columns of {@link #distances}. */
     public static final List<Column> DISTANCES = List.of(
             Column.text("target"),
@@ -115,6 +118,29 @@ public record FitReport(FitResult result) {
                         : "scenario.yaml was run and does NOT give the same state.");
     }
 
+    /** What limits the fit: warnings, parameters at a bound and failed breaths, one sentence each. */
+    public List<String> limits() {
+        List<String> limits = new ArrayList<>(result.warnings());
+        List<String> keys = boundKeys();
+        if (!keys.isEmpty()) {
+            limits.add("At a bound: " + String.join(", ", keys) + ".");
+        }
+        result.failures().forEach(f -> limits.add(f.sentence()));
+        return limits;
+    }
+
+    private List<String> boundKeys() {
+        List<String> keys = new ArrayList<>();
+        for (int i = 0; i < result.values().length; i++) {
+            FitParameter p = result.setup().parameters().get(i);
+            double u = p.toUnit(result.values()[i]);
+            if (Math.min(u, 1 - u) < AT_BOUND) {
+                keys.add(p.parameter().key());
+            }
+        }
+        return keys;
+    }
+
     /** The report as a document. */
     public ReportDocument document(List<Picture> pictures) {
         FitSetup setup = result.setup();
@@ -138,6 +164,10 @@ public record FitReport(FitResult result) {
                 "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart);"
                         + " distances are the mean that was made small, mm, with that parameter alone moved.");
         page.table("", PARAMETERS, parameters());
+        if (!limits().isEmpty()) {
+            page.section("What limits it");
+            page.points(limits().toArray(String[]::new));
+        }
         page.section("The fitted breath");
         page.points(result.observed().entrySet().stream()
                 .filter(e -> e.getKey().endsWith("_mm") || e.getKey().endsWith("_ml"))
@@ -163,6 +193,16 @@ public record FitReport(FitResult result) {
                 .with("population", setup.populationSize())
                 .with("seed", setup.options().search().seed())
                 .with("ended", result.ended())
+                .with("warnings", result.warnings())
+                .with("at_bounds", boundKeys())
+                .with(
+                        "failed_breaths",
+                        result.failures().stream()
+                                .map(f -> new OrderedValues()
+                                        .with("reason", f.reason())
+                                        .with("count", f.count())
+                                        .with("succeeded_with_less_drive", f.gentler()))
+                                .toList())
                 .with("reproduced", result.reproduced())
                 .with("wall_s", result.wallS());
         if (!Double.isNaN(result.cpuPerEvaluationS())) {

@@ -18,6 +18,8 @@ import org.phrenic.scenario.Scenario;
  * @param reproduced whether that scenario was run and gave a bit-identical state
  * @param trials objective of every evaluation, in order
  * @param ended why the search ended, as text
+ * @param failures breaths of the search that failed, by reason
+ * @param warnings what makes the result doubtful, one sentence each
  * @param cpuPerEvaluationS mean processor time per evaluation of this run, s; NaN if all evaluations came from the
  *     journal
  * @param wallS wall-clock time of this run, s
@@ -35,6 +37,8 @@ public record FitResult(
         boolean reproduced,
         double[] trials,
         String ended,
+        List<FailedBreaths> failures,
+        List<String> warnings,
         double cpuPerEvaluationS,
         double wallS) {
 

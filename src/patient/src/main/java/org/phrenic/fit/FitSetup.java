@@ -25,7 +25,7 @@ public record FitSetup(
      * @param holdOutHalf whether only one half of every surface is fitted; the other half is only reported
      * @param alignment how the targets were aligned with the axes of the body, as a sentence
      * @param threads number of bodies simulated in parallel; the result does not depend on it
-     * @param sensitivity whether each parameter is finally moved in both directions, with two evaluations each
+     * @param sensitivity whether the effect of each parameter near the fitted values is reported
      */
     public record Options(
             boolean holdOutHalf, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
@@ -68,7 +68,7 @@ public record FitSetup(
         });
         parameters.forEach(p -> text.append(text(p) + "\n"));
         text.append(options.holdOutHalf + " " + options.search.seed() + " " + populationSize() + " "
-                + options.search.sigma() + " descent of an even sheet");
+                + options.search.sigma() + " retries; compared at " + InspiratoryHold.SEARCHED_AT_S);
         List<double[]> arrays = new ArrayList<>();
         for (FitTarget target : targets) {
             text.append("\n" + target.name() + " " + target.part() + " " + target.weight());

@@ -27,6 +27,8 @@ import org.phrenic.simulation.observe.Observation;
 public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
+    /** Time from rest to the comparison of a breath of the search, s. Domes then move by less than 0.5 mm more. */
+    static final double SEARCHED_AT_S = 1.1;
     /** Time from rest to the observation, s. docs/fit.md gives the remaining distance from equilibrium at that time. */
     public static final double OBSERVED_AT_S = 1.7;
 
@@ -88,19 +90,24 @@ public final class InspiratoryHold implements AutoCloseable {
     /**
      * Simulates the breath from rest to the observation.
      *
-     * @return false if the simulation diverged, in which case the state is undefined
+     * @return why the simulation failed, in which case the state is undefined; empty if it did not
      */
-    public boolean breatheIn(double[] values) {
+    public String breatheIn(double[] values) {
+        return breatheIn(values, OBSERVED_AT_S);
+    }
+
+    /** As {@link #breatheIn(double[])}, to another time, s. */
+    String breatheIn(double[] values, double untilS) {
         try {
             simulation.rerun(changes(held, parameters, values));
-            long steps = Math.round(OBSERVED_AT_S / held.timeStepS());
+            long steps = Math.round(untilS / held.timeStepS());
             while (simulation.steps() < steps) {
                 simulation.step();
             }
-            return true;
+            return "";
         } catch (DivergenceException | IllegalArgumentException unstable) {
-            // Thrown if no substep makes the time step stable.
-            return false;
+            // The latter is thrown if no substep makes the time step stable.
+            return String.valueOf(unstable.getMessage()).replaceAll("[\",\\s]+", " ");
         }
     }
 

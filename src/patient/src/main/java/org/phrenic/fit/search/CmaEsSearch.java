@@ -55,7 +55,9 @@ public final class CmaEsSearch {
                 return known;
             }
             for (int i = 0; i < batch.size(); i++) {
-                known.add(new Evaluation(points.get(i), batch.get(i).value()));
+                Evaluation e = batch.get(i);
+                // A breath that only succeeds with less drive tells nothing good about the requested point.
+                known.add(new Evaluation(points.get(i), e.hasFailed() ? Evaluation.FAILED_MM : e.value()));
             }
         }
     }

@@ -15,13 +15,17 @@ import org.phrenic.file.OutputException;
 
 /**
  * Log of the evaluations of a fit, one per line. Each line is written as soon as its evaluation is done, so an
- * interrupted fit can resume. A line contains the fingerprint of its fit. An incomplete last line is ignored. Shapes
- * are stored in a {@link ShapeFile} next to the journal.
+ * interrupted fit can resume. The parameter values are the requested ones, also if the breath succeeded only with less
+ * drive. A line contains the fingerprint of its fit. An incomplete last line is ignored. Shapes are stored in a
+ * {@link ShapeFile} next to the journal.
  */
 public final class FitJournal {
+    private static final int FIXED_COLUMNS = 5;
+
     private final Path file;
     private final String fingerprint;
-    private final List<String> columns = new ArrayList<>(List.of("evaluation", "fit", "distance_mm"));
+    private final List<String> columns =
+            new ArrayList<>(List.of("evaluation", "fit", "distance_mm", "drive", "failure"));
     private final Map<Integer, Evaluation> known = new TreeMap<>();
     private final ShapeFile shapes;
     private boolean written;
@@ -62,13 +66,18 @@ public final class FitJournal {
         }
         double[] numbers = table.numbers("evaluation");
         double[] values = table.numbers("distance_mm");
-        double[][] given = columns.stream().skip(3).map(table::numbers).toArray(double[][]::new);
+        double[] drives = table.numbers("drive");
+        List<String> failures = table.texts("failure");
+        double[][] given =
+                columns.stream().skip(FIXED_COLUMNS).map(table::numbers).toArray(double[][]::new);
         for (int row = 0; row < numbers.length; row++) {
             double[] point = new double[given.length];
             for (int i = 0; i < point.length; i++) {
                 point[i] = given[i][row];
             }
-            known.put((int) numbers[row], new Evaluation(point, values[row]));
+            known.put(
+                    (int) numbers[row],
+                    new Evaluation(point, values[row], new float[0], drives[row], failures.get(row)));
         }
     }
 
@@ -88,7 +97,7 @@ public final class FitJournal {
             shapes.add(number, evaluation.shape());
         }
         synchronized (this) {
-            known.put(number, new Evaluation(evaluation.point(), evaluation.value()));
+            known.put(number, evaluation.withoutShape());
             try {
                 if (written) {
                     Files.writeString(file, line(number), StandardOpenOption.APPEND);
@@ -107,12 +116,10 @@ public final class FitJournal {
 
     private String line(int number) {
         StringBuilder text = new StringBuilder();
-        text.append(number)
-                .append(',')
-                .append(fingerprint)
-                .append(',')
-                .append(known.get(number).value());
-        for (double value : known.get(number).point()) {
+        Evaluation e = known.get(number);
+        text.append(number).append(',').append(fingerprint).append(',').append(e.value());
+        text.append(',').append(e.drive()).append(',').append(e.failure());
+        for (double value : e.point()) {
             text.append(',').append(value);
         }
         return text.append('\n').toString();

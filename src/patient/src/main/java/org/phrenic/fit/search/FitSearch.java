@@ -73,6 +73,12 @@ public final class FitSearch {
         }
     }
 
+    /** Drives of the attempts at a breath, relative to the requested one, until one does not fail. */
+    private static final double[] DRIVES = {1, 0.7, 0.4};
+
+    /** Drives of the attempts at the first breath, from which the search starts. */
+    private static final double[] FIRST_DRIVES = {1, 0.7, 0.4, 0.2, 0.1, 0.05};
+
     /** Receives evaluations one at a time. */
     public interface Listener {
         void evaluated(int count, double best);
@@ -83,11 +89,24 @@ public final class FitSearch {
      *
      * @param trials all evaluations in order, with points in the unit cube and without shapes
      * @param ended why the search ended, as text
+     * @param model linear model near the best point; null if the search has none
      */
-    public record Result(List<Evaluation> trials, String ended) {
+    public record Result(List<Evaluation> trials, String ended, LinearShapeModel model) {
         /** The best evaluation; the first one if several are equal. */
         public Evaluation best() {
             return FitSearch.best(trials);
+        }
+
+        /** All evaluations, the best first. */
+        public List<Evaluation> fromBest() {
+            return trials.stream()
+                    .sorted(Comparator.comparingDouble(Evaluation::value))
+                    .toList();
+        }
+
+        /** Whether a limit ended the search. */
+        public boolean isCutShort() {
+            return ended.equals(Ending.EVALUATIONS.label) || ended.equals(Ending.TIME.label);
         }
     }
 
@@ -124,27 +143,25 @@ public final class FitSearch {
      * @param solver solver of the Gauss-Newton subproblem; null to use CMA-ES only
      */
     public Result run(GaussNewtonSearch.SubproblemSolver solver) {
-        List<Evaluation> trials = solver == null
-                ? new ArrayList<>()
-                : new GaussNewtonSearch(
-                                space.parameters().size(),
-                                (first, points) ->
-                                        isAllowed(first, points.size()) ? evaluate(first, points, true) : List.of(),
-                                solver)
-                        .run(space.startPoint());
+        GaussNewtonSearch descent = new GaussNewtonSearch(
+                space.parameters().size(),
+                (first, points) -> isAllowed(first, points.size()) ? evaluate(first, points, true) : List.of(),
+                solver);
+        List<Evaluation> trials = solver == null ? new ArrayList<>() : descent.run(space.startPoint());
         if (ending == Ending.CONVERGED) {
             refine(trials);
         }
-        return new Result(trials, ending.label);
+        return new Result(trials, ending.label, descent.model());
     }
 
     /** Continues with CMA-ES. Its first point is the best of the descent, whose value is already known. */
     private void refine(List<Evaluation> trials) {
-        boolean descended = !trials.isEmpty();
-        int offset = descended ? trials.size() - 1 : 0;
+        boolean begun = !trials.isEmpty();
+        boolean descended = begun && best(trials).drive() > 0;
+        int offset = begun ? trials.size() - 1 : 0;
         int population = settings.population(space.parameters().size());
         int patience = (trials.size() > 1 ? PATIENCE_AFTER_DESCENT : PATIENCE) * population;
-        double[] start = descended ? best(trials).point() : space.startPoint();
+        double[] start = begun ? best(trials).point() : space.startPoint();
         double[] sigma = new double[start.length];
         Arrays.setAll(
                 sigma,
@@ -154,8 +171,9 @@ public final class FitSearch {
         List<Evaluation> generations = new ArrayList<>();
         new CmaEsSearch(start, population, sigma, settings.seed).run((first, points) -> {
             List<Evaluation> batch;
-            if (first == 0 && descended) {
-                batch = List.of(best(trials));
+            if (first == 0 && begun) {
+                Evaluation known = best(trials);
+                batch = List.of(new Evaluation(known.point(), known.value()));
             } else if (!isAllowed(offset + first, points.size())) {
                 return List.of();
             } else if (first > patience
@@ -170,7 +188,7 @@ public final class FitSearch {
             generations.addAll(batch);
             return batch;
         });
-        trials.addAll(descended ? generations.subList(1, generations.size()) : generations);
+        trials.addAll(begun ? generations.subList(1, generations.size()) : generations);
     }
 
     private boolean isAllowed(int first, int count) {
@@ -199,32 +217,45 @@ public final class FitSearch {
             int number = first + i;
             double[] point = points.get(i);
             jobs.add(new BatchRunner.Job<>("evaluation", () -> {
-                Evaluation evaluation = evaluate(number, space.values(point), shapes);
+                Evaluation evaluation = evaluate(number, point, shapes);
                 synchronized (listener) {
                     best = Math.min(best, evaluation.value());
                     listener.evaluated(++done, best);
                 }
-                return new Evaluation(point, evaluation.value(), evaluation.shape());
+                return evaluation;
             }));
         }
         return BatchRunner.run(jobs, threads, (count, total, what) -> {});
     }
 
-    private Evaluation evaluate(int number, double[] values, boolean shapes) {
+    private Evaluation evaluate(int number, double[] point, boolean shapes) {
+        double[] values = space.values(point);
         Evaluation known = journal.known(number);
         if (known != null && !Arrays.equals(known.point(), values)) {
             throw new IllegalStateException(
                     "the journal holds other points than the search asks for, expected the same");
         }
-        if (known != null && !shapes) {
-            return known;
-        }
-        float[] shape = known == null ? null : journal.shape(number);
+        float[] shape = known == null ? null : shapes ? journal.shape(number) : new float[0];
         if (shape != null) {
-            return new Evaluation(values, known.value(), shape);
+            double[] at = space.withDrive(point, known.drive() == 0 ? 1 : known.drive());
+            return new Evaluation(at, known.value(), shape, known.drive(), known.failure());
         }
-        Evaluation evaluation = objective.apply(values);
-        journal.add(number, shapes ? evaluation : new Evaluation(values, evaluation.value()), shapes);
-        return evaluation;
+        Evaluation e = attempts(point, number == 0 ? FIRST_DRIVES : DRIVES);
+        journal.add(number, new Evaluation(values, e.value(), e.shape(), e.drive(), e.failure()), shapes);
+        return e;
+    }
+
+    /** Evaluates a point with less and less drive until an attempt does not fail. */
+    private Evaluation attempts(double[] point, double[] drives) {
+        String failure = "";
+        for (double drive : drives) {
+            double[] at = space.withDrive(point, drive);
+            Evaluation e = objective.apply(space.values(at));
+            if (!e.hasFailed()) {
+                return new Evaluation(at, e.value(), e.shape(), drive, failure);
+            }
+            failure = failure.isEmpty() ? e.failure() : failure;
+        }
+        return Evaluation.failed(point, failure);
     }
 }

@@ -45,6 +45,7 @@ public final class GaussNewtonSearch {
     private final LinearShapeModel model;
     private final int dimension;
     private Evaluation best;
+    private boolean isLinearised;
 
     GaussNewtonSearch(int dimension, BatchEvaluator evaluator, SubproblemSolver solver) {
         this.dimension = dimension;
@@ -74,6 +75,11 @@ public final class GaussNewtonSearch {
         return trials;
     }
 
+    /** The linear model at the end of the search; null if it has no derivatives. */
+    LinearShapeModel model() {
+        return isLinearised ? model : null;
+    }
+
     private boolean isIdle(double before) {
         return before - best.value() < MIN_GAIN * before;
     }
@@ -96,10 +102,14 @@ public final class GaussNewtonSearch {
         }
         List<Evaluation> batch = evaluate(points);
         for (int k = 0; k < batch.size(); k++) {
-            if (batch.get(k).hasShape()) {
-                model.setFiniteDifference(k, steps[k], batch.get(k).shape());
+            Evaluation e = batch.get(k);
+            if (e.hasShape() && e.hasFailed()) {
+                model.broydenUpdate(e.point(), e.shape());
+            } else if (e.hasShape()) {
+                model.setFiniteDifference(k, steps[k], e.shape());
             }
         }
+        isLinearised |= !batch.isEmpty();
         accept(batch);
         return !batch.isEmpty();
     }
@@ -141,7 +151,7 @@ public final class GaussNewtonSearch {
 
     private List<Evaluation> evaluate(List<double[]> points) {
         List<Evaluation> batch = evaluator.evaluate(trials.size(), points);
-        batch.forEach(e -> trials.add(new Evaluation(e.point(), e.value())));
+        batch.forEach(e -> trials.add(e.withoutShape()));
         return batch;
     }
 }

@@ -36,6 +36,23 @@ public record SearchSpace(List<FitParameter> parameters) {
         return unit;
     }
 
+    /**
+     * The point with less drive: activation, pressure and rib rotation are multiplied by a factor, within their bounds.
+     * All other coordinates are unchanged.
+     *
+     * @param factor from 0 to 1
+     */
+    double[] withDrive(double[] unit, double factor) {
+        double[] less = unit.clone();
+        for (int i = 0; i < less.length; i++) {
+            FitParameter p = parameters.get(i);
+            if (SHARED.containsKey(p.parameter()) && factor < 1) {
+                less[i] = p.toUnit(Math.max(p.minimum(), factor * p.fromUnit(unit[i])));
+            }
+        }
+        return less;
+    }
+
     /** Parameter values at a point of the cube. */
     public double[] values(double[] unit) {
         double[] values = new double[unit.length];

@@ -2,6 +2,7 @@ package org.phrenic.fit.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.offset;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,12 +36,16 @@ class FitSearchTest {
     }
 
     private FitSearch.Result search(String file, int threads, int most, ToDoubleFunction<double[]> work) {
+        return searchAttempts(file, threads, most, v -> new Evaluation(v, work.applyAsDouble(v)));
+    }
+
+    private FitSearch.Result searchAttempts(String file, int threads, int most, Function<double[], Evaluation> work) {
         return new FitSearch(
                         PARAMETERS,
                         new FitJournal(folder.resolve(file), "mark", PARAMETERS),
                         new FitSearch.Settings(3, 7, most, Double.POSITIVE_INFINITY),
                         threads,
-                        v -> new Evaluation(v, work.applyAsDouble(v)),
+                        work,
                         (count, best) -> {})
                 .run(null);
     }
@@ -88,6 +94,51 @@ class FitSearchTest {
                     .isBetween(
                             whole.trials().size() - killedAfter, whole.trials().size() - killedAfter + 1);
         }
+    }
+
+    /** Breaths with an activation above 0.3 fail, also the first one; the bowl's lowest place is among them. */
+    @Test
+    void failedBreathsAreRepeatedWithLessDriveAndTheSearchGoesOn() {
+        double most = 0.3;
+        AtomicInteger attempts = new AtomicInteger();
+        Function<double[], Evaluation> fragile = v -> {
+            attempts.incrementAndGet();
+            return v[0] > most ? Evaluation.failed(v, "node 7 moves at " + v[0]) : new Evaluation(v, worth(v));
+        };
+        FitSearch.Result found = searchAttempts("fragile.csv", 2, 60, fragile);
+        List<Evaluation> trials = found.trials();
+        assertThat(trials).hasSize(FitSearchTest.generations(60));
+        // 0.6, then 0.42, then 0.24.
+        assertThat(trials.get(0).drive()).isEqualTo(0.4);
+        assertThat(trials.get(0).failure()).startsWith("node 7 moves at 0.6");
+        double[] first = new SearchSpace(PARAMETERS).values(trials.get(0).point());
+        assertThat(first[0]).isCloseTo(0.24, offset(1e-12));
+        assertThat(first[1]).isCloseTo(300, offset(1e-9));
+        assertThat(first[2]).isCloseTo(0.4, offset(1e-12));
+        assertThat(trials.stream().filter(Evaluation::hasFailed)).hasSizeGreaterThan(5);
+        double[] best = new SearchSpace(PARAMETERS).values(found.best().point());
+        assertThat(best[0]).isLessThanOrEqualTo(most);
+        assertThat(found.best().value()).isLessThan(worth(first));
+
+        int made = attempts.get();
+        FitSearch.Result again = searchAttempts("fragile.csv", 1, 60, fragile);
+        assertThat(attempts).hasValue(made);
+        assertSame(again, found);
+        assertThat(again.trials().stream().map(Evaluation::failure))
+                .containsExactlyElementsOf(
+                        trials.stream().map(Evaluation::failure).toList());
+    }
+
+    @Test
+    void aSearchWhoseBreathsAllFailEnds() {
+        FitSearch.Result none = searchAttempts("none.csv", 1, 20, v -> Evaluation.failed(v, "the sheet is torn"));
+        assertThat(none.best().drive()).isZero();
+        assertThat(none.best().failure()).isEqualTo("the sheet is torn");
+    }
+
+    /** Number of evaluations in whole generations of 7 after the start, at most a budget. */
+    private static int generations(int budget) {
+        return 1 + (budget - 1) / 7 * 7;
     }
 
     @Test
