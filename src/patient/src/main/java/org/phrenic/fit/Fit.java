@@ -219,12 +219,13 @@ public final class Fit {
                 observed,
                 scenario,
                 hash.equals(stateHash(scenario)),
-                found.trials().stream().mapToDouble(Evaluation::value).toArray(),
-                found.ended(),
-                FailedBreaths.of(found.trials()),
-                warnings,
-                count == 0 ? Double.NaN : cpuNs.get() * 1e-9 / count,
-                (System.nanoTime() - begunNs) * 1e-9);
+                new FitResult.Search(
+                        found.trials().stream().mapToDouble(Evaluation::value).toArray(),
+                        found.ended(),
+                        FailedBreaths.of(found.trials()),
+                        warnings,
+                        count == 0 ? Double.NaN : cpuNs.get() * 1e-9 / count,
+                        (System.nanoTime() - begunNs) * 1e-9));
     }
 
     /** Hash of the state that the scenario reaches in a newly assembled simulation. */

@@ -109,10 +109,10 @@ public record FitReport(FitResult result) {
                 result.bestMm(),
                 result.ratio(),
                 setup.parameters().size(),
-                result.trials().length,
+                result.search().trials().length,
                 setup.populationSize(),
                 setup.options().search().seed(),
-                result.ended(),
+                result.search().ended(),
                 result.reproduced()
                         ? "scenario.yaml was run and gives the same state bit by bit."
                         : "scenario.yaml was run and does NOT give the same state.");
@@ -120,12 +120,12 @@ public record FitReport(FitResult result) {
 
     /** What limits the fit: warnings, parameters at a bound and failed breaths, one sentence each. */
     public List<String> limits() {
-        List<String> limits = new ArrayList<>(result.warnings());
+        List<String> limits = new ArrayList<>(result.search().warnings());
         List<String> keys = boundKeys();
         if (!keys.isEmpty()) {
             limits.add("At a bound: " + String.join(", ", keys) + ".");
         }
-        result.failures().forEach(f -> limits.add(f.sentence()));
+        result.search().failures().forEach(f -> limits.add(f.sentence()));
         return limits;
     }
 
@@ -189,24 +189,24 @@ public record FitReport(FitResult result) {
                 .with("untuned_mean_mm", result.untunedMm())
                 .with("residual_mean_mm", result.bestMm())
                 .with("ratio", result.ratio())
-                .with("evaluations", result.trials().length)
+                .with("evaluations", result.search().trials().length)
                 .with("population", setup.populationSize())
                 .with("seed", setup.options().search().seed())
-                .with("ended", result.ended())
-                .with("warnings", result.warnings())
+                .with("ended", result.search().ended())
+                .with("warnings", result.search().warnings())
                 .with("at_bounds", boundKeys())
                 .with(
                         "failed_breaths",
-                        result.failures().stream()
+                        result.search().failures().stream()
                                 .map(f -> new OrderedValues()
                                         .with("reason", f.reason())
                                         .with("count", f.count())
                                         .with("succeeded_with_less_drive", f.gentler()))
                                 .toList())
                 .with("reproduced", result.reproduced())
-                .with("wall_s", result.wallS());
-        if (!Double.isNaN(result.cpuPerEvaluationS())) {
-            map.put("cpu_per_evaluation_s", result.cpuPerEvaluationS());
+                .with("wall_s", result.search().wallS());
+        if (!Double.isNaN(result.search().cpuPerEvaluationS())) {
+            map.put("cpu_per_evaluation_s", result.search().cpuPerEvaluationS());
         }
         return map.with(
                         "targets",

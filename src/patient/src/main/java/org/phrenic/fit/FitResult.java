@@ -16,13 +16,7 @@ import org.phrenic.scenario.Scenario;
  * @param observed observables of the fitted body by name
  * @param scenario scenario with which {@code phrenic run} reaches the same state
  * @param reproduced whether that scenario was run and gave a bit-identical state
- * @param trials objective of every evaluation, in order
- * @param ended why the search ended, as text
- * @param failures breaths of the search that failed, by reason
- * @param warnings what makes the result doubtful, one sentence each
- * @param cpuPerEvaluationS mean processor time per evaluation of this run, s; NaN if all evaluations came from the
- *     journal
- * @param wallS wall-clock time of this run, s
+ * @param search how the search went
  */
 public record FitResult(
         FitSetup setup,
@@ -35,12 +29,26 @@ public record FitResult(
         Map<String, Double> observed,
         Scenario scenario,
         boolean reproduced,
-        double[] trials,
-        String ended,
-        List<FailedBreaths> failures,
-        List<String> warnings,
-        double cpuPerEvaluationS,
-        double wallS) {
+        Search search) {
+
+    /**
+     * The course of a search.
+     *
+     * @param trials objective of every evaluation, in order
+     * @param ended why the search ended, as text
+     * @param failures breaths of the search that failed, by reason
+     * @param warnings what makes the result doubtful, one sentence each
+     * @param cpuPerEvaluationS mean processor time per evaluation of this run, s; NaN if all evaluations came from the
+     *     journal
+     * @param wallS wall-clock time of this run, s
+     */
+    public record Search(
+            double[] trials,
+            String ended,
+            List<FailedBreaths> failures,
+            List<String> warnings,
+            double cpuPerEvaluationS,
+            double wallS) {}
 
     /**
      * Distances from a target. Initial distances are at end-expiration, residual distances are those of the fitted

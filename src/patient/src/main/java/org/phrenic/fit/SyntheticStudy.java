@@ -128,7 +128,7 @@ public record SyntheticStudy(List<Case> cases) {
                 FitReport.mm(c.result.observed().get("dome_right_mm")),
                 FitReport.mm(c.truth.domeLeftMm()),
                 FitReport.mm(c.result.observed().get("dome_left_mm")),
-                Integer.toString(c.result.trials().length));
+                Integer.toString(c.result.search().trials().length));
     }
 
     /** The study as a document. */

@@ -81,8 +81,8 @@ class FitTest {
         FitResult result = Fit.run(setup(8, 2), journal, (count, most, best, initial) -> {});
         assertThat(result.reproduced()).isTrue();
         assertThat(result.ratio()).isLessThan(0.35);
-        assertThat(result.trials()).hasSize(8);
-        assertThat(result.bestMm()).isLessThan(result.trials()[0]);
+        assertThat(result.search().trials()).hasSize(8);
+        assertThat(result.bestMm()).isLessThan(result.search().trials()[0]);
 
         // Killed while the last evaluations were written.
         String whole = Files.readString(journal);
@@ -92,7 +92,7 @@ class FitTest {
         Files.write(shapes, Arrays.copyOf(bytes, bytes.length - 99));
         FitResult again = Fit.run(setup(8, 1), journal, (count, most, best, initial) -> {});
         assertThat(again.values()).containsExactly(result.values());
-        assertThat(again.trials()).containsExactly(result.trials());
+        assertThat(again.search().trials()).containsExactly(result.search().trials());
         assertThat(Files.readString(journal).lines().sorted().toList())
                 .isEqualTo(whole.lines().sorted().toList());
         assertThat(shapes).hasSize(bytes.length);

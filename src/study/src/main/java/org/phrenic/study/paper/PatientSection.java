@@ -127,14 +127,14 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
 
     private Claim speed() {
         Optional<PatientCase> timed = results.cases().stream()
-                .filter(c -> !Double.isNaN(c.fit().cpuPerEvaluationS()))
+                .filter(c -> !Double.isNaN(c.fit().search().cpuPerEvaluationS()))
                 .findFirst();
         if (timed.isEmpty()) {
             return PaperTexts.notMeasured("patient-speed");
         }
         double steps = InspiratoryHold.OBSERVED_AT_S
                 / timed.get().fit().scenario().timeStepS()
-                / timed.get().fit().cpuPerEvaluationS();
+                / timed.get().fit().search().cpuPerEvaluationS();
         return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " at low resolution");
     }
 }
