@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -32,6 +33,9 @@ import org.phrenic.simulation.observe.Frame;
  */
 class LiveAttemptTest {
     private static final long PATIENCE_S = 60;
+    /** A step takes several times as long. */
+    private static final long POLL_NS = 100_000;
+
     private static final String BODY =
             "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded,"
                     + " sternum: kinematic}\nphases: 3\n"
@@ -92,7 +96,7 @@ class LiveAttemptTest {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
         while (needle.state() == null || !holds.test(needle.state())) {
             assertThat(System.nanoTime()).as(() -> "waiting; " + needle.state()).isLessThan(end);
-            Thread.onSpinWait();
+            LockSupport.parkNanos(POLL_NS);
         }
     }
 
