@@ -126,7 +126,7 @@ public final class BodyCompletion {
                 organs.add(new SurfacePair(s.organ(), s.scan(), s.template(), false));
             }
         }
-        BoneFit bones = new BoneFit(rough.align(organs), plane, shared, organs);
+        BoneFit bones = new BoneFit(rough.align(organs), plane, rest, shared, organs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
         template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());

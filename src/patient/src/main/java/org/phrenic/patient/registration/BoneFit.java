@@ -2,8 +2,14 @@ package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
 
 /**
  * Fits the bones of a template to those of a scan: vertebrae one by one, ribs along their courses, sternum and
@@ -29,14 +35,35 @@ final class BoneFit {
     private static final double LUNG_SIGMA_MM = 6;
     private static final double LIVER_SIGMA_MM = 15;
 
+    /** The ribs of a scan end short of the spine if half of them have more than this to their joints, mm. */
+    private static final double USUAL_GAP_MM = 5;
+
+    private static final double SHORT_AMONG_SHORT_MM = 3;
+    private static final double SHORT_AMONG_WHOLE_MM = 12;
+
     private final TemplateMap start;
     private final double plane;
     private final List<SharedStructure> vertebrae = new ArrayList<>();
+    /** Similarity from each vertebra of the template to the scan's, by level. */
+    private final Map<Integer, PointTransform> onVertebrae = new TreeMap<>();
+
+    private final List<Structure> template;
     private final List<RibFit> ribs = new ArrayList<>();
     private final List<SurfacePair> surfaces = new ArrayList<>();
 
-    BoneFit(TemplateMap start, double plane, List<SharedStructure> shared, List<SurfacePair> organs) {
+    /**
+     * @param start first alignment of the template
+     * @param plane x of its plane of symmetry, mm
+     * @param organs pairs of surfaces of lungs and liver
+     */
+    BoneFit(
+            TemplateMap start,
+            double plane,
+            List<Structure> template,
+            List<SharedStructure> shared,
+            List<SurfacePair> organs) {
         this.start = start;
+        this.template = template;
         this.plane = plane;
         for (SharedStructure s : shared) {
             if (s.kind() == StructureKind.VERTEBRA && s.isComplete()) {
@@ -64,10 +91,11 @@ final class BoneFit {
             for (RibFit rib : ribs) {
                 rib.place(map);
                 if (round >= SLIDING_ROUNDS) {
-                    rib.measureShortness();
+                    findHead(rib, map);
                 }
-                pairs.addAll(rib.pairs());
             }
+            judgeNecks();
+            ribs.forEach(rib -> pairs.addAll(rib.pairs()));
             TemplateMap placed = map;
             surfaces.forEach(pair -> {
                 pair.place(placed);
@@ -79,6 +107,40 @@ final class BoneFit {
             rib.place(map);
         }
         return map;
+    }
+
+    /** Tells ribs that end short of the spine from whole ones: a segmentation ends most of its ribs alike. */
+    private void judgeNecks() {
+        double[] gaps = ribs.stream()
+                .map(RibFit::gapMm)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .sorted()
+                .toArray();
+        if (gaps.length > 0) {
+            double limit = gaps[gaps.length / 2] > USUAL_GAP_MM ? SHORT_AMONG_SHORT_MM : SHORT_AMONG_WHOLE_MM;
+            ribs.forEach(rib -> rib.judge(limit));
+        }
+    }
+
+    private void findHead(RibFit rib, TemplateMap map) {
+        int level = rib.shared().level();
+        Optional<TriangleMesh> own = vertebra(level, map);
+        if (own.isPresent()) {
+            PointTransform spine = onVertebrae.containsKey(level) ? onVertebrae.get(level) : map;
+            rib.findHead(spine, new CostovertebralJoint(level, own.get(), vertebra(level - 1, map)));
+        }
+    }
+
+    /** A vertebra of the scan, or where it has none that of the placed template. */
+    private Optional<TriangleMesh> vertebra(int level, TemplateMap map) {
+        return vertebrae.stream()
+                .filter(s -> s.level() == level)
+                .map(SharedStructure::scan)
+                .findFirst()
+                .or(() -> PatientBody.merged(
+                                template.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == level))
+                        .map(map::apply));
     }
 
     private static int points(SurfacePair pair) {
@@ -105,6 +167,7 @@ final class BoneFit {
             TriangleMesh placed = map.apply(s.template());
             double[] fitted = VertebraFit.fit(placed, s.scan());
             double[] rest = s.template().positions();
+            onVertebrae.put(s.level(), AffineTransform3D.similarity(rest, fitted));
             int n = s.template().vertexCount();
             for (int i = 0; i < VERTEBRA_POINTS; i++) {
                 int v = (int) ((long) i * n / VERTEBRA_POINTS);

@@ -1,5 +1,6 @@
 package org.phrenic.patient.registration;
 
+import java.util.Arrays;
 import org.phrenic.anatomy.cage.RibCourse;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
@@ -25,31 +26,18 @@ final class RibExtension {
     private RibExtension(RibFit fit, TriangleMesh rib) {
         this.rib = rib;
         scan = fit.scanCourse();
-        double[] end = scan.at(0);
-        double[] line = fit.placedLine();
-        int joint = nearest(line, end);
-        int further = Math.min(line.length / 3 - 1, joint);
-        double[] shift = new double[3];
-        for (int k = 0; k < 3; k++) {
-            shift[k] = end[k] - line[3 * further + k];
-        }
+        double[] neck = fit.neckCourse();
+        int joint = neck.length / 3 - 1;
         int tail = (int) Math.ceil(scan.lengthMm() / 3);
-        course = new double[3 * (further + 1 + tail)];
-        for (int i = 0; i <= further; i++) {
-            double t = (double) i / Math.max(1, further);
-            double share = t * t * (3 - 2 * t);
-            for (int k = 0; k < 3; k++) {
-                course[3 * i + k] = line[3 * i + k] + share * shift[k];
-            }
-        }
+        course = Arrays.copyOf(neck, neck.length + 3 * tail);
         for (int i = 1; i <= tail; i++) {
-            System.arraycopy(scan.at(scan.lengthMm() * i / tail), 0, course, 3 * (further + i), 3);
+            System.arraycopy(scan.at(scan.lengthMm() * i / tail), 0, course, 3 * (joint + i), 3);
         }
         path = new double[course.length / 3];
         for (int i = 1; i < path.length; i++) {
             path[i] = path[i - 1] + Math.sqrt(Vectors.squaredDistance(course, i - 1, i));
         }
-        added = path[further];
+        added = path[joint];
     }
 
     /** The surface of the rib with neck and head. */
@@ -57,19 +45,6 @@ final class RibExtension {
         TriangleMesh rib = fit.shared().scan();
         TriangleMesh longer = new RibExtension(fit, rib).stretched();
         return Remesher.toEdgeLength(longer, MeshQuality.of(rib).meanEdgeMm());
-    }
-
-    private static int nearest(double[] line, double[] p) {
-        int best = 0;
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < line.length / 3; i++) {
-            double d = Vectors.distance(new double[] {line[3 * i], line[3 * i + 1], line[3 * i + 2]}, p);
-            if (d < least) {
-                least = d;
-                best = i;
-            }
-        }
-        return best;
     }
 
     private TriangleMesh stretched() {
@@ -87,7 +62,7 @@ final class RibExtension {
             }
             double to = at <= 0 ? at : at * (window + added) / window;
             double[] from = tangent(scan.at(at - 2), scan.at(at + 2));
-            double[] turned = turned(from, tangent(at(to - 2), at(to + 2)), Vectors.subtract(p, scan.at(at)));
+            double[] turned = RibNeck.turned(from, tangent(at(to - 2), at(to + 2)), Vectors.subtract(p, scan.at(at)));
             double[] place = at(to);
             for (int k = 0; k < 3; k++) {
                 out[3 * v + k] = place[k] + turned[k];
@@ -112,18 +87,6 @@ final class RibExtension {
 
     private static double[] tangent(double[] a, double[] b) {
         return Vectors.normalize(Vectors.subtract(b, a));
-    }
-
-    /** Turns a vector by the smallest rotation that brings one direction to another. */
-    private static double[] turned(double[] from, double[] to, double[] v) {
-        double[] axis = Vectors.cross(from, to);
-        double cosine = Vectors.dot(from, to);
-        if (cosine < -0.99) {
-            return v;
-        }
-        double[] cross = Vectors.cross(axis, v);
-        double[] out = Vectors.addScaled(v, cross, 1);
-        return Vectors.addScaled(out, Vectors.cross(axis, cross), 1 / (1 + cosine));
     }
 
     private double[] at(double pathMm) {

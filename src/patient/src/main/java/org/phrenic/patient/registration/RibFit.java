@@ -1,8 +1,10 @@
 package org.phrenic.patient.registration;
 
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.cage.RibCourse;
-import org.phrenic.mesh.Vectors;
 
 /**
  * Correspondence of a rib of the template to the rib of the scan of the same level and side, along their courses. A rib
@@ -17,9 +19,6 @@ final class RibFit {
 
     private static final double END_SIGMA_MM = 3;
     private static final double COURSE_SIGMA_MM = 1.5;
-    /** A head of the scan within this distance of the joint is taken for whole, mm. */
-    static final double WHOLE_MM = 8;
-
     private final SharedStructure shared;
     private final RibCourse rest;
     private final RibCourse scan;
@@ -28,6 +27,8 @@ final class RibFit {
     private final TrackedLine line;
     /** Length of the course that the scan lacks at the spine, mm; NaN until it is known. */
     private double missingMm = Double.NaN;
+
+    private Optional<RibNeck> neck = Optional.empty();
 
     /** Points of the template's course, original and placed. */
     private static final class TrackedLine {
@@ -97,36 +98,39 @@ final class RibFit {
         map.apply(line.placed);
     }
 
-    /** The template's course as placed, from the head; x, y, z in turn, mm. */
-    double[] placedLine() {
-        return line.placed.clone();
+    /** Course from the head to the posterior end of the scan's rib; x, y, z in turn, mm. */
+    double[] neckCourse() {
+        return neck.orElseThrow().course();
     }
 
     /**
-     * Measures how far the scan's rib ends short of the head of the placed template's, along the course. Needs a placed
-     * spine.
+     * Finds the head, and with it how far the scan's rib ends short of it, if the scan does not cut the posterior end.
+     *
+     * @param spine places the template at the vertebra of the rib
      */
-    void measureShortness() {
+    void findHead(PointTransform spine, CostovertebralJoint joint) {
         if (!posteriorCut) {
-            double[] end = scan.at(0);
-            int nearest = nearest(end);
-            double along = 0;
-            for (int i = 0; i < nearest; i++) {
-                along += Math.sqrt(Vectors.squaredDistance(line.placed, i, i + 1));
-            }
-            double[] head = {line.placed[0], line.placed[1], line.placed[2]};
-            double off = Vectors.distance(head, end);
-            missingMm = off < WHOLE_MM ? 0 : Math.max(0, along);
+            neck = Optional.of(RibNeck.of(rest, spine, scan, joint));
         }
     }
 
-    private int nearest(double[] p) {
+    /** Length of the course from the joint to the posterior end of the scan's rib, mm; empty if it is not known. */
+    OptionalDouble gapMm() {
+        return neck.map(n -> OptionalDouble.of(n.lengthMm())).orElse(OptionalDouble.empty());
+    }
+
+    /** Decides whether the rib ends short of the spine: by more than a limit. */
+    void judge(double limitMm) {
+        neck.ifPresent(n -> missingMm = n.lengthMm() > limitMm ? n.lengthMm() : 0);
+    }
+
+    private static int nearest(double[] line, double[] p) {
         int best = 0;
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < line.placed.length; i += 3) {
-            double dx = line.placed[i] - p[0];
-            double dy = line.placed[i + 1] - p[1];
-            double dz = line.placed[i + 2] - p[2];
+        for (int i = 0; i < line.length; i += 3) {
+            double dx = line[i] - p[0];
+            double dy = line[i + 1] - p[1];
+            double dz = line[i + 2] - p[2];
             double squared = dx * dx + dy * dy + dz * dz;
             if (squared < least) {
                 least = squared;
@@ -150,12 +154,15 @@ final class RibFit {
             } else if (i == n && !anteriorCut) {
                 pairs.add(rest.at(rest.lengthMm()), p, END_SIGMA_MM);
             } else {
-                int at = 3 * nearest(p);
+                int at = 3 * nearest(line.placed, p);
                 boolean beyond = at == 0 || at == line.rest.length - 3;
                 if (!beyond) {
                     pairs.add(new double[] {line.rest[at], line.rest[at + 1], line.rest[at + 2]}, p, SLIDING_SIGMA_MM);
                 }
             }
+        }
+        if (missingMm > 0) {
+            pairs.add(rest.at(0), Arrays.copyOf(neckCourse(), 3), COURSE_SIGMA_MM);
         }
         return pairs;
     }
