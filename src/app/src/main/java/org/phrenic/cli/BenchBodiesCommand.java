@@ -14,7 +14,6 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
-import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.BodyThumbnails;
@@ -131,12 +130,8 @@ final class BenchBodiesCommand extends ReportingCommand {
     }
 
     private BodyStudy run(Scenario scenario, BodyStudy.Witness witness) {
-        return BodyStudy.of(
-                scenario,
-                cases(scenario),
-                OptionValues.integer("--threads", threads, 1, Numerics.MAX_THREADS),
-                witness,
-                progress("bodies done"));
+        int atATime = OptionValues.threads(threads, 1);
+        return BodyStudy.of(scenario, cases(scenario), atATime, witness, progress("bodies done"));
     }
 
     private BodyStudy pictured(Scenario scenario) throws NoGraphicsException {

@@ -15,7 +15,6 @@ import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.style.Transparency;
 
 /** {@code phrenic} without a display: simulates a quiet breath and writes tables, curves and pictures. */
 final class HeadlessRun {
@@ -58,9 +57,7 @@ final class HeadlessRun {
     private static void pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
         ConsoleProgress progress = new ConsoleProgress(stderr);
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
-            SceneStyle style = SceneStyle.atlas(studio.surfaces())
-                    .withTransparency(Transparency.TWO_PASS)
-                    .withSamples(SAMPLES);
+            SceneStyle style = SceneStyle.atlas(studio.surfaces()).withSamples(SAMPLES);
             for (double time : new double[] {0, inspiredS}) {
                 for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)) {
                     String name = view.label() + (time == 0 ? "-expiration" : "-inspiration") + ".png";

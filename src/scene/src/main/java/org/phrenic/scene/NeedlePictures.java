@@ -4,7 +4,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -93,8 +92,7 @@ public final class NeedlePictures implements AutoCloseable {
         Set<StructureKind> opaque = Set.of(StructureKind.LUNG, StructureKind.LIVER);
         SceneStyle section = style(all, (s, usual) -> opaque.contains(s.kind()) ? usual.withOpacity(1) : usual)
                 .withClip(Optional.of(planeAlong(view)));
-        String phase = view.label().name().toLowerCase(Locale.ROOT);
-        String time = Annotations.timestamp(view.frame().timeS(), phase);
+        String time = Annotations.timestamp(view.frame().timeS(), view.label().label());
         Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time);
         String cut = title + ", cut open along the needle";
         List<String> names = List.of(

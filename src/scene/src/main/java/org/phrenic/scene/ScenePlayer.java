@@ -1,7 +1,6 @@
 package org.phrenic.scene;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
@@ -56,7 +55,7 @@ public final class ScenePlayer implements AutoCloseable {
 
     /** Breathing phase at the current step, such as "inspiration". */
     public String phase() {
-        return simulation.breathLabel().name().toLowerCase(Locale.ROOT);
+        return simulation.breathLabel().label();
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.phrenic.breathing;
 
+import java.util.Locale;
+
 /** Phase of the respiratory cycle. */
 public enum RespiratoryPhase {
     INSPIRATION,
@@ -7,5 +9,10 @@ public enum RespiratoryPhase {
     /** At rest between breaths. */
     PAUSE,
     /** Breath hold: at inspiration or expiration, or against a closed glottis. */
-    HOLD
+    HOLD;
+
+    /** Name in reports and in the window, such as {@code inspiration}. */
+    public String label() {
+        return name().toLowerCase(Locale.ROOT);
+    }
 }

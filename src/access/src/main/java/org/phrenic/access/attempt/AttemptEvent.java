@@ -37,7 +37,7 @@ public record AttemptEvent(
         return map.with("time_s", timeS)
                 .with("breath", breath)
                 .with("phase", phase)
-                .with("breathing", label.name().toLowerCase(Locale.ROOT))
+                .with("breathing", label.label())
                 .with("depth_mm", depthMm);
     }
 }

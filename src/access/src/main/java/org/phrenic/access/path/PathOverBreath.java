@@ -2,7 +2,6 @@ package org.phrenic.access.path;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -86,7 +85,7 @@ public record PathOverBreath(
         PathAnalysis analysis = analyses.get(m);
         return new OrderedValues()
                 .with("time_s", cycle.get(m).timeS())
-                .with("breathing", cycle.get(m).label().name().toLowerCase(Locale.ROOT))
+                .with("breathing", cycle.get(m).label().label())
                 .with("free", isFree(m))
                 .with("margin_mm", marginsMm[m])
                 .with("length_mm", analysis.lengthMm())

@@ -197,8 +197,14 @@ public final class RehearsalReport {
     private static List<String> row(AttemptEvent e) {
         String kind = e.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
         String name = (kind + " " + e.structure()).strip();
-        String breathing = e.label().name().toLowerCase(Locale.ROOT);
-        return List.of(name, mm(e.depthMm()), number(e.timeS()), "" + e.breath(), number(e.phase()), breathing);
+        String phase = number(e.phase());
+        return List.of(
+                name,
+                mm(e.depthMm()),
+                number(e.timeS()),
+                "" + e.breath(),
+                phase,
+                e.label().label());
     }
 
     private static void path(ReportDocument document, PathOverBreath path) {
@@ -216,9 +222,8 @@ public final class RehearsalReport {
         for (int m = 0; m < path.analyses().size(); m++) {
             BreathMoment moment = path.cycle().get(m);
             String reasons = String.join(", ", path.analyses().get(m).reasons(path.avoided()));
-            String phase = moment.label().name().toLowerCase(Locale.ROOT);
             String free = reasons.isEmpty() ? "free" : reasons;
-            rows.add(List.of(number(moment.timeS()), phase, free, mm(path.marginsMm()[m])));
+            rows.add(List.of(number(moment.timeS()), moment.label().label(), free, mm(path.marginsMm()[m])));
         }
         document.table(
                 "",

@@ -44,13 +44,8 @@ final class DecadeAxis extends LogAxis {
                 double value = digit * Math.pow(10, decade);
                 if (value >= low / SLACK && value <= high * SLACK) {
                     boolean named = digit == 1 || (!many && (digit == 2 || digit == 5));
-                    ticks.add(new NumberTick(
-                            named ? TickType.MAJOR : TickType.MINOR,
-                            value,
-                            named ? name(value) : "",
-                            anchor,
-                            TextAnchor.CENTER,
-                            0));
+                    TickType type = named ? TickType.MAJOR : TickType.MINOR;
+                    ticks.add(new NumberTick(type, value, named ? name(value) : "", anchor, TextAnchor.CENTER, 0));
                 }
             }
         }

@@ -9,8 +9,11 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
@@ -51,8 +54,8 @@ public final class ErrorChart {
     public static void write(ErrorTable table, String title, Path picture) {
         System.setProperty("java.awt.headless", "true");
         List<ErrorTable.Row> rows = table.rows();
-        List<String> materials =
-                rows.stream().map(ErrorTable.Row::material).distinct().toList();
+        Map<String, List<ErrorTable.Row>> materials = rows.stream()
+                .collect(Collectors.groupingBy(ErrorTable.Row::material, LinkedHashMap::new, Collectors.toList()));
         List<String> integrators =
                 rows.stream().map(ErrorChart::integrator).distinct().toList();
         double least = rows.stream().mapToDouble(r -> r.point().cpuS()).min().orElse(1);
@@ -60,12 +63,10 @@ public final class ErrorChart {
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(
                 new DecadeAxis("processor time of a breath, s", least / LABEL_ROOM, 1.3 * most));
         all.setGap(22);
-        for (String material : materials) {
-            List<ErrorTable.Row> same =
-                    rows.stream().filter(r -> r.material().equals(material)).toList();
+        materials.forEach((material, same) -> {
             int nodes = same.stream().mapToInt(ErrorTable.Row::nodes).max().orElse(0);
             all.add(panel(same.stream().filter(r -> r.nodes() == nodes).toList(), integrators));
-        }
+        });
         JFreeChart chart = ChartStyle.chart(title, all);
         chart.addSubtitle(0, legend(integrators));
         ChartStyle.write(picture, chart, MARGIN_HEIGHT + PANEL_HEIGHT * materials.size());
@@ -78,15 +79,12 @@ public final class ErrorChart {
     private static XYPlot panel(List<ErrorTable.Row> rows, List<String> integrators) {
         ErrorTable.Row any = rows.get(0);
         double target = any.material().equals("paper") ? PAPER_TARGET_PERCENT : PHYSICAL_TARGET_PERCENT;
-        double low = rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).min().orElse(target);
-        double high =
-                rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).max().orElse(target);
+        double low = rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).reduce(target, Math::min);
+        double high = rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).reduce(target, Math::max);
+        String label = any.material() + " preset, " + any.resolution()
+                + " resolution: rms error of the diaphragm, % of excursion";
         XYPlot plot = ChartStyle.panel(new XYPlot());
-        plot.setRangeAxis(new DecadeAxis(
-                any.material() + " preset, " + any.resolution()
-                        + " resolution: rms error of the diaphragm, % of excursion",
-                Math.min(low, target) / 2,
-                Math.max(high, target) * 2));
+        plot.setRangeAxis(new DecadeAxis(label, low / 2, high * 2));
         drawParetoFront(plot, rows);
         drawSettings(plot, rows, integrators);
         drawTargetLine(plot, target);

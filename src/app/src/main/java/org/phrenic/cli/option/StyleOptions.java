@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.file.BadInputException;
@@ -79,12 +78,13 @@ public final class StyleOptions {
 
     /** Checks, before any computation, all values that do not depend on the body. */
     public void validate() {
-        colourField();
-        if ((colourField() == ColourField.DISTANCE) != (reference != null)) {
+        boolean distance = colourField() == ColourField.DISTANCE;
+        if (distance && reference == null) {
+            throw new BadInputException("--field distance: found no --reference, expected a surface to measure from");
+        }
+        if (!distance && reference != null) {
             throw new BadInputException(
-                    reference == null
-                            ? "--field distance: found no --reference, expected a surface to measure from"
-                            : "--reference " + reference + ": found no --field distance, expected both or neither");
+                    "--reference " + reference + ": found no --field distance, expected both or neither");
         }
         scale();
         sceneBackground();
@@ -157,9 +157,7 @@ public final class StyleOptions {
         if (clip == null) {
             return Optional.empty();
         }
-        int side = clip.indexOf(':') == 1
-                ? CLIP_SIDES.indexOf(clip.toUpperCase(Locale.ROOT).charAt(0))
-                : -1;
+        int side = clip.indexOf(':') == 1 ? CLIP_SIDES.indexOf(Character.toUpperCase(clip.charAt(0))) : -1;
         if (side < 0) {
             throw new BadInputException(
                     "--clip: found '" + clip + "', expected a side of L R A P S I and a distance in mm such as A:20");

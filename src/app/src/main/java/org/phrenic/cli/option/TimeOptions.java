@@ -1,7 +1,6 @@
 package org.phrenic.cli.option;
 
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
@@ -96,13 +95,11 @@ public final class TimeOptions {
     public double[] times(double totalS) {
         if (!isSequence()) {
             double[] times = singleTimes();
-            Arrays.stream(times)
-                    .filter(t -> t < 0 || t > totalS + 1e-9)
-                    .findFirst()
-                    .ifPresent(t -> {
-                        throw new BadInputException(String.format(
-                                Locale.ROOT, "--at: found %s s, expected 0 to %s s (--duration)", t, totalS));
-                    });
+            for (double t : times) {
+                if (t < 0 || t > totalS + 1e-9) {
+                    throw new BadInputException("--at: found " + t + " s, expected 0 to " + totalS + " s (--duration)");
+                }
+            }
             return times;
         }
         int count = frames == null

@@ -2,6 +2,7 @@ package org.phrenic.cli.report;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import org.phrenic.cli.option.ReportFolder;
@@ -48,17 +49,14 @@ public final class RunReport {
     /** Table of quantity, value and unit: breathing quantities, then performance, then the disclaimer. */
     public static String table(Map<String, Object> summary) {
         TextTable table = new TextTable(false, true, false).row("quantity", "value", "unit");
-        summary.forEach((key, value) -> {
-            if (value instanceof Number && !PERFORMANCE_KEYS.contains(key)) {
-                table.quantity(key, value);
-            }
-        });
+        Map<String, Object> breath = new LinkedHashMap<>(summary);
+        breath.keySet().removeAll(PERFORMANCE_KEYS);
+        breath.values().removeIf(value -> !(value instanceof Number));
+        breath.forEach(table::quantity);
         table.row("", "", "");
-        summary.forEach((key, value) -> {
-            if (PERFORMANCE_KEYS.contains(key)) {
-                table.quantity(key, value);
-            }
-        });
+        Map<String, Object> performance = new LinkedHashMap<>(summary);
+        performance.keySet().retainAll(PERFORMANCE_KEYS);
+        performance.forEach(table::quantity);
         Object chosen = summary.get("chosen");
         return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + Disclaimer.TEXT + "\n";
     }

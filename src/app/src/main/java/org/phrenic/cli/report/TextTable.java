@@ -22,10 +22,8 @@ public final class TextTable {
         for (int i = 0; i < right.length; i++) {
             right[i] = columns.get(i).number();
         }
-        return new TextTable(right)
-                .row(columns.stream().map(Column::heading).toArray(String[]::new))
-                .rows(rows)
-                .text();
+        String[] headings = columns.stream().map(Column::heading).toArray(String[]::new);
+        return new TextTable(right).row(headings).rows(rows).text();
     }
 
     /** A table in which all columns except the first are right-aligned. */

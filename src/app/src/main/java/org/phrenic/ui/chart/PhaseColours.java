@@ -6,7 +6,6 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.EnumMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.phrenic.breathing.RespiratoryPhase;
@@ -30,7 +29,7 @@ public final class PhaseColours {
     }
 
     public static String displayName(RespiratoryPhase phase) {
-        return Controls.capitalise(phase.name().toLowerCase(Locale.ROOT));
+        return Controls.capitalise(phase.label());
     }
 
     /** The phase of a status label; a pause if there is none of that name. */

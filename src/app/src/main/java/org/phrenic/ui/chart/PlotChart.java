@@ -13,8 +13,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.stream.Collectors;
+import javax.swing.JLabel;
 import javax.swing.UIManager;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -162,8 +162,7 @@ final class PlotChart {
         Color text = uiColour("Label.foreground", Color.BLACK);
         Color paper = dark ? back.darker() : Color.WHITE;
         Color grid = dark ? new Color(255, 255, 255, 36) : new Color(0, 0, 0, 32);
-        Font font =
-                Objects.requireNonNullElse(UIManager.getFont("Label.font"), new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        Font font = new JLabel().getFont();
         chart.setBackgroundPaint(back);
         plots.setBackgroundPaint(back);
         styleAxis(time, text, font);

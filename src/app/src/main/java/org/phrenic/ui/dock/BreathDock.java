@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -174,8 +173,8 @@ public final class BreathDock extends SessionDock {
         }
         bar.setPhase(history, status);
         int number = (int) (history.values(history.size() - 1)[BREATH] + 1);
-        String phase = PhaseColours.parseLabel(status.phaseLabel()).name();
-        breath.setText("Breath " + number + ", " + phase.toLowerCase(Locale.ROOT));
+        breath.setText("Breath " + number + ", "
+                + PhaseColours.parseLabel(status.phaseLabel()).label());
     }
 
     JToggleButton presetButton(String name) {

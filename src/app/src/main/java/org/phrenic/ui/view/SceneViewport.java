@@ -177,13 +177,8 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     }
 
     private void pick(int x, int y, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
-        double scale = scale();
-        renderLoop.pick(
-                x * scale,
-                y * scale,
-                request(),
-                opacity,
-                found -> SwingUtilities.invokeLater(() -> done.accept(found)));
+        Consumer<Optional<PickResult>> later = found -> SwingUtilities.invokeLater(() -> done.accept(found));
+        renderLoop.pick(x * scale(), y * scale(), request(), opacity, later);
     }
 
     /** Names the structure under a pixel; {@code turnAbout} makes it the centre of rotation. */

@@ -37,17 +37,15 @@ public final class CopyCommandAction extends AbstractAction {
 
     /** Copies the line, then passes it to {@code done} on the event dispatch thread. */
     void copy(Consumer<String> done) {
-        BackgroundWorker.execute(
-                () -> session.live().command(),
-                line -> {
-                    try {
-                        clipboard.get().setContents(new StringSelection(line), null);
-                        done.accept(line);
-                    } catch (IllegalStateException busy) {
-                        refuse(busy.getMessage());
-                    }
-                },
-                this::refuse);
+        Consumer<String> copy = line -> {
+            try {
+                clipboard.get().setContents(new StringSelection(line), null);
+                done.accept(line);
+            } catch (IllegalStateException busy) {
+                refuse(busy.getMessage());
+            }
+        };
+        BackgroundWorker.execute(session.live()::command, copy, this::refuse);
     }
 
     private void refuse(String reason) {

@@ -79,11 +79,7 @@ final class DockLayout extends JPanel {
     }
 
     private JSplitPane splitPane(Place place) {
-        return switch (place) {
-            case LEFT -> left;
-            case RIGHT -> right;
-            case BOTTOM -> bottom;
-        };
+        return place == Place.LEFT ? left : place == Place.RIGHT ? right : bottom;
     }
 
     private int size(Place place) {

@@ -3,7 +3,6 @@ package org.phrenic.ui.window;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import javax.swing.BorderFactory;
@@ -34,10 +33,11 @@ import org.phrenic.ui.widget.ScrollablePanel;
 public final class DockManager {
     private final DockLayout layout;
     private final WindowPreferences preferences;
-    private final Map<DockLayout.Place, JComponent> docks = new EnumMap<>(DockLayout.Place.class);
     private final JTabbedPane left = tabbedPane("left");
     private final JTabbedPane right = tabbedPane("right");
     private final JPanel bottom = new JPanel(new BorderLayout());
+    private final Map<DockLayout.Place, JComponent> docks =
+            Map.of(DockLayout.Place.LEFT, left, DockLayout.Place.RIGHT, right, DockLayout.Place.BOTTOM, bottom);
     private final OrgansDock organs;
     private final DisplayDock display;
     private final ParameterDock parameters;
@@ -72,9 +72,6 @@ public final class DockManager {
         plots = new PlotDock(session);
         timeline = new TimelineDock(session);
         rehearsalController = new RehearsalController(session, appearance, view);
-        docks.put(DockLayout.Place.LEFT, left);
-        docks.put(DockLayout.Place.RIGHT, right);
-        docks.put(DockLayout.Place.BOTTOM, bottom);
     }
 
     private static JTabbedPane tabbedPane(String name) {

@@ -2,7 +2,6 @@ package org.phrenic.ui.access.panel;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -106,9 +105,9 @@ public final class ReportCard extends JPanel {
 
     private static void addEvent(AttemptRecord r, AttemptEvent.Kind kind, String name, List<String> lines) {
         r.first(kind).ifPresent(e -> {
-            String phase = e.label().name().toLowerCase(Locale.ROOT);
             String format = "%s at %.1f s, breath %d, %s, %.0f mm deep";
-            lines.add(NumberFormats.text(format, name, e.timeS(), e.breath(), phase, e.depthMm()));
+            lines.add(NumberFormats.text(
+                    format, name, e.timeS(), e.breath(), e.label().label(), e.depthMm()));
         });
     }
 
