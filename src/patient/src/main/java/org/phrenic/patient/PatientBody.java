@@ -2,6 +2,7 @@ package org.phrenic.patient;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -51,7 +52,16 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
     /** Converts the body to a thorax, which contains the surfaces only. */
     public Thorax thorax() {
         return new Thorax(
-                name, structures.stream().map(PatientStructure::structure).toList(), notes);
+                name, structures.stream().map(PatientStructure::structure).toList(), notes, Set.copyOf(notInScan()));
+    }
+
+    /** Names of the structures that the scan does not show: those of a template, and those built from others. */
+    public List<String> notInScan() {
+        return structures.stream()
+                .filter(s ->
+                        s.source() == PatientStructure.Source.VIRTUAL || s.source() == PatientStructure.Source.BUILT)
+                .map(s -> s.structure().name())
+                .toList();
     }
 
     /** Merges the surfaces of structures into one mesh; empty if there are none. */

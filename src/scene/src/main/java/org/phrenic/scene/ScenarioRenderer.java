@@ -107,6 +107,7 @@ public final class ScenarioRenderer implements AutoCloseable {
             Annotations.of(style)
                     .withTitle(settings.title())
                     .withTimestamp(time)
+                    .withNotInScan(player.notInScan())
                     .draw(picture, camera);
         }
         return picture;

@@ -20,6 +20,7 @@ public final class ScenePlayer implements AutoCloseable {
     private final Scenario scenario;
     private final Simulation simulation;
     private final SceneSurfaces surfaces;
+    private final String notInScan;
     private final SimulationRun.Progress progress;
     private final Frame frame;
     private final double durationS;
@@ -29,6 +30,7 @@ public final class ScenePlayer implements AutoCloseable {
         this.scenario = scenario;
         this.progress = progress;
         Thorax thorax = SimulationRun.loadThorax(scenario);
+        notInScan = thorax.notInScanSummary();
         thorax.notes().forEach(progress::note);
         simulation = Simulation.of(scenario, thorax);
         if (!simulation.stabilityMessage().isEmpty()) {
@@ -42,6 +44,11 @@ public final class ScenePlayer implements AutoCloseable {
     /** Surfaces, in the order of the frames. */
     public List<Surface> surfaces() {
         return surfaces.surfaces();
+    }
+
+    /** The structures of a scanned body that are not in its scan, as one line; empty if there are none. */
+    public String notInScan() {
+        return notInScan;
     }
 
     public List<Overlay> overlays() {

@@ -1,7 +1,11 @@
 package org.phrenic.anatomy;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * A thorax at end-expiration: its named surfaces, in LPS and mm.
@@ -9,12 +13,38 @@ import java.util.Optional;
  * @param name display name for reports
  * @param structures all surfaces, with unique names
  * @param notes repairs and omissions by the loader, one sentence each
+ * @param notInScan names of the structures of a scanned body that its scan does not show
  */
-public record Thorax(String name, List<Structure> structures, List<String> notes) {
+public record Thorax(String name, List<Structure> structures, List<String> notes, Set<String> notInScan) {
 
     public Thorax {
         structures = List.copyOf(structures);
         notes = List.copyOf(notes);
+        notInScan = Set.copyOf(notInScan);
+    }
+
+    /** A body whose structures all have the same source. */
+    public Thorax(String name, List<Structure> structures, List<String> notes) {
+        this(name, structures, notes, Set.of());
+    }
+
+    /** The structures that are not in the scan, by kind, such as "skin, 4 of 24 ribs"; empty if there are none. */
+    public String notInScanSummary() {
+        return Arrays.stream(StructureKind.values())
+                .map(this::notInScanOfKind)
+                .filter(text -> !text.isEmpty())
+                .collect(Collectors.joining(", "));
+    }
+
+    private String notInScanOfKind(StructureKind kind) {
+        List<Structure> all = structuresOf(kind);
+        long count = all.stream().filter(s -> notInScan.contains(s.name())).count();
+        String label = kind.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        if (count == 0 || all.size() == 1) {
+            return count == 0 ? "" : label;
+        }
+        String plural = label.replaceFirst("vertebra$", "vertebrae").replaceFirst("([^e])$", "$1s");
+        return count == all.size() ? plural : count + " of " + all.size() + " " + plural;
     }
 
     /** All structures of a kind, in their original order. */

@@ -59,7 +59,7 @@ public final class ThoraxFolder {
         }
         Path index = folder.resolve(INDEX_FILE);
         YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");
-        yaml.requireOnly(List.of("name", "axes", "units", "structures"));
+        yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
         Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
         List<String> notes = new ArrayList<>();
         List<Found> found = new ArrayList<>();
@@ -109,7 +109,8 @@ public final class ThoraxFolder {
                         "name",
                         folder.toAbsolutePath().normalize().getFileName().toString()),
                 structures,
-                notes);
+                notes,
+                yaml.has("not_in_scan") ? Set.copyOf(yaml.texts("not_in_scan")) : Set.of());
     }
 
     /**

@@ -210,7 +210,9 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     }
 
     private Annotations annotationsFor(String moment) {
-        return Annotations.of(appearance.style()).withTimestamp(moment);
+        return Annotations.of(appearance.style())
+                .withTimestamp(moment)
+                .withNotInScan(scene == null ? "" : scene.body().notInScanSummary());
     }
 
     /** Frames per second; 0 while nothing moves. */

@@ -295,7 +295,7 @@ public final class PhrenicWindow {
             statusBar.show(scene);
             loading.setVisible(false);
             frame.setTitle(scene.scenario().name() + " - Phrenic");
-            scene.notes().forEach(note -> LOG.log(System.Logger.Level.INFO, note));
+            scene.body().notes().forEach(note -> LOG.log(System.Logger.Level.INFO, note));
         }
 
         @Override

@@ -28,12 +28,13 @@ final class PatientFolder {
             files.put(name, name + ".vtp");
         }
         JsonWriter.write(folder.resolve("import.json"), report);
+        OrderedValues index = new OrderedValues()
+                .with("name", body.name())
+                .with("axes", "LPS")
+                .with("units", "mm")
+                .with("structures", files);
         YamlWriter.write(
                 folder.resolve("thorax.yaml"),
-                new OrderedValues()
-                        .with("name", body.name())
-                        .with("axes", "LPS")
-                        .with("units", "mm")
-                        .with("structures", files));
+                body.notInScan().isEmpty() ? index : index.with("not_in_scan", body.notInScan()));
     }
 }

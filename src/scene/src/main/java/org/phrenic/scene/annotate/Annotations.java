@@ -14,16 +14,22 @@ import org.phrenic.scene.style.SceneStyle;
 
 /**
  * Annotations drawn over a picture of the scene: orientation letters at the edges, an orientation figure, a scale bar
- * (parallel projection only), a colour bar, title and time, and the disclaimer.
+ * (parallel projection only), a colour bar, title and time, the parts that are not in the scan, and the disclaimer.
  *
  * @param lightBackground whether the background of the picture is light
  * @param title title; empty for none
  * @param timestamp time and breathing phase; empty for none
  * @param quantityName name of the quantity that {@code scale} shows
  * @param scale colour scale of the coloured surface
+ * @param notInScan parts of the body that do not come from its scan; empty for none
  */
 public record Annotations(
-        boolean lightBackground, String title, String timestamp, String quantityName, Optional<ColourScale> scale) {
+        boolean lightBackground,
+        String title,
+        String timestamp,
+        String quantityName,
+        Optional<ColourScale> scale,
+        String notInScan) {
     private static final double LETTER_SIZE = 17;
     private static final double TEXT_SIZE = 12;
     private static final double SMALL_TEXT_SIZE = 10;
@@ -43,16 +49,22 @@ public record Annotations(
                 "",
                 "",
                 style.field().label(),
-                style.field() == ColourField.NONE ? Optional.empty() : Optional.of(style.scale()));
+                style.field() == ColourField.NONE ? Optional.empty() : Optional.of(style.scale()),
+                "");
     }
 
     public Annotations withTitle(String text) {
-        return new Annotations(lightBackground, text, timestamp, quantityName, scale);
+        return new Annotations(lightBackground, text, timestamp, quantityName, scale, notInScan);
     }
 
     /** Copy with a line of time and breathing phase. */
     public Annotations withTimestamp(String text) {
-        return new Annotations(lightBackground, title, text, quantityName, scale);
+        return new Annotations(lightBackground, title, text, quantityName, scale, notInScan);
+    }
+
+    /** Copy that names the parts of the body that do not come from its scan. */
+    public Annotations withNotInScan(String parts) {
+        return new Annotations(lightBackground, title, timestamp, quantityName, scale, parts);
     }
 
     /** Formats time and breathing phase: "1.25 s, inspiration". */
@@ -114,11 +126,13 @@ public record Annotations(
         HaloGraphics ink = halo(graphics, width, height, unit);
         double margin = ink.toPixels(MARGIN);
         double small = ink.measure("H", SMALL_TEXT_SIZE, false).getHeight();
-        double floor = height - margin - small - ink.toPixels(7);
+        double line = small + ink.toPixels(5);
+        double floor = height - margin - small - ink.toPixels(7) - (notInScan.isEmpty() ? 0 : line);
         drawOrientationLetters(ink, camera, width, height, floor);
-        double size = ink.fittingSize(Disclaimer.TEXT, SMALL_TEXT_SIZE, width - 2 * margin);
-        ink.drawText(
-                ink.ellipsized(Disclaimer.TEXT, size, width - 2 * margin), margin, height - margin, 0, size, false);
+        drawFootnote(ink, Disclaimer.TEXT, width, height - margin);
+        if (!notInScan.isEmpty()) {
+            drawFootnote(ink, "Not in the scan: " + notInScan, width, height - margin - line);
+        }
         double figure = Math.min(ink.toPixels(FIGURE_HEIGHT), 0.3 * Math.min(width, height));
         OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, height - margin - figure * 0.52, figure);
         if (camera.orthographic()) {
@@ -130,6 +144,12 @@ public record Annotations(
             ColourBar.draw(ink, quantityName, colours, right, height * 0.26, bottom);
         });
         ink.dispose();
+    }
+
+    private static void drawFootnote(HaloGraphics ink, String text, int width, double baseline) {
+        double margin = ink.toPixels(MARGIN);
+        double size = ink.fittingSize(text, SMALL_TEXT_SIZE, width - 2 * margin);
+        ink.drawText(ink.ellipsized(text, size, width - 2 * margin), margin, baseline, 0, size, false);
     }
 
     private HaloGraphics halo(Graphics2D graphics, int width, int height, double unit) {

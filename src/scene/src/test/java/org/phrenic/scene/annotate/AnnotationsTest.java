@@ -30,7 +30,13 @@ class AnnotationsTest {
         g.setColor(new Color(light ? LIGHT : DARK));
         g.fillRect(0, 0, width, height);
         g.dispose();
-        new Annotations(light, "", "", "Displacement of the diaphragm", Optional.of(ColourScale.sequential(20, "mm")))
+        new Annotations(
+                        light,
+                        "",
+                        "",
+                        "Displacement of the diaphragm",
+                        Optional.of(ColourScale.sequential(20, "mm")),
+                        "")
                 .withTitle("Quiet breath, virtual adult male with a name that is long")
                 .withTimestamp("1.25 s, breath 1 at 31 %")
                 .draw(picture, camera);

@@ -2,6 +2,7 @@ package org.phrenic.simulation.live;
 
 import java.util.List;
 import java.util.function.Supplier;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
@@ -16,7 +17,7 @@ import org.phrenic.simulation.observe.Surface;
  * @param newFrame creates a matching frame that holds the scene at rest; callable on any thread
  * @param nodes number of nodes
  * @param springs number of springs
- * @param notes remarks on the body, one sentence each
+ * @param body the body as loaded, with its notes
  * @param id unique among loaded scenes
  */
 public record LiveScene(
@@ -26,5 +27,5 @@ public record LiveScene(
         Supplier<Frame> newFrame,
         int nodes,
         int springs,
-        List<String> notes,
+        Thorax body,
         long id) {}

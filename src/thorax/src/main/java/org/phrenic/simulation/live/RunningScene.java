@@ -1,7 +1,7 @@
 package org.phrenic.simulation.live;
 
-import java.util.List;
 import java.util.Optional;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.scenario.RunSettings;
@@ -39,7 +39,7 @@ final class RunningScene implements AutoCloseable {
     private StabilityLimit limitSaid;
     private int substepsSaid;
 
-    RunningScene(Simulation simulation, SceneSurfaces surfaces, List<String> notes, long id) {
+    RunningScene(Simulation simulation, SceneSurfaces surfaces, Thorax body, long id) {
         this.simulation = simulation;
         this.surfaces = surfaces;
         Frame rest = surfaces.newFrame();
@@ -48,7 +48,7 @@ final class RunningScene implements AutoCloseable {
         int nodes = simulation.system().nodeCount();
         int springs = simulation.springCount();
         scene = new LiveScene(
-                simulation.start(), surfaces.surfaces(), surfaces.overlays(), rest::copy, nodes, springs, notes, id);
+                simulation.start(), surfaces.surfaces(), surfaces.overlays(), rest::copy, nodes, springs, body, id);
         sample();
         publish();
     }

@@ -81,7 +81,7 @@ final class SceneLoader {
         try {
             enterStage("surfaces", SCENE_SHARE);
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
-            RunningScene running = new RunningScene(simulation, surfaces, thorax.notes(), id);
+            RunningScene running = new RunningScene(simulation, surfaces, thorax, id);
             enterStage("done", 1);
             return running;
         } catch (RuntimeException e) {
