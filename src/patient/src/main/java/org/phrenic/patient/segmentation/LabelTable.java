@@ -159,7 +159,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         if (map.isEmpty()) {
             throw new BadInputException(file + ": found no row for a label of the volume, expected some");
         }
-        return new LabelTable(map, tellAbsent ? absent : List.of()).withRest(volume);
+        LabelTable read = new LabelTable(map, tellAbsent ? absent : List.of());
+        boolean fits = map.keySet().stream().anyMatch(label -> label < counts.length && counts[label] > 0);
+        return fits ? read.withRest(volume) : read;
     }
 
     private static List<Integer> labelsNamed(LabelVolume volume, String name) {
