@@ -17,29 +17,15 @@ public final class ChoiceSetting<T> extends Setting<T> {
     private final Function<T, String> name;
     private final Function<SettingValues, T> defaultValue;
 
-    /**
-     * @param values in display order
-     * @param name of a value in scenario files
-     */
-    public ChoiceSetting(
-            String key,
-            String label,
-            Effect effect,
+    ChoiceSetting(
+            Declaration declaration,
             Collection<T> values,
             Function<T, String> name,
-            Function<SettingValues, T> defaultValue,
-            String description) {
-        super(key, label, effect, description);
+            Function<SettingValues, T> defaultValue) {
+        super(declaration);
         values.forEach(value -> byName.put(name.apply(value), value));
         this.name = name;
         this.defaultValue = defaultValue;
-    }
-
-    /** Setting for the constants of an enumeration, named in lower case. */
-    public static <E extends Enum<E>> ChoiceSetting<E> of(
-            String key, String label, Effect effect, E defaultValue, String description) {
-        List<E> all = List.of(defaultValue.getDeclaringClass().getEnumConstants());
-        return new ChoiceSetting<>(key, label, effect, all, ChoiceSetting::nameOf, v -> defaultValue, description);
     }
 
     /** Name of a constant in scenario files. */

@@ -20,14 +20,8 @@ public class NumberSetting extends Setting<Double> {
     private final Range range;
     private final ToDoubleFunction<SettingValues> defaultValue;
 
-    public NumberSetting(
-            String key,
-            String label,
-            Effect effect,
-            Range range,
-            ToDoubleFunction<SettingValues> defaultValue,
-            String description) {
-        super(key, label, effect, description);
+    NumberSetting(Declaration declaration, Range range, ToDoubleFunction<SettingValues> defaultValue) {
+        super(declaration);
         this.range = range;
         this.defaultValue = defaultValue;
     }

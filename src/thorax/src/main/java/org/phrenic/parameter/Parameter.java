@@ -20,7 +20,7 @@ public final class Parameter extends NumberSetting {
     private final FitRange fitRange;
 
     private Parameter(Builder b) {
-        super(b.key, b.label, b.effect, new Range(b.unit, b.minimum, b.maximum), b.initial, b.description);
+        super(b.declaration, new Range(b.unit, b.minimum, b.maximum), b.initial);
         group = b.group;
         fromPreset = b.fromPreset;
         switchedBy = b.switchedBy;
@@ -30,7 +30,7 @@ public final class Parameter extends NumberSetting {
 
     /** Starts the declaration of a parameter. */
     public static Builder named(String key, String label) {
-        return new Builder(key, label);
+        return new Builder(new Declaration(key, label, Effect.DRIVE, ""));
     }
 
     /** Heading under which it is displayed. */
@@ -90,23 +90,20 @@ public final class Parameter extends NumberSetting {
 
     /** Builder of a parameter. By default it is dimensionless and read at every force evaluation. */
     public static final class Builder {
-        private final String key;
-        private final String label;
+        private Declaration declaration;
         private String unit = "1";
         private double minimum;
         private double maximum = 1;
         private ToDoubleFunction<SettingValues> initial = values -> Double.NaN;
         private boolean fromPreset;
-        private Effect effect = Effect.DRIVE;
+
         private Group group = Group.TISSUE;
         private SwitchSetting switchedBy;
         private boolean limitsStep;
         private FitRange fitRange;
-        private String description = "";
 
-        private Builder(String key, String label) {
-            this.key = key;
-            this.label = label;
+        private Builder(Declaration declaration) {
+            this.declaration = declaration;
         }
 
         /** Sets the smallest and largest value. */
@@ -136,7 +133,7 @@ public final class Parameter extends NumberSetting {
         }
 
         public Builder effect(Effect what) {
-            effect = what;
+            declaration = new Declaration(declaration.key(), declaration.label(), what, "");
             return this;
         }
 
@@ -174,7 +171,7 @@ public final class Parameter extends NumberSetting {
 
         /** Completes the declaration. */
         public Parameter describedAs(String sentence) {
-            description = sentence;
+            declaration = declaration.describedAs(sentence);
             return new Parameter(this);
         }
     }

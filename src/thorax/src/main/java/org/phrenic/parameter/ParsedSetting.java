@@ -17,16 +17,12 @@ public final class ParsedSetting<T> extends Setting<T> {
     private final Reader<T> reader;
     private final Function<T, Object> plain;
 
-    /** @param plain value as in a scenario file; null if the file omits the key */
-    public ParsedSetting(
-            String key,
-            String label,
-            Effect effect,
+    ParsedSetting(
+            Declaration declaration,
             Function<SettingValues, T> defaultValue,
             Reader<T> reader,
-            Function<T, Object> plain,
-            String description) {
-        super(key, label, effect, description);
+            Function<T, Object> plain) {
+        super(declaration);
         this.defaultValue = defaultValue;
         this.reader = reader;
         this.plain = plain;

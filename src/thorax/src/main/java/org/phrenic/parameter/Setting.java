@@ -10,46 +10,40 @@ import org.phrenic.document.YamlMap;
  * @param <T> type of its values, which are immutable
  */
 public abstract class Setting<T> {
-    private final String key;
-    private final String label;
-    private final Effect effect;
-    private final String description;
+    private final Declaration declaration;
 
-    /**
-     * @param key name in scenario files and on the command line, with its unit
-     * @param label display name
-     * @param description meaning and origin of the default, in one or two sentences
-     */
-    protected Setting(String key, String label, Effect effect, String description) {
-        this.key = key;
-        this.label = label;
-        this.effect = effect;
-        this.description = description;
+    Setting(Declaration declaration) {
+        this.declaration = declaration;
+    }
+
+    /** Begins a declaration. */
+    public static Declaration named(String key, String label, Effect effect) {
+        return new Declaration(key, label, effect, "");
     }
 
     /** Name in scenario files and on the command line, with its unit. */
     public final String key() {
-        return key;
+        return declaration.key();
     }
 
     /** Display name. */
     public final String label() {
-        return label;
+        return declaration.label();
     }
 
     /** What a running simulation must do when it changes. */
     public final Effect effect() {
-        return effect;
+        return declaration.effect();
     }
 
     /** Whether it can change during a run. */
     public final boolean isLive() {
-        return effect.isLive();
+        return effect().isLive();
     }
 
     /** Its meaning and the origin of its default. */
     public final String description() {
-        return description;
+        return declaration.description();
     }
 
     /** Unit of a number; {@code 1} for a dimensionless number or a value of another type. */
@@ -86,6 +80,6 @@ public abstract class Setting<T> {
 
     @Override
     public String toString() {
-        return key;
+        return key();
     }
 }

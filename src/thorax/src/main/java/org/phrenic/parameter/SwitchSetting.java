@@ -8,8 +8,8 @@ import org.phrenic.document.YamlMap;
 public final class SwitchSetting extends Setting<Boolean> {
     private final boolean defaultValue;
 
-    public SwitchSetting(String key, String label, Effect effect, boolean defaultValue, String description) {
-        super(key, label, effect, description);
+    SwitchSetting(Declaration declaration, boolean defaultValue) {
+        super(declaration);
         this.defaultValue = defaultValue;
     }
 

@@ -13,14 +13,8 @@ public final class WholeSetting extends Setting<Integer> {
     private final int maximum;
     private final ToIntFunction<SettingValues> defaultValue;
 
-    public WholeSetting(
-            String key,
-            String label,
-            Effect effect,
-            int maximum,
-            ToIntFunction<SettingValues> defaultValue,
-            String description) {
-        super(key, label, effect, description);
+    WholeSetting(Declaration declaration, int maximum, ToIntFunction<SettingValues> defaultValue) {
+        super(declaration);
         this.maximum = maximum;
         this.defaultValue = defaultValue;
     }

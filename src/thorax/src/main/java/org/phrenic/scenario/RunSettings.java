@@ -22,68 +22,47 @@ public final class RunSettings {
     private static final long MAX_STEPS = 1_000_000_000_000L;
 
     /** Name of the scenario; the preset's name by default. */
-    public static final Setting<String> NAME = new ParsedSetting<>(
-            "name",
-            "Name",
-            Effect.ASSEMBLY,
-            values -> values.get(Breathing.PRESET).name(),
-            (yaml, key, folder) -> yaml.text(key),
-            value -> value,
-            "What to call it.");
+    public static final Setting<String> NAME = Setting.named("name", "Name", Effect.ASSEMBLY)
+            .describedAs("What to call it.")
+            .parsed(
+                    values -> values.get(Breathing.PRESET).name(),
+                    (yaml, key, folder) -> yaml.text(key),
+                    value -> value);
     /** A virtual body, or the path of a thorax folder. */
-    public static final Setting<String> ANATOMY = new ParsedSetting<>(
-            "anatomy",
-            "Body",
-            Effect.ASSEMBLY,
-            values -> VIRTUAL_BODIES.get(0),
-            RunSettings::anatomy,
-            value -> VIRTUAL_BODIES.contains(value)
-                    ? value
-                    : Path.of(value).toAbsolutePath().normalize().toString(),
-            "A virtual body, or a folder of meshes.");
+    public static final Setting<String> ANATOMY = Setting.named("anatomy", "Body", Effect.ASSEMBLY)
+            .describedAs("A virtual body, or a folder of meshes.")
+            .parsed(
+                    values -> VIRTUAL_BODIES.get(0),
+                    RunSettings::anatomy,
+                    value -> VIRTUAL_BODIES.contains(value)
+                            ? value
+                            : Path.of(value).toAbsolutePath().normalize().toString());
 
-    public static final NumberSetting DURATION = time(
-            "duration_s",
-            "Duration",
-            MIN_OFFERED_S,
-            Double.NaN,
-            "Simulated time; without it two breaths, or as long as a hold or a recording takes.");
-    public static final NumberSetting RECORD_EVERY = time(
-            "record_every_s",
-            "Record every",
-            MIN_OFFERED_S,
-            RECORD_EVERY_S,
-            "Time between samples of the observables.");
+    public static final NumberSetting DURATION = Setting.named("duration_s", "Duration", Effect.ASSEMBLY)
+            .describedAs("Simulated time; without it two breaths, or as long as a hold or a recording takes.")
+            .number("s", MIN_OFFERED_S, MAX_DURATION_S, values -> Double.NaN);
+    public static final NumberSetting RECORD_EVERY = Setting.named("record_every_s", "Record every", Effect.ASSEMBLY)
+            .describedAs("Time between samples of the observables.")
+            .number("s", MIN_OFFERED_S, MAX_DURATION_S, values -> RECORD_EVERY_S);
     /** Interval of mesh output; 0 for no meshes. */
-    public static final NumberSetting MESHES_EVERY =
-            time("meshes_every_s", "Meshes every", 0, 0, "Time between meshes that are written; 0 for none.");
+    public static final NumberSetting MESHES_EVERY = Setting.named("meshes_every_s", "Meshes every", Effect.ASSEMBLY)
+            .describedAs("Time between meshes that are written; 0 for none.")
+            .number("s", 0, MAX_DURATION_S, values -> 0);
     /** Number of steps, which replaces the duration; -1 if not given. */
-    public static final Setting<Long> STEPS = new ParsedSetting<>(
-            "steps",
-            "Steps",
-            Effect.ASSEMBLY,
-            values -> -1L,
-            RunSettings::steps,
-            value -> value < 0 ? null : value,
-            "Steps to run, whatever the duration.");
+    public static final Setting<Long> STEPS = Setting.named("steps", "Steps", Effect.ASSEMBLY)
+            .describedAs("Steps to run, whatever the duration.")
+            .parsed(values -> -1L, RunSettings::steps, value -> value < 0 ? null : value);
     /** Scheduled changes in the order of their steps. */
-    public static final Setting<List<ScheduledChange>> CHANGES = new ParsedSetting<>(
-            "changes",
-            "Changes",
-            Effect.ASSEMBLY,
-            values -> List.of(),
-            RunSettings::changes,
-            value -> value.isEmpty()
-                    ? null
-                    : value.stream().map(ScheduledChange::text).toList(),
-            "Changes while it runs, as a list of STEP:key=value.");
+    public static final Setting<List<ScheduledChange>> CHANGES = Setting.named("changes", "Changes", Effect.ASSEMBLY)
+            .describedAs("Changes while it runs, as a list of STEP:key=value.")
+            .parsed(
+                    values -> List.of(),
+                    RunSettings::changes,
+                    value -> value.isEmpty()
+                            ? null
+                            : value.stream().map(ScheduledChange::text).toList());
 
     private RunSettings() {}
-
-    private static NumberSetting time(String key, String label, double minS, double defaultS, String description) {
-        NumberSetting.Range range = new NumberSetting.Range("s", minS, MAX_DURATION_S);
-        return new NumberSetting(key, label, Effect.ASSEMBLY, range, values -> defaultS, description);
-    }
 
     private static String anatomy(YamlMap yaml, String key, Path folder) {
         String found = yaml.text(key);

@@ -10,7 +10,6 @@ import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.breathing.pattern.TracePattern;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
-import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
@@ -24,27 +23,22 @@ public final class Breathing extends ScenePart {
     private static final BreathingPreset QUIET = BreathingPreset.named("quiet");
 
     /** A preset from {@code data/breathing} that is part of the program. */
-    public static final Setting<BreathingPreset> PRESET = new ChoiceSetting<>(
-            "preset",
-            "Breathing",
-            Effect.NEW_PATTERN,
-            BreathingPreset.names().stream().map(BreathingPreset::named).toList(),
-            BreathingPreset::name,
-            values -> QUIET,
-            "Way to breathe, from data/breathing.");
+    public static final Setting<BreathingPreset> PRESET = Setting.named("preset", "Breathing", Effect.NEW_PATTERN)
+            .describedAs("Way to breathe, from data/breathing.")
+            .choice(
+                    BreathingPreset.names().stream().map(BreathingPreset::named).toList(),
+                    BreathingPreset::name,
+                    values -> QUIET);
     /** A recording whose curve replaces the preset's. */
-    public static final Setting<Optional<Path>> TRACE = new ParsedSetting<>(
-            "trace",
-            "Recorded breath",
-            Effect.NEW_PATTERN,
-            values -> Optional.empty(),
-            Breathing::trace,
-            value -> value.map(file -> file.toAbsolutePath().normalize().toString())
-                    .orElse(null),
-            "CSV file of recorded breathing, or none.");
+    public static final Setting<Optional<Path>> TRACE = Setting.named("trace", "Recorded breath", Effect.NEW_PATTERN)
+            .describedAs("CSV file of recorded breathing, or none.")
+            .parsed(values -> Optional.empty(), Breathing::trace, value -> value.map(
+                            file -> file.toAbsolutePath().normalize().toString())
+                    .orElse(null));
     /** Whether the breath is held. */
-    public static final SwitchSetting HOLD =
-            new SwitchSetting("hold", "Hold", Effect.DRIVE, false, "The breath is held where it is.");
+    public static final SwitchSetting HOLD = Setting.named("hold", "Hold", Effect.DRIVE)
+            .describedAs("The breath is held where it is.")
+            .onOff(false);
 
     public static final Parameter RATE = Parameter.named("rate_per_min", "Rate")
             .range(2, 150, "1/min")
@@ -66,8 +60,8 @@ public final class Breathing extends ScenePart {
             .initialOfPreset(values -> values.get(PRESET).parameters().chestShare())
             .shown(Group.BREATHING, Effect.PATTERN)
             .fitted(0.3, 0.7)
-            .describedAs("Balance of chest and abdomen: 0 breathes with the diaphragm alone, 1 with the ribs alone, 0.5"
-                    + " leaves both as they stand.");
+            .describedAs("Balance of chest and abdomen: 0 breathes with the diaphragm alone, 1 with the ribs"
+                    + " alone, 0.5 leaves both as they stand.");
 
     public Breathing() {
         super(Stage.LOADS, RATE, DEPTH, INSPIRATORY_FRACTION, CHEST_SHARE);

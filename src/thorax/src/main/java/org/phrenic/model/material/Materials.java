@@ -5,6 +5,7 @@ import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.Setting;
 
 /** The built-in materials. */
 public final class Materials {
@@ -17,15 +18,10 @@ public final class Materials {
     public static final List<TissueMaterial> ALL = List.of(PHYSICAL, PAPER);
 
     /** The setting that selects the material. */
-    public static final ChoiceSetting<TissueMaterial> MATERIAL = new ChoiceSetting<>(
-            "material",
-            "Material",
-            Effect.ASSEMBLY,
-            ALL,
-            TissueMaterial::label,
-            values -> PHYSICAL,
-            "physical: a membrane with pressure and muscle that shortens. paper: the springs of Villard, Bourne and"
-                    + " Bello 2009.");
+    public static final ChoiceSetting<TissueMaterial> MATERIAL = Setting.named("material", "Material", Effect.ASSEMBLY)
+            .describedAs("physical: a membrane with pressure and muscle that shortens. paper: the springs of"
+                    + " Villard, Bourne and Bello 2009.")
+            .choice(ALL, TissueMaterial::label, values -> PHYSICAL);
 
     private Materials() {}
 

@@ -7,12 +7,14 @@ import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 
 /** The diaphragm's muscle: its fibres shorten with the activation of the breath. */
 public final class Muscle extends ScenePart {
-    public static final SwitchSetting MUSCLE =
-            new SwitchSetting("muscle", "Muscle", Effect.DRIVE, true, "The diaphragm's muscle is driven.");
+    public static final SwitchSetting MUSCLE = Setting.named("muscle", "Muscle", Effect.DRIVE)
+            .describedAs("The diaphragm's muscle is driven.")
+            .onOff(true);
     public static final Parameter MUSCLE_ACTIVATION = Parameter.named("muscle_activation", "Muscle activation")
             .range(0, 0.8)
             .initial(0.68)
@@ -25,17 +27,16 @@ public final class Muscle extends ScenePart {
             .initial(1.12)
             .shown(Group.MUSCLE, Effect.TISSUE)
             .fitted(0.5, 2, 1)
-            .describedAs("Activation of the left hemidiaphragm over that of the right; deep breaths move the left dome"
-                    + " 1.07 times as far in men, 1.12 in women (Boussuges 2009). The stronger side takes"
+            .describedAs("Activation of the left hemidiaphragm over that of the right; deep breaths move the left"
+                    + " dome 1.07 times as far in men, 1.12 in women (Boussuges 2009). The stronger side takes"
                     + " muscle_activation.");
     public static final Parameter FRONT_OVER_BACK = Parameter.named("front_over_back", "Front over back")
             .range(0.2, 5)
             .initial(1)
             .shown(Group.MUSCLE, Effect.TISSUE)
             .fitted(0.4, 2.5)
-            .describedAs(
-                    "Activation of the diaphragm's front over that of its back, changing smoothly over 50 mm to each"
-                            + " side of its middle. The stronger takes what left_over_right leaves it.");
+            .describedAs("Activation of the diaphragm's front over that of its back, changing smoothly over 50 mm"
+                    + " to each side of its middle. The stronger takes what left_over_right leaves it.");
 
     public Muscle() {
         super(Stage.SPRINGS, MUSCLE_ACTIVATION, LEFT_OVER_RIGHT, FRONT_OVER_BACK);

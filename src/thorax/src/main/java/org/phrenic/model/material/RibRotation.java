@@ -10,24 +10,26 @@ import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.RampedValues;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 
 /** Rotation of the ribs about their helical axes, driven by the breath. */
 public final class RibRotation extends ScenePart {
-    public static final SwitchSetting RIBS =
-            new SwitchSetting("ribs", "Ribs", Effect.DRIVE, true, "The ribs turn about their helical axes.");
+    public static final SwitchSetting RIBS = Setting.named("ribs", "Ribs", Effect.DRIVE)
+            .describedAs("The ribs turn about their helical axes.")
+            .onOff(true);
     public static final Parameter RIB_ROTATION = factor("rib_rotation", "Rib rotation", 1.5)
             .switchedBy(RIBS)
             .fitted(0, 1.5, 1)
             .describedAs("Multiplies the turn of every rib.");
     public static final Parameter UPPER_RIB_ROTATION = factor("upper_rib_rotation", "Upper ribs", 2)
             .fitted(0.3, 1.7)
-            .describedAs("Multiplies besides the turn of ribs 1 to 3, of rib 4 by two thirds of that, of rib 5 by one"
-                    + " third.");
+            .describedAs("Multiplies besides the turn of ribs 1 to 3, of rib 4 by two thirds of that, of rib 5 by"
+                    + " one third.");
     public static final Parameter LOWER_RIB_ROTATION = factor("lower_rib_rotation", "Lower ribs", 2)
             .fitted(0.3, 1.7)
-            .describedAs("Multiplies besides the turn of ribs 9 to 12, of rib 8 by two thirds of that, of rib 7 by one"
-                    + " third.");
+            .describedAs("Multiplies besides the turn of ribs 9 to 12, of rib 8 by two thirds of that, of rib 7"
+                    + " by one third.");
     public static final Parameter RIB_LEFT_OVER_RIGHT = factor("rib_left_over_right", "Ribs left over right", 5)
             .range(0.2, 5)
             .fitted(0.6, 1.6)
@@ -36,8 +38,8 @@ public final class RibRotation extends ScenePart {
     public static final Parameter BUCKET_HANDLE = factor("bucket_handle", "Bucket handle", 3)
             .fitted(0, 2)
             .describedAs("Multiplies what each rib turns to raise its side (about the antero-posterior axis), and"
-                    + " leaves what raises its front; bones are taken to differ in this by 10 degrees of"
-                    + " axis and more.");
+                    + " leaves what raises its front; bones are taken to differ in this by 10 degrees of axis"
+                    + " and more.");
 
     private static Parameter.Builder factor(String key, String label, double maximum) {
         return Parameter.named(key, label).range(0, maximum).initial(1).group(Group.RIBS);

@@ -7,22 +7,20 @@ import org.phrenic.model.assembly.SwitchedConstraint;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 import org.phrenic.parameter.WholeSetting;
 
 /** Rigid links across the central tendon: the tensegrity of Villard, Bourne and Bello 2009. */
 public final class RigidTendon extends ScenePart {
-    public static final SwitchSetting TENSEGRITY = new SwitchSetting(
-            "tensegrity", "Tensegrity", Effect.SCENE, true, "Rigid links hold the two faces of the sheet apart.");
+    public static final SwitchSetting TENSEGRITY = Setting.named("tensegrity", "Tensegrity", Effect.SCENE)
+            .describedAs("Rigid links hold the two faces of the sheet apart.")
+            .onOff(true);
     private static final int MAX_LINKS = 3;
 
-    public static final WholeSetting LINKS_PER_NODE = new WholeSetting(
-            "links_per_node",
-            "Links per node",
-            Effect.ASSEMBLY,
-            MAX_LINKS,
-            values -> 1,
-            "Rigid links a node of the sheet.");
+    public static final WholeSetting LINKS_PER_NODE = Setting.named("links_per_node", "Links per node", Effect.ASSEMBLY)
+            .describedAs("Rigid links a node of the sheet.")
+            .whole(MAX_LINKS, values -> 1);
 
     private static final double TOLERANCE = 1e-6;
     private static final int SWEEPS = 50;

@@ -11,6 +11,7 @@ import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 
 /**
@@ -18,8 +19,9 @@ import org.phrenic.parameter.SwitchSetting;
  * the pressure of the breathing effort.
  */
 public final class TransdiaphragmaticPressure extends ScenePart {
-    public static final SwitchSetting PRESSURE =
-            new SwitchSetting("pressure", "Pressure", Effect.SCENE, true, "Transdiaphragmatic pressure acts.");
+    public static final SwitchSetting PRESSURE = Setting.named("pressure", "Pressure", Effect.SCENE)
+            .describedAs("Transdiaphragmatic pressure acts.")
+            .onOff(true);
     public static final Parameter REST_PRESSURE = Parameter.named("rest_pressure_kpa", "Pressure at rest")
             .range(0, 2, "kPa")
             .initial(0.25)
@@ -33,17 +35,16 @@ public final class TransdiaphragmaticPressure extends ScenePart {
             .group(Group.BREATHING)
             .switchedBy(PRESSURE)
             .fitted(0, 8)
-            .describedAs(
-                    "Transdiaphragmatic pressure added at the greatest effort, scaled to the model's soft muscle.");
+            .describedAs("Transdiaphragmatic pressure added at the greatest effort, scaled to the model's soft"
+                    + " muscle.");
     public static final Parameter PRESSURE_LEFT_OVER_RIGHT = Parameter.named(
                     "pressure_left_over_right", "Pressure left over right")
             .range(0.2, 5)
             .initial(1)
             .group(Group.BREATHING)
             .fitted(0.4, 2.5)
-            .describedAs(
-                    "Pressure of effort under the left hemidiaphragm over that under the right; the greater is what"
-                            + " the effort makes.");
+            .describedAs("Pressure of effort under the left hemidiaphragm over that under the right; the greater"
+                    + " is what the effort makes.");
 
     public TransdiaphragmaticPressure() {
         super(Stage.PRESSURE, REST_PRESSURE, GREATEST_PRESSURE, PRESSURE_LEFT_OVER_RIGHT);

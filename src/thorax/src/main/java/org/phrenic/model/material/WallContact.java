@@ -8,6 +8,7 @@ import org.phrenic.model.assembly.SwitchedConstraint;
 import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.RampedValue;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SwitchSetting;
 
 /**
@@ -15,12 +16,9 @@ import org.phrenic.parameter.SwitchSetting;
  * thoracic face outside the abdominal face.
  */
 public final class WallContact extends ScenePart {
-    public static final SwitchSetting CONTACT = new SwitchSetting(
-            "contact",
-            "Contact",
-            Effect.SCENE,
-            true,
-            "The diaphragm slides on the chest wall and does not pass through it.");
+    public static final SwitchSetting CONTACT = Setting.named("contact", "Contact", Effect.SCENE)
+            .describedAs("The diaphragm slides on the chest wall and does not pass through it.")
+            .onOff(true);
 
     public WallContact() {
         super(Stage.CONSTRAINTS);
